@@ -47,9 +47,9 @@ impl Patch {
     /// Regions that the patch covers twice count twice. The area of a patch that is a curve or a point is zero.
     ///
     /// The function takes at most 2²² steps, about one for each two multiplications (some milliseconds). Where the
-    /// patch folds back, or has very different sizes along its axes, the result is the best estimate and its fifth
+    /// patch folds back, or has very different sizes along its axes, the result is the best estimate and its fourth
     /// digit may be wrong: the quadrature may miss a fold that cuts off a corner of a tile, and folds may need more
-    /// steps. Where coordinates differ by many powers of ten, the fourth digit may be wrong.
+    /// steps.
     pub fn area(&self) -> f64 {
         let scaling = Scaling::around(self.control_bounds());
         let area = scaled_area(&scaling.image(self));

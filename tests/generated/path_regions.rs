@@ -109,7 +109,16 @@ fn filled_area(case: &Case) -> Checked {
     let size = path
         .control_bounds()
         .map_or(0.0, |bounds| bounds.diagonal());
-    ensure!(area >= -1e-9 * size * size, "the area {area} is negative");
+    ensure!(area >= 0.0, "the area {area} is negative");
+    let region = path
+        .remove_overlaps(rule(case))
+        .map_err(|error| error.to_string())?;
+    // The contours may cross by rounding.
+    let signed = region.area();
+    ensure!(
+        signed >= -1e-9 * size * size,
+        "the signed area {signed} is negative"
+    );
     Ok(())
 }
 

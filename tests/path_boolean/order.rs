@@ -80,6 +80,66 @@ fn arcs_that_turn_back_near_their_end() {
     assert!(error < 1e-12, "areas differ by {error:e}");
 }
 
+#[test]
+fn a_loop_whose_ends_leave_a_vertex_in_the_same_direction() {
+    // Sizes from 1e-12 to 1e15. The first segment is a loop with its start and end within 1e-10 of its size, in
+    // directions that are equal within rounding, at the joint of the others.
+    let first = [
+        [0.0009064175852028227, 5.050903042555853e-12],
+        [1.0, -0.00035661475297452073],
+        [-1.0, -9.685524485084386e-11],
+        [0.0, -88360961.58268085],
+        [-16062911.161131354, 1678436145722.2163],
+        [1000000000000000.0, -1.5019787082304275e-6],
+        [0.006841905289156387, -10452.882042673176],
+        [2337147.3487787186, -1000000000010452.9],
+        [2.092605713328062, -10453.882042673176],
+        [2.0918928146216604, -10452.882042612979],
+        [4809375762492.081, 233784424077528.03],
+        [-12316713247902.18, -10452.882042673176],
+        [2.0926057238165408, -10452.882042671146],
+        [-17963471646.858135, 46774033710680.05],
+        [3.0926057335371917, 46774032410126.07],
+        [-253228.49310127975, 46774032410125.07],
+        [27942.35259511652, 46774032410126.07],
+        [3.0926057335371917, 46774032410126.07],
+        [1.0926057335371917, 46774032410126.07],
+    ];
+    let second = [
+        [52112.87294588847, 8835.358787775469],
+        [52112.87294588847, 8835.358787775469],
+        [56321.071498080055, -1.3499566608102154],
+        [56321.14023024132, -1.3499734297577406],
+        [56321.07149768608, -5720578542793.3545],
+        [56321.07150216006, -5720578542793.3545],
+        [56321.07150222009, -5720578542793.3545],
+        [56321.07150221806, -5720578542793.3545],
+        [56321.07150195831, -5720578542793.3545],
+        [56321.07150221677, -5720578542793.3545],
+        [56321.07149850251, -5720578542793.3545],
+    ];
+    let subpath = |points: &[[f64; 2]], degrees: &[usize]| {
+        let points = points.iter().copied().map(DVec2::from).collect();
+        Spline::with_degrees(points, degrees, false).expect("valid points")
+    };
+    let path: Path = [subpath(&first, &[6, 6, 6]), subpath(&second, &[2, 2, 6])]
+        .into_iter()
+        .collect();
+    let region = valid(path.remove_overlaps(RULE));
+    let mut inside = 0;
+    // The contours are small in the box of the path: samples in the box of each.
+    for bounds in region.subpaths().map(|contour| contour.bounds()) {
+        for k in 0..40 * 40 {
+            let part = DVec2::new(f64::from(k % 40) + 0.5, f64::from(k / 40) + 0.5) / 40.0;
+            let p = bounds.min + (bounds.max - bounds.min) * part;
+            let expected = i32::from(path.winding_number(p) != 0);
+            assert_eq!(region.winding_number(p), expected, "{p}");
+            inside += expected;
+        }
+    }
+    assert!(inside > 100, "{inside}");
+}
+
 fn assert_close(actual: f64, expected: f64) {
     assert!(
         (actual - expected).abs() <= 1e-9,

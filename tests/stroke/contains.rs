@@ -3,10 +3,10 @@
 use crate::cases::{HARD, path, size};
 use crate::common::Rng;
 use crate::round::{WIDTHS, samples};
-use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, StrokeCap, StrokeOptions};
 use casteljau::spline::OffsetJoin;
+use casteljau::{Path, Spline};
 
 const JOINS: [OffsetJoin; 3] = [OffsetJoin::Miter, OffsetJoin::Round, OffsetJoin::Bevel];
 const CAPS: [StrokeCap; 3] = [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square];
@@ -80,6 +80,47 @@ fn outlines_agree_with_distances_for_all_joins_and_caps() {
         }
     }
     assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn points_beside_a_curve_that_is_straight_up_to_rounding() {
+    // Closed, of two curves whose control points are nearly collinear and of sizes from 2 to 8e7; p is a joint.
+    let points = [
+        (2.293001427718777, 2.6800938339283125),
+        (269.7565905261779, 288.8833979346312),
+        (824.3294071199924, 882.312107272538),
+        (46.258028396659434, 49.72551046727527),
+        (3.757624361809797, 4.247334909289066),
+        (19.503008921453667, 21.095912693263134),
+        (1.9253438819124815, 2.2866765290084197),
+        (11166568.991231292, -83482084.75),
+        (11166568.248407602, -83482079.125),
+        (1.9253438860177994, 2.25),
+        (1.9253438860177994, 2.25),
+        (11166568.991231292, -83482084.75),
+    ];
+    let points = points.map(DVec2::from).to_vec();
+    let p = points[11];
+    let spline = Spline::with_degrees(points, &[6, 6], true).expect("valid points");
+    let path: Path = [spline].into_iter().collect();
+    let nearest = (0..=1000)
+        .map(|k| {
+            path.segments()
+                .nth(1)
+                .expect("a curve")
+                .eval(f64::from(k) * 1e-3)
+        })
+        .map(|q| q.distance(p))
+        .fold(f64::INFINITY, f64::min);
+    let options = StrokeOptions {
+        join: OffsetJoin::Round,
+        cap: StrokeCap::Round,
+        ..StrokeOptions::default()
+    };
+    for (width, expected) in [(2.02 * nearest, true), (1.98 * nearest, false)] {
+        let inside = path.stroke_contains(p, width, &options).expect("a width");
+        assert_eq!(inside, expected, "{width}");
+    }
 }
 
 #[test]

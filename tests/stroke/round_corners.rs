@@ -193,6 +193,19 @@ fn what_is_no_corner_is_kept_bit_for_bit() {
 }
 
 #[test]
+fn an_arc_ends_where_the_path_turns_back() {
+    // The segment before the corner is 3 long; that before it runs in the opposite direction on the same line.
+    let result = rounded("M3 0H1H4L-6 7", 100.0);
+    let bounds = result.control_bounds().expect("points");
+    assert!(bounds.min.y > -1e-12, "{result}");
+    let (before, after) = (DVec2::NEG_X, DVec2::new(-10.0, 7.0).normalize());
+    let radius = 3.0 * (0.5 * before.angle_to(after).abs()).tan();
+    let arc = result.segments().nth(1).expect("an arc");
+    close(arc.curvature(0.0), 1.0 / radius, 1e-4);
+    close(arc.start().x, 1.0, 1e-12);
+}
+
+#[test]
 fn segments_of_length_0_at_a_corner_are_omitted() {
     let with = rounded("M0 0H10L10 0L10 0V10", 2.0);
     assert_eq!(with, rounded("M0 0H10V10", 2.0));

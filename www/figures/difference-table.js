@@ -86,7 +86,7 @@ class DifferenceTable extends LinkedFigure {
         element("tr", {}, element("td", { textContent: String(i) }), ...row.map(cell), cell(cubic(i / steps))),
       ),
     );
-    this.#words.textContent = `${steps} steps take ${3 * steps} additions. With 32-bit numbers the largest error is ${drift.toExponential(1)}.`;
+    this.#words.textContent = `${steps} steps take ${3 * steps} additions. With 32-bit floating-point numbers the largest error is ${drift.toExponential(1)}.`;
   }
 }
 

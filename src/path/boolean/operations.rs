@@ -208,7 +208,7 @@ impl Path {
     /// The area of the region that the path fills, each point counted once; [`area`](Self::area) counts points with
     /// their winding numbers.
     ///
-    /// It is never negative, except by rounding. The region is that of [`remove_overlaps`](Self::remove_overlaps), and
+    /// It is never negative. The region is that of [`remove_overlaps`](Self::remove_overlaps), and
     /// the area of it exact up to rounding.
     ///
     /// # Errors
@@ -224,7 +224,7 @@ impl Path {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn filled_area(&self, rule: FillRule) -> Result<f64, Error> {
-        Ok(self.remove_overlaps(rule)?.area())
+        Ok(self.remove_overlaps(rule)?.area().max(0.0))
     }
 
     /// The integrals of 1, x, y, x², xy and y² over the region that the path fills, each point counted once; see

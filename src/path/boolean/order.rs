@@ -6,9 +6,11 @@
 use super::arcs::{Arcs, Vertex};
 use super::edges::Edges;
 use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::roots::roots_inside;
+use crate::curve::area::area_about;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
-use crate::numeric::list::{Points, points_of};
+use crate::numeric::list::{Points, Scalars, points_of};
 use crate::numeric::sort::sort_by;
 use crate::numeric::zero::regula_falsi;
 use glam::DVec2;
@@ -90,6 +92,8 @@ struct Spoke {
     direction: DVec2,
     /// The error of the direction: the start of the arc is not exactly at the vertex, and the arc bends.
     error: f64,
+    /// The distance from the vertex beyond which the start of an arc cannot be.
+    clear: f64,
 }
 
 impl Spoke {
@@ -97,9 +101,10 @@ impl Spoke {
         points.iter_mut().for_each(|p| *p -= vertex.point);
         let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
         let spread = vertex.spread.max(ROUNDING);
-        let clear = (CLEAR_OF_SPREAD * spread).max(MIN_PROBE * size);
+        let clear = CLEAR_OF_SPREAD * spread;
+        let far = clear.max(MIN_PROBE * size);
         let mut s = MIN_PROBE;
-        while s < 0.5 && Point::length(evaluate(&points, s)) < clear {
+        while s < 0.5 && Point::length(evaluate(&points, s)) < far {
             s *= 2.0;
         }
         let probe = evaluate(&points, s);
@@ -110,6 +115,7 @@ impl Spoke {
             half_edge,
             direction,
             error: uncertain + 2.0 * direction.perp_dot(half_way).abs(),
+            clear,
             points,
         }
     }
@@ -127,6 +133,25 @@ impl Spoke {
             Some(distance)
         };
         (1..=WALK_STEPS).map_while(step).collect()
+    }
+
+    /// For an arc that ends where it starts, in a similar direction: positive if its end is counter-clockwise of its
+    /// start. The sector between them is inside the loop if the loop leaves the vertex outside, and outside the loop if
+    /// it runs around the vertex, and so crosses the ray in the opposite direction.
+    fn turn_of_loop(&self) -> f64 {
+        let across: Scalars = self
+            .points
+            .iter()
+            .map(|&p| self.direction.perp_dot(p))
+            .collect();
+        let is_behind = |&t: &f64| self.direction.dot(evaluate(&self.points, t)) < -self.clear;
+        let crossings = roots_inside(&across).into_iter().filter(is_behind).count();
+        let area = area_about(&self.points, DVec2::ZERO, 1.0);
+        if crossings.is_multiple_of(2) {
+            area
+        } else {
+            -area
+        }
     }
 
     /// The point of the arc at a distance from the vertex of at most the last one of its walk.
@@ -205,7 +230,11 @@ fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
             let (a, b) = (&spokes[order[k - 1]], &spokes[order[k]]);
             let similar = a.direction.dot(b.direction) > 0.0
                 && a.direction.perp_dot(b.direction).abs() <= SIMILAR + 2.0 * (a.error + b.error);
-            if similar && turn(a, b) < 0.0 {
+            let side = || match a.half_edge ^ 1 == b.half_edge {
+                true => a.turn_of_loop(),
+                false => turn(a, b),
+            };
+            if similar && side() < 0.0 {
                 order.swap(k - 1, k);
                 changed = true;
             }

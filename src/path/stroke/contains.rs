@@ -6,6 +6,7 @@ use super::{StrokeCap, StrokeOptions, has_size};
 use crate::bernstein::product::product_of;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
+use crate::curve::nearest::nearest_on;
 use crate::geometry::check::check_finite;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -83,6 +84,13 @@ fn covers(spline: &Spline<DVec2>, tangent: DVec2, p: DVec2, pen: &Pen) -> bool {
         let center = spline.control_points()[0];
         return in_cap(p - center, tangent, pen) || in_cap(p - center, -tangent, pen);
     };
+    if (pen.join, pen.cap) == (OffsetJoin::Round, StrokeCap::Round) {
+        let is_within = |points| nearest_on(points, p).distance <= pen.radius;
+        let points = curves.iter().map(Curve::control_points);
+        return points
+            .filter(|own| box_distance(own, p) <= pen.radius)
+            .any(is_within);
+    }
     let ends = if spline.is_closed() {
         in_join(last, first, p, pen)
     } else {
@@ -130,12 +138,11 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
 /// Whether a normal of the curve, or the half disk ahead of a point where the curve reverses, contains p.
 fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
     let points = curve.control_points();
-    let around = |(min, max): (DVec2, DVec2), &q: &DVec2| (min.min(q), max.max(q));
-    let (min, max) = points.iter().fold((points[0], points[0]), around);
-    if Point::length((min - p).max(p - max).max(DVec2::ZERO)) > radius {
+    if box_distance(points, p) > radius {
         return false;
     }
     let near = |t: f64| Point::length(curve.eval(t) - p) <= radius;
+    let (min, max) = control_box(points);
     let size = Point::length(max - min) + radius;
     let beside_end = |end: DVec2, tangent: DVec2| {
         let q = p - end;
@@ -151,6 +158,28 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
         || reversals(curve)
             .into_iter()
             .any(|(t, ahead)| near(t) && (p - curve.eval(t)).dot(ahead) >= 0.0)
+        // A point inside the curve that is nearest is one of these, but rounding may hide that.
+        || is_beside_nearest(points, p, radius, BESIDE_END * size)
+}
+
+/// The smallest and the largest coordinates.
+fn control_box(points: &[DVec2]) -> (DVec2, DVec2) {
+    let around = |(min, max): (DVec2, DVec2), &q: &DVec2| (min.min(q), max.max(q));
+    points.iter().fold((points[0], points[0]), around)
+}
+
+/// The distance of a point from the box of some points.
+fn box_distance(points: &[DVec2], p: DVec2) -> f64 {
+    let (min, max) = control_box(points);
+    Point::length((min - p).max(p - max).max(DVec2::ZERO))
+}
+
+/// Whether the nearest point of a curve is within the radius, and farther than `clear` from both ends.
+fn is_beside_nearest(points: &[DVec2], p: DVec2, radius: f64, clear: f64) -> bool {
+    let nearest = nearest_on(points, p);
+    let ends = [points[0], points[points.len() - 1]];
+    let is_clear = |end: DVec2| Point::length(nearest.point - end) > clear;
+    nearest.distance <= radius && ends.into_iter().all(is_clear)
 }
 
 /// The zeros of (B − p)·B′ inside (0, 1), where p is on the normal of B.

@@ -28,7 +28,7 @@ impl Path {
     /// within 10⁻⁹ of their radius. Segments that no arc replaces are returned bit for
     /// bit.
     ///
-    /// An arc replaces at most the 64 segments on each side that follow each other without a corner. Where these are too
+    /// An arc replaces at most the 64 segments on each side that follow each other without a corner or a turn by 180°. Where these are too
     /// short, or bend more tightly than the arc, the radius at this corner is the largest one that fits. Where arcs at
     /// two corners overlap, each ends in the middle between them (in the parameter) at the latest. Segments of length 0
     /// in the place of an arc are omitted. A corner stays if its radius is below 10⁻⁹ of the size of its segments. A
@@ -71,6 +71,8 @@ struct RoundedSubpath<'a> {
     curves: Vec<Curve<DVec2>>,
     /// Whether there is a corner at the end of each of these segments.
     corners: Vec<bool>,
+    /// Whether the path turns back there.
+    reversals: Vec<bool>,
     arcs: Vec<Option<CornerArc>>,
     /// The arcs that replace the start and the end of each of these segments.
     cuts: Vec<[Option<Cut>; 2]>,
@@ -88,14 +90,19 @@ impl<'a> RoundedSubpath<'a> {
         let segments = part.segments().map(Curve::from_slice);
         let curves: Vec<Curve<DVec2>> = segments.filter(has_size).collect();
         let count = curves.len();
-        let is_corner_after = |k: usize| {
+        let tangents = |k: usize| {
             let next = &curves[(k + 1) % count];
-            (part.closed || k + 1 < count)
-                && is_corner([end_tangent(&curves[k]), start_tangent(next)])
+            [end_tangent(&curves[k]), start_tangent(next)]
+        };
+        let is_corner_after = |k| (part.closed || k + 1 < count) && is_corner(tangents(k));
+        let turns_back_after = |k| {
+            let [before, after] = tangents(k);
+            before.dot(after) < 0.0
         };
         let mut rounded = Self {
             part,
             corners: (0..count).map(is_corner_after).collect(),
+            reversals: (0..count).map(turns_back_after).collect(),
             arcs: vec![None; count],
             cuts: vec![[None; 2]; count],
             curves,
@@ -161,7 +168,8 @@ impl<'a> RoundedSubpath<'a> {
             } else {
                 segment
             };
-            self.corners[joint] || !self.part.closed && joint == count - 1
+            let is_end = !self.part.closed && joint == count - 1;
+            self.corners[joint] || self.reversals[joint] || is_end
         };
         let limit = count.min(2 * MAX_RUN);
         1 + (0..limit - 1).take_while(|&k| !ends(k)).count()
