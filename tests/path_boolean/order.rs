@@ -118,20 +118,91 @@ fn a_loop_whose_ends_leave_a_vertex_in_the_same_direction() {
         [56321.07150221677, -5720578542793.3545],
         [56321.07149850251, -5720578542793.3545],
     ];
-    let subpath = |points: &[[f64; 2]], degrees: &[usize]| {
-        let points = points.iter().copied().map(DVec2::from).collect();
-        Spline::with_degrees(points, degrees, false).expect("valid points")
-    };
-    let path: Path = [subpath(&first, &[6, 6, 6]), subpath(&second, &[2, 2, 6])]
-        .into_iter()
-        .collect();
+    let path = [
+        subpath(&first, &[6, 6, 6], false),
+        subpath(&second, &[2, 2, 6], false),
+    ];
+    assert_region_is_exact(&path.into_iter().collect());
+}
+
+#[test]
+fn a_component_beside_a_sliver_is_not_in_it() {
+    // Sizes from 1e-9 to 2e15. The ray from the third subpath meets both sides of the second one, a sliver, at distances
+    // that are equal within rounding.
+    let first = [
+        [-1.6306650922589486e-5, 2.5835187980986506e-8],
+        [9.234839688061331e-8, 2.654520881241142e-9],
+        [1.203353734545253e-6, -7.454283027794643e-9],
+        [9.234839688061331e-8, 2.654520881241142e-9],
+        [1.203353734545253e-6, -7.454283027794643e-9],
+        [1.2033548455505907e-6, -7.454293136598553e-9],
+        [-830.6572689323395, 562.8004705210127],
+        [-391552.4451909353, 265291.0028442511],
+        [16769.95884255974, -11362.256191449293],
+        [249714.36399585492, -169190.5512562594],
+        [-1074.0849991169002, 727.7315994493193],
+        [-563.7705551366142, 381.9750285114364],
+        [221838.22495251778, -150303.45502952163],
+        [221740.20903909556, -149853.15628070527],
+        [221845.01090878688, -150334.6306571398],
+        [221833.5522882105, -150281.98815931933],
+        [220968.64195157267, -146308.46968840846],
+        [219983.20555242948, -141781.23771067007],
+        [221844.7234843843, -150333.31018942865],
+        [221844.6789068752, -150333.1053941471],
+    ];
+    let second = [
+        [-132968590.77629173, 86.15899715674215],
+        [-1.0, 1.0094076322693548e-6],
+        [-28.169560867067197, 0.0],
+        [715608303326283.1, -15103184.821569175],
+        [715608305797789.8, -17108757.168408558],
+        [715608303336808.3, -15111725.775251662],
+        [715608306648975.1, -17799475.064864963],
+    ];
+    let third = [
+        [178731431.21496683, 4436165.187538288],
+        [-15988083869.327383, -1.0],
+        [-70.17113384485445, -1.0],
+        [1000000000000000.0, 1000000000000000.0],
+        [999958376492440.6, 2000071223171301.5],
+        [1000000000808046.0, 2000000000000000.0],
+        [1002660891147741.5, 2000000000000000.0],
+    ];
+    let path = [
+        subpath(&first, &[4, 8, 8], true),
+        subpath(&second, &[3, 3], false),
+        subpath(&third, &[3, 3], false),
+    ];
+    assert_region_is_exact(&path.into_iter().collect());
+}
+
+/// A spline, closed by a line if it is open.
+fn subpath(points: &[[f64; 2]], degrees: &[usize], closed: bool) -> Spline<DVec2> {
+    let mut points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();
+    let mut degrees = degrees.to_vec();
+    if !closed {
+        points.push(points[0]);
+        degrees.push(1);
+    }
+    Spline::with_degrees(points, &degrees, closed).expect("valid points")
+}
+
+/// The region has the winding number 1 where that of the path is not 0, at samples in the box of each contour: contours
+/// may be small in the box of the path.
+fn assert_region_is_exact(path: &Path) {
     let region = valid(path.remove_overlaps(RULE));
+    // Outlines closer together than ε count as one.
+    let clear = 1e-8 * path.bounds().expect("points").diagonal();
     let mut inside = 0;
-    // The contours are small in the box of the path: samples in the box of each.
     for bounds in region.subpaths().map(|contour| contour.bounds()) {
         for k in 0..40 * 40 {
             let part = DVec2::new(f64::from(k % 40) + 0.5, f64::from(k / 40) + 0.5) / 40.0;
             let p = bounds.min + (bounds.max - bounds.min) * part;
+            let nearest = path.nearest(p).expect("finite").expect("a segment");
+            if nearest.distance < clear {
+                continue;
+            }
             let expected = i32::from(path.winding_number(p) != 0);
             assert_eq!(region.winding_number(p), expected, "{p}");
             inside += expected;

@@ -39,7 +39,9 @@ impl Faces {
         let is_plane = is_plane(edges, order, cycle_count, component_count);
         // One more number for the unbounded face, which joins the outer cycles that nothing contains.
         let mut sets = UnionFind::new(cycle_count + 1);
-        let hits = containing_half_edges(segments, tree, edges, &component, component_count);
+        let is_outer = |h: usize| outer[component[h / 2]] == cycle[h];
+        let components = (&component[..], component_count);
+        let hits = containing_half_edges(segments, tree, edges, components, is_outer);
         for (outer, hit) in outer.iter().zip(&hits) {
             let around = hit.map_or(cycle_count, |h| cycle[h]);
             sets.join(*outer, around);

@@ -14,6 +14,9 @@ use glam::DVec2;
 /// does not run along lines of a drawing or through its corners: −cos 35°, −sin 35°.
 const RAY: DVec2 = DVec2::new(-0.819_152_044_288_991_8, -0.573_576_436_351_046);
 
+/// Distances along a ray that differ by at most this are equal up to rounding; coordinates are up to 2.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// The point of a component that is farthest in the direction of the ray.
 #[derive(Clone, Copy)]
 struct Extreme {
@@ -73,8 +76,8 @@ pub(super) fn containing_half_edges(
     segments: &Segments,
     tree: &BoxTree,
     edges: &Edges,
-    component: &[usize],
-    count: usize,
+    (component, count): (&[usize], usize),
+    is_outer: impl Fn(usize) -> bool,
 ) -> Vec<Option<usize>> {
     if count < 2 {
         return vec![None; count];
@@ -97,20 +100,21 @@ pub(super) fn containing_half_edges(
         places,
     };
     let extremes = Extreme::of_components(edges, component, count);
-    let first = |(own, extreme): (usize, &Extreme)| rays.first_hit(own, extreme.point);
+    let first = |(own, extreme): (usize, &Extreme)| rays.first_hit(own, extreme.point, &is_outer);
     extremes.iter().enumerate().map(first).collect()
 }
 
 impl Rays<'_> {
-    /// The first half-edge of another component that the ray from p meets.
-    fn first_hit(&self, own: usize, p: DVec2) -> Option<usize> {
+    /// The first half-edge of another component that the ray from p meets. Of several at distances that are equal up to
+    /// rounding it is one on the outside of its component, if there is one: p is not within a face that thin.
+    fn first_hit(&self, own: usize, p: DVec2, is_outer: impl Fn(usize) -> bool) -> Option<usize> {
         let (mut nearest, mut hit) = (f64::INFINITY, None);
         self.tree.along_ray(p, RAY, |segment| {
             let points = &self.segments.list[segment].points;
             let across: Scalars = points.iter().map(|&q| RAY.perp_dot(q - p)).collect();
             for t in roots_inside(&across) {
                 let distance = RAY.dot(evaluate(points, t) - p);
-                if distance <= 0.0 || distance >= nearest {
+                if distance <= 0.0 || distance > nearest + ROUNDING {
                     continue;
                 }
                 let Some(half_edge) = self.half_edge_at(segment, t) else {
@@ -120,10 +124,20 @@ impl Rays<'_> {
                     let slopes: Scalars = across.windows(2).map(|a| a[1] - a[0]).collect();
                     // A segment that crosses the ray from its left to its right has the point on its right.
                     let turned = usize::from(evaluate_scalar(&slopes, t) < 0.0);
-                    (nearest, hit) = (distance, Some(half_edge ^ turned));
+                    let half_edge = half_edge ^ turned;
+                    let is_equal = distance >= nearest - ROUNDING;
+                    let comes_first = match hit.map(|last| [last, half_edge].map(&is_outer)) {
+                        Some([false, true]) if is_equal => true,
+                        Some([true, false]) if is_equal => false,
+                        _ => distance < nearest,
+                    };
+                    if comes_first {
+                        hit = Some(half_edge);
+                    }
+                    nearest = nearest.min(distance);
                 }
             }
-            nearest
+            nearest + ROUNDING
         });
         hit
     }
