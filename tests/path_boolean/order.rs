@@ -177,6 +177,38 @@ fn a_component_beside_a_sliver_is_not_in_it() {
     assert_region_is_exact(&path.into_iter().collect());
 }
 
+#[test]
+fn an_arc_that_starts_at_the_other_side_of_its_vertex() {
+    // Sizes from 1e-13 to 1e15. The second subpath returns to the first point from the other side, and ends within the
+    // tolerance beyond it: there its direction is not the one in which it leaves the vertex.
+    let first = [
+        [0.00015254773369358075, -40653.943271628734],
+        [0.0, 196965312319165.78],
+        [-1725574.3926403914, 0.0],
+        [0.0, 7.442954584737852e-12],
+        [0.014866406686166608, 19517.93300287041],
+        [2.559952744141234e-7, 1.0],
+        [727118279706998.4, -441.768668030475],
+        [-0.0020360744083726483, 0.0010897450663965623],
+        [-179813.21890620835, 0.0],
+        [-179813.39871942523, -1.0897450663965622e-9],
+    ];
+    let second = [
+        [-5.277276385018363e-9, -1000000000000000.0],
+        [2428905478174.439, -333333333333333.4],
+        [1943124382539.5513, -66666666666667.06],
+        [728671625473.9419, -5006.992597881812],
+        [-47942.37286545761, -13350.713594252888],
+        [-59927.96608247876, -16687.64199281611],
+        [2.18060942982485e-9, 1.0],
+    ];
+    let path = [
+        subpath(&first, &[8, 2], true),
+        subpath(&second, &[6], false),
+    ];
+    assert_region_is_exact(&path.into_iter().collect());
+}
+
 /// A spline, closed by a line if it is open.
 fn subpath(points: &[[f64; 2]], degrees: &[usize], closed: bool) -> Spline<DVec2> {
     let mut points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();

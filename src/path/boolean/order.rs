@@ -120,17 +120,20 @@ impl Spoke {
         }
     }
 
-    /// The distances from the vertex after each step along the arc, as long as it leads away without turning far.
+    /// The largest distances from the vertex up to each step along the arc, as long as it leads away without turning
+    /// far. Where its start can be, it has no direction yet.
     fn walk(&self) -> Vec<f64> {
-        let mut reach = 0.0;
+        let mut reach = 0.0_f64;
         let step = |k| {
             let p = evaluate(&self.points, walk_parameter(k));
             let distance = Point::length(p);
-            if distance < reach || p.dot(self.direction) < 0.5 * distance {
+            let turns_back = reach > self.clear && distance < reach;
+            let turns_far = distance > self.clear && p.dot(self.direction) < 0.5 * distance;
+            if turns_back || turns_far {
                 return None;
             }
-            reach = distance;
-            Some(distance)
+            reach = reach.max(distance);
+            Some(reach)
         };
         (1..=WALK_STEPS).map_while(step).collect()
     }
@@ -154,7 +157,7 @@ impl Spoke {
         }
     }
 
-    /// The point of the arc at a distance from the vertex of at most the last one of its walk.
+    /// The first point of the arc at a distance from the vertex of at most the last one of its walk.
     fn at_distance(&self, r: f64, walk: &[f64]) -> DVec2 {
         let k = walk.partition_point(|&distance| distance < r);
         let (from, nearer) = match k.checked_sub(1) {
