@@ -77,6 +77,7 @@ mod wasm;
 
 pub use curve::Curve;
 pub use easing::{Easing, EasingError};
+pub use geometry::check::MAX_COORDINATE;
 pub use geometry::error::{Error, MAX_DEGREE};
 pub use geometry::point::{CrossProduct, Point};
 pub use glam;

@@ -1,25 +1,36 @@
-// Prints the sizes of the parts of dist/, minified and with gzip -9. Called by `cargo xtask size`; fails above a limit.
+// Prints the sizes of the parts of dist/, minified and with gzip -9. Called by `cargo xtask size`; fails if one
+// has grown by more than 2 %.
 import { build, transform } from "esbuild";
 import { readFile, readdir } from "node:fs/promises";
 import { gzip, IMPORTS, sizeOfImport } from "./sizes.js";
 
 /**
- * The maximum gzip sizes in kB. A change that raises one gives the reason. The targets are 3 for { easing }, 138 for
- * { Curve }, 250 for { Surface } and everything, 45 for { Curve, Spline } of core, and 135 for { Surface } of surfaces.
- * Everything includes the module of regions, strokes and rounded corners, 109 kB, which came after its target was set.
+ * The gzip sizes in kB to which the sizes are compared; a change that raises one gives the reason. Growth of more than 2 %
+ * fails.
  */
-const LIMITS_KB = {
-  "{ easing }": 5,
-  "{ Curve }": 148,
-  "{ Surface }": 255.5,
-  everything: 381.5,
-  "{ Curve, Spline } of core": 46.5,
-  "{ Surface } of surfaces": 120,
+const COMMITTED_KB = {
+  "{ easing }": 4.9,
+  "{ Curve }": 147.6,
+  "{ Surface }": 255.1,
+  everything: 381,
+  "{ Curve, Spline } of core": 46.2,
+  "{ Surface } of surfaces": 119.9,
   "only types": 0,
-  "index.js + applet.js": 393.5,
-  "elements, loaded at once": 31,
-  "elements, when needed": 65,
+  "index.js + applet.js": 393.2,
+  "elements, loaded at once": 30.9,
+  "elements, when needed": 64.8,
   "bezier-app.js": 43,
+};
+const MAX_GROWTH = 1.02;
+
+/** Sizes above these are reported, but do not fail. */
+const TARGETS_KB = {
+  "{ easing }": 4,
+  "{ Curve }": 140,
+  everything: 365,
+  "{ Curve, Spline } of core": 45,
+  "{ Surface } of surfaces": 110,
+  "bezier-app.js": 48,
 };
 const KB = 1000;
 
@@ -93,8 +104,9 @@ for (const name of onDemandFiles)
     ),
   );
 for (const { name, gzip } of [...parts, ...imports, total, elements, onDemand]) {
-  const limit = LIMITS_KB[name] ?? Infinity;
-  if (gzip <= limit * KB) continue;
-  console.error(`\n${name}: ${kB(gzip).trim()} is above the limit of ${limit} kB`);
+  const [committed, target] = [COMMITTED_KB[name] ?? Infinity, TARGETS_KB[name] ?? Infinity];
+  if (gzip > target * KB) console.log(`\n${name}: ${kB(gzip).trim()} is above the target of ${target} kB`);
+  if (gzip <= MAX_GROWTH * committed * KB) continue;
+  console.error(`\n${name}: ${kB(gzip).trim()} is more than 2 % above ${committed} kB`);
   process.exitCode = 1;
 }

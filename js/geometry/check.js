@@ -24,6 +24,36 @@ export { noSurplus, optionalBoolean, options } from "./options.js";
  * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array } | { elements: ArrayLike<number> }} MatrixLike
  */
 
+/** The largest absolute value of a coordinate; src/geometry/check.rs explains it. */
+const MAX_COORDINATE = 2 ** 500;
+
+/** Results of operations on the largest coordinates may exceed the limit by rounding. */
+const MAX_ACCEPTED = MAX_COORDINATE * (1 + 1e-9);
+
+/**
+ * Whether a number can be a coordinate.
+ *
+ * @internal
+ * @param {number} value
+ */
+export function isCoordinate(value) {
+  return Math.abs(value) <= MAX_ACCEPTED;
+}
+
+/**
+ * A coordinate: a number from -2^500 to 2^500.
+ *
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+export function coordinate(value, name) {
+  const number = finite(value, name);
+  if (isCoordinate(number)) return number;
+  throw new RangeError(`${name}: expected a coordinate from -2^500 to 2^500 (3.27e150), got ${number}`);
+}
+
 /**
  * A finite number.
  *

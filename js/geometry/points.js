@@ -1,4 +1,4 @@
-import { finite, isList, optionalDimension, describe } from "./check.js";
+import { coordinate, finite, isCoordinate, isList, optionalDimension, describe } from "./check.js";
 
 /**
  * @import { PointsLike } from "./check.js"
@@ -78,7 +78,7 @@ function fromNumbers(numbers, dimension, name) {
   const flat = new Float64Array(numbers.length);
   for (let i = 0; i < flat.length; i++) {
     const value = numbers[i];
-    if (typeof value !== "number" || !Number.isFinite(value)) finite(value, `${name}[${i}]`);
+    if (typeof value !== "number" || !isCoordinate(value)) coordinate(value, `${name}[${i}]`);
     flat[i] = /** @type {number} */ (value);
   }
   return { dimension, flat };
@@ -127,14 +127,14 @@ export function writePoint(flat, at, point, dimension, name) {
     if (point.length !== dimension) {
       throw new RangeError(`${name}: expected ${dimension} coordinates, got ${point.length}`);
     }
-    for (let i = 0; i < dimension; i++) flat[at + i] = finite(point[i], `${name}[${i}]`);
+    for (let i = 0; i < dimension; i++) flat[at + i] = coordinate(point[i], `${name}[${i}]`);
     return;
   }
   if (typeof point !== "object" || point === null) throw notAPoint(point, name);
   const { x, y, z } = /** @type {{ x: unknown, y: unknown, z?: unknown }} */ (point);
-  flat[at] = finite(x, `${name}.x`);
-  flat[at + 1] = finite(y, `${name}.y`);
-  if (dimension === 3) flat[at + 2] = finite(z, `${name}.z`);
+  flat[at] = coordinate(x, `${name}.x`);
+  flat[at + 1] = coordinate(y, `${name}.y`);
+  if (dimension === 3) flat[at + 2] = coordinate(z, `${name}.z`);
 }
 
 /**

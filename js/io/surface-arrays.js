@@ -114,6 +114,7 @@ function readVertex({ tokens, output }, words) {
     const number = numberOf(token.word.replace(/[fFlL]$/, ""));
     if (number === undefined) throw tokens.syntaxError("a number", token);
     if (!Number.isFinite(number)) throw tokens.syntaxError("a finite number", token);
+    if (Math.abs(number) > 2 ** 500) throw tokens.syntaxError("a number from -2^500 to 2^500", token);
     output.vertices.push(number);
   }
 }

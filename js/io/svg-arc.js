@@ -1,8 +1,8 @@
 // Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs perform the same operations and explain them.
 // `Math.sin` is not used, because its last digit differs between systems.
 
-/** The maximum angle of one cubic in radians, for a distance of 1e-9 of the larger radius. */
-const MAX_PIECE_ANGLE = 0.195;
+/** The maximum angle of one cubic in radians, for the default tolerance: a distance of 1e-5 of the larger radius. */
+const MAX_PIECE_ANGLE = 0.9059;
 const ROUNDING = 2 * Number.EPSILON;
 const TERMS = 9;
 const TANGENT_TERMS = 13;
@@ -93,7 +93,8 @@ function maxPieceAngle(tolerance) {
   for (let k = 0; k < BISECTIONS; k++) {
     const middle = (low + high) / 2;
     const [cos, sin] = direction(middle);
-    if (sin ** 6 <= bound * cos * cos) low = middle;
+    const square = sin * sin;
+    if (square * square * square <= bound * cos * cos) low = middle;
     else high = middle;
   }
   // Rounding must not divide a quarter turn, whose angle is computed, into two.
@@ -109,7 +110,7 @@ function maxPieceAngle(tolerance) {
  * @param {Float64Array} n radii, the angle of the first axis in degrees, the large and the sweep flag
  * @param {number} x1
  * @param {number} y1
- * @param {number} [tolerance] the largest distance from the arc; 0 for 1e-9 of the larger radius
+ * @param {number} [tolerance] the largest distance from the arc; 0 for 1e-5 of the larger radius
  * @returns {number[] | null}
  */
 export function arc(x0, y0, n, x1, y1, tolerance = 0) {
@@ -129,7 +130,7 @@ export function arc(x0, y0, n, x1, y1, tolerance = 0) {
   } else {
     height = Math.sqrt((1 - length) * (1 + length));
   }
-  if (!Number.isFinite(4 * Math.max(rx, ry) + largest)) return null;
+  if (!(4 * Math.max(rx, ry) + largest <= 2 ** 500)) return null;
   const [large, sweep] = [n[3] !== 0, n[4] !== 0];
   const side = large === sweep ? 1 : -1;
   /** @type {Pair} */

@@ -1,4 +1,5 @@
 // Parsing SVG path data; src/io/svg_read.rs gives the same messages and bit-identical paths.
+import { isCoordinate } from "../geometry/check.js";
 import { PackedPathBuilder } from "../wasm/packed-path.js";
 import { arc } from "./svg-arc.js";
 import { PathDataError, Scanner } from "./svg-number.js";
@@ -27,7 +28,7 @@ const CASE = 32;
  *
  * @internal
  * @param {string} d
- * @param {number} tolerance the largest distance of cubics from the arcs; 0 for 1e-9 of the larger radius
+ * @param {number} tolerance the largest distance of cubics from the arcs; 0 for 1e-5 of the larger radius
  * @returns {{ packed: Float64Array, error: { offset: number, message: string } | null }} with an error, the path before
  *   it
  */
@@ -81,7 +82,7 @@ function readGroups(scanner, builder, command, count) {
       if (k > 0) scanner.skipSeparator();
       n[k] = count === 7 && (k === 3 || k === 4) ? scanner.flag() : scanner.number();
     }
-    if (!builder.draw(command)) throw new PathDataError(offset, "finite coordinates");
+    if (!builder.draw(command)) throw new PathDataError(offset, "coordinates from -2^500 to 2^500");
     // Further groups after a moveto are linetos.
     if ((command & ~CASE) === MOVE) command -= MOVE - LINE;
   } while (scanner.skipSeparator() || scanner.atNumber());
@@ -112,7 +113,7 @@ class PathBuilder {
   }
 
   /**
-   * Draws one command with the arguments in `args`. Returns false, and draws nothing, if a coordinate overflows.
+   * Draws one command with the arguments in `args`. Returns false, and draws nothing, if a coordinate exceeds the limit.
    *
    * @param {number} command
    * @returns {boolean}
@@ -176,7 +177,7 @@ class PathBuilder {
    * @param {number} y
    */
   #moveTo(x, y) {
-    if (!(Number.isFinite(x) && Number.isFinite(y))) return false;
+    if (!(isCoordinate(x) && isCoordinate(y))) return false;
     this.endOpen();
     this.x = this.startX = x;
     this.y = this.startY = y;
@@ -218,7 +219,7 @@ class PathBuilder {
    * @param {number} y
    */
   #line(x, y) {
-    if (!(Number.isFinite(x) && Number.isFinite(y))) return false;
+    if (!(isCoordinate(x) && isCoordinate(y))) return false;
     this.#begin(1);
     this.#point(x, y);
     return true;
@@ -231,8 +232,7 @@ class PathBuilder {
    * @param {number} y
    */
   #quadratic(x1, y1, x, y) {
-    // x − x is 0 for finite numbers and NaN for others.
-    if (x1 - x1 + (y1 - y1) + (x - x) + (y - y) !== 0) return false;
+    if (!(isCoordinate(x1) && isCoordinate(y1) && isCoordinate(x) && isCoordinate(y))) return false;
     this.#begin(2);
     this.#point(x1, y1);
     this.#point(x, y);
@@ -249,7 +249,8 @@ class PathBuilder {
    * @param {number} y
    */
   #cubic(x1, y1, x2, y2, x, y) {
-    if (x1 - x1 + (y1 - y1) + (x2 - x2) + (y2 - y2) + (x - x) + (y - y) !== 0) return false;
+    if (!(isCoordinate(x1) && isCoordinate(y1) && isCoordinate(x2) && isCoordinate(y2))) return false;
+    if (!(isCoordinate(x) && isCoordinate(y))) return false;
     this.#begin(3);
     this.#point(x1, y1);
     this.#point(x2, y2);
@@ -274,7 +275,7 @@ class PathBuilder {
    * @param {number} y
    */
   #arc(x, y) {
-    if (!(Number.isFinite(x) && Number.isFinite(y))) return false;
+    if (!(isCoordinate(x) && isCoordinate(y))) return false;
     if (x !== this.x || y !== this.y) {
       const c = arc(this.x, this.y, this.args, x, y, this.tolerance);
       if (!c) this.#line(x, y);

@@ -112,6 +112,7 @@ export class Reader {
     const number = numberOf(this.word(index) ?? "");
     if (number === undefined) throw this.syntaxError(index, "a number");
     if (!Number.isFinite(number)) throw this.syntaxError(index, "a finite number");
+    if (Math.abs(number) > 2 ** 500) throw this.syntaxError(index, "a number from -2^500 to 2^500");
     return number;
   }
 

@@ -144,7 +144,7 @@ impl<P: Point> Curve<P> {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
     pub fn from_basis(basis: Basis, points: [P; 4]) -> Result<Self, Error> {
-        crate::geometry::check::check_finite("points", &points)?;
+        crate::geometry::check::check_points("points", &points)?;
         Self::new(&apply(&basis.to_bezier()?, points))
     }
 

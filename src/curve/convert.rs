@@ -1,6 +1,7 @@
 //! Constructors of lines, quadratics and cubics, and affine maps as factors.
 
 use super::Curve;
+use crate::geometry::check::{finite, is_allowed};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of;
@@ -18,7 +19,7 @@ impl<P: Point> Curve<P> {
     /// ```
     ///
     /// # Panics
-    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
     pub fn line(p0: P, p1: P) -> Self {
         Self::of_finite([p0, p1])
     }
@@ -26,7 +27,7 @@ impl<P: Point> Curve<P> {
     /// The quadratic curve with three control points.
     ///
     /// # Panics
-    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
     pub fn quad(p0: P, p1: P, p2: P) -> Self {
         Self::of_finite([p0, p1, p2])
     }
@@ -34,7 +35,7 @@ impl<P: Point> Curve<P> {
     /// The cubic curve with four control points.
     ///
     /// # Panics
-    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
     pub fn cubic(p0: P, p1: P, p2: P, p3: P) -> Self {
         Self::of_finite([p0, p1, p2, p3])
     }
@@ -42,8 +43,8 @@ impl<P: Point> Curve<P> {
     fn of_finite<const N: usize>(points: [P; N]) -> Self {
         for (index, point) in points.iter().enumerate() {
             assert!(
-                point.is_finite(),
-                "p{index}: expected finite coordinates, got {point:?}"
+                is_allowed(*point),
+                "p{index}: expected coordinates from -2^500 to 2^500, got {point:?}"
             );
         }
         Self {
@@ -65,8 +66,11 @@ impl Mul<&Curve<DVec2>> for DAffine2 {
     type Output = Curve<DVec2>;
 
     /// The image of the curve; same as [`Curve::transform`].
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, curve: &Curve<DVec2>) -> Curve<DVec2> {
-        curve.transform(&self)
+        finite(curve.transform(&self))
     }
 }
 
@@ -74,7 +78,10 @@ impl Mul<&Curve<DVec3>> for DAffine3 {
     type Output = Curve<DVec3>;
 
     /// The image of the curve; same as [`Curve::transform`].
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, curve: &Curve<DVec3>) -> Curve<DVec3> {
-        curve.transform(&self)
+        finite(curve.transform(&self))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
+use crate::geometry::check::within_limit;
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::list::Points;
 use std::cmp::Ordering;
@@ -13,12 +14,13 @@ pub(crate) const VANISHING_RATIO: f64 = 1e-13;
 impl<P: Point> Curve<P> {
     /// The derivative (hodograph) as a curve: B′(t) has the control points n (Pᵢ₊₁ − Pᵢ) and degree n − 1.
     ///
-    /// The derivative of a line is constant; the result is a line with two coincident points.
+    /// The derivative of a line is constant; the result is a line with two coincident points. Coordinates beyond
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE) are set to it.
     #[must_use]
     pub fn derivative(&self) -> Self {
         let mut points = differences(&self.points);
         for p in &mut points {
-            *p = *p * self.degree() as f64;
+            *p = within_limit(*p * self.degree() as f64);
         }
         if points.len() == 1 {
             points.push(points[0]);

@@ -76,11 +76,7 @@ pub(crate) fn check_segments(segments: usize, dimension: usize) -> Result<(), Er
         });
     }
     if segments > limit {
-        Err(Error::TooMany {
-            what: "segments",
-            limit,
-            needed: segments,
-        })
+        Err(Error::too_many("segments", limit, segments))
     } else {
         Ok(())
     }

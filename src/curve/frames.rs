@@ -9,7 +9,7 @@
 use super::Curve;
 use super::carried_frame::{CarriedFrame, FrameCurve};
 use super::eval::check_segments;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
 use crate::numeric::sort::sort_by;
@@ -127,7 +127,7 @@ pub(crate) fn frames_along(
     normal: Option<DVec3>,
 ) -> Result<Vec<Frame>, Error> {
     Error::unless_finite("ts", ts)?;
-    check_finite("normal", normal.as_slice())?;
+    check_points("normal", normal.as_slice())?;
     if ts.is_empty() {
         return Ok(Vec::new());
     }

@@ -6,7 +6,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::product_of;
 use crate::bernstein::roots::{contacts, crossings, roots_inside};
 use crate::curve::arc_length::length::hodograph;
-use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
@@ -59,7 +59,7 @@ impl Curve<DVec2> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn tangents_from(&self, p: DVec2) -> Result<Vec<f64>, Error> {
-        check_finite("p", &[p])?;
+        check_points("p", &[p])?;
         Ok(self.tangents_through(p))
     }
 }

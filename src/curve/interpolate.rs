@@ -1,7 +1,7 @@
 //! Interpolation: the curve through given points.
 
 use super::Curve;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::{check_points, is_allowed};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -27,7 +27,7 @@ impl<P: Point> Curve<P> {
     /// [`Error::Count`] unless there are 2 to 65 points and as many parameters, [`Error::NotFinite`] for a NaN or an
     /// infinity, [`Error::Range`] for equal parameters.
     pub fn interpolate(points: &[P], ts: Option<&[f64]>) -> Result<Self, Error> {
-        check_finite("points", points)?;
+        check_points("points", points)?;
         let ts = ts.map_or_else(|| chord_lengths(points), Scalars::from);
         check_interpolation(points.len(), &ts)?;
         let mut curve = interpolate(points, &ts);
@@ -39,7 +39,7 @@ impl<P: Point> Curve<P> {
                 .collect();
             let repair = interpolate(&missing, &ts);
             let better: Points<P> = curve.iter().zip(&repair).map(|(&p, &q)| p + q).collect();
-            if !better.iter().all(|p| p.is_finite()) {
+            if !better.iter().all(|&p| is_allowed(p)) {
                 break;
             }
             curve = better;
@@ -52,10 +52,10 @@ impl<P: Point> Curve<P> {
                 curve[last] = p;
             }
         }
-        match curve.iter().find(|p| !p.is_finite()) {
+        match curve.iter().find(|&&p| !is_allowed(p)) {
             Some(p) => Err(Error::Range {
                 what: "ts",
-                expected: "parameters so far apart that the control points are finite",
+                expected: "parameters so far apart that the control points stay below 2^500",
                 got: p.max_abs(),
             }),
             None => Ok(Self::from_points(curve)),

@@ -50,7 +50,7 @@ pub use reduce::Reduced;
 pub use subdivide::Subdivision;
 pub use trace::PathSink;
 
-use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, points_of};
@@ -88,7 +88,7 @@ impl<P: Point> Curve<P> {
                 got: points.len(),
             });
         }
-        check_finite("points", points)?;
+        check_points("points", points)?;
         Ok(Self::from_slice(points))
     }
 
@@ -152,11 +152,11 @@ impl<P: Point> Curve<P> {
     }
 
     /// The image of the curve under an affine map, which is the curve of the mapped control points.
-    #[must_use]
-    pub fn transform(&self, map: &P::Affine) -> Self {
-        Self {
-            points: self.points.iter().map(|p| p.transform(map)).collect(),
-        }
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    pub fn transform(&self, map: &P::Affine) -> Result<Self, Error> {
+        images(&self.points, map).map(|points| Self::from_slice(&points))
     }
 
     /// The largest absolute coordinate of the control points, which bounds that of the curve.

@@ -53,7 +53,7 @@ impl<P: Point> Curve<P> {
             .map(|(&p, &c)| p - excess * c)
             .collect();
         Reduced {
-            curve: Self::from_points(unelevated(&lower)),
+            curve: Self::from_points(unelevated(&lower)).clamped(),
             error: excess.length(),
         }
     }

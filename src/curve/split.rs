@@ -2,6 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
+use crate::geometry::check::within_limit;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of_cubic;
 
@@ -27,6 +28,10 @@ impl<P: Point> Curve<P> {
     /// curve and the other runs backwards.
     #[inline]
     pub fn split(&self, t: f64) -> (Self, Self) {
+        if !(0.0..=1.0).contains(&t) {
+            let (before, after) = *self.split_any(t);
+            return (before.clamped(), after.clamped());
+        }
         match *self.points {
             [p0, p1, p2, p3] => {
                 let (left, right) = split_cubic_with([p0, p1, p2, p3], |a, b| a.lerp(b, t));
@@ -44,6 +49,12 @@ impl<P: Point> Curve<P> {
             }
             _ => *self.split_any(t),
         }
+    }
+
+    /// The curve with coordinates beyond the limit set to it: an extrapolation may exceed it.
+    pub(crate) fn clamped(mut self) -> Self {
+        self.points.iter_mut().for_each(|p| *p = within_limit(*p));
+        self
     }
 
     /// In a box, since a result that is passed by reference would have to be copied for cubics as well: 15 instead of 5
@@ -78,6 +89,11 @@ impl<P: Point> Curve<P> {
         let last = piece.len() - 1;
         piece[0] = self.eval(t0);
         piece[last] = self.eval(t1);
-        Self::from_points(piece)
+        let piece = Self::from_points(piece);
+        if t0 >= 0.0 && t1 <= 1.0 {
+            piece
+        } else {
+            piece.clamped()
+        }
     }
 }

@@ -62,11 +62,11 @@ impl<P: Point> Curve<P> {
     pub fn subdivide(&self, tolerance: f64) -> Result<Subdivision<P>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
         let mut leaves = 0;
-        grow(self.clone(), 0.0, 1.0, tolerance, &mut leaves).ok_or(Error::TooMany {
-            what: "leaves",
-            limit: MAX_LEAVES,
-            needed: MAX_LEAVES + 1,
-        })
+        grow(self.clone(), 0.0, 1.0, tolerance, &mut leaves).ok_or(Error::too_many(
+            "leaves",
+            MAX_LEAVES,
+            MAX_LEAVES + 1,
+        ))
     }
 }
 

@@ -77,11 +77,7 @@ impl Steps {
         let needed = 2 * self.count as usize + usize::from(at_end);
         if needed > MAX_STOPS {
             let (what, limit) = ("stops", MAX_STOPS);
-            return Err(Error::TooMany {
-                what,
-                limit,
-                needed,
-            });
+            return Err(Error::too_many(what, limit, needed));
         }
         let [at_start, jumps] = self.range();
         let stop = |k: usize| {

@@ -17,6 +17,15 @@ pub struct Bounds<P> {
 }
 
 impl<P: Point> Bounds<P> {
+    /// The smallest box that contains the points, of which there must be one.
+    pub(crate) fn of(points: &[P]) -> Self {
+        let start = Self {
+            min: points[0],
+            max: points[0],
+        };
+        points[1..].iter().fold(start, |all, &p| all.including(p))
+    }
+
     /// The smallest box that contains this one and a point.
     #[must_use]
     pub(crate) fn including(self, p: P) -> Self {

@@ -1,5 +1,6 @@
 //! The error type; every error carries the offending value.
 
+use crate::numeric::work_limit::WorkLimit;
 use Part::{Number, Text};
 use std::fmt;
 
@@ -92,9 +93,9 @@ pub enum Error {
         /// The items of the result.
         what: &'static str,
         /// The largest allowed number.
-        limit: usize,
+        limit: u64,
         /// The required number (the limit plus one if counting stopped there).
-        needed: usize,
+        needed: u64,
     },
     /// Curves that should join end to end but do not.
     Gap {
@@ -115,6 +116,28 @@ pub(crate) enum Part {
 }
 
 impl Error {
+    /// A result above a limit.
+    pub(crate) fn too_many(what: &'static str, limit: usize, needed: usize) -> Self {
+        Self::TooMany {
+            what,
+            limit: limit as u64,
+            needed: needed as u64,
+        }
+    }
+
+    /// An error if a call has taken more steps than its limit allows.
+    pub(crate) fn unless_within(what: &'static str, work: &WorkLimit) -> Result<(), Self> {
+        let (limit, needed) = work.limit_and_used();
+        match needed > limit {
+            true => Err(Self::TooMany {
+                what,
+                limit,
+                needed,
+            }),
+            false => Ok(()),
+        }
+    }
+
     /// Returns an error for the first number that is a NaN or an infinity.
     pub(crate) fn unless_finite(what: &'static str, numbers: &[f64]) -> Result<(), Self> {
         match numbers.iter().position(|x| !x.is_finite()) {
@@ -183,7 +206,7 @@ impl Error {
             Self::Vertex { count: n, .. } => [Text("vertex indices below "), count(n), NONE, NONE],
             Self::Tolerance { min, .. } => minimum(min, " (4 ulps of the largest coordinate)"),
             Self::TooSmall { min, .. } => minimum(min, " (f32 shows nothing smaller here)"),
-            Self::TooMany { limit, .. } => [Text("at most "), count(limit), NONE, NONE],
+            Self::TooMany { limit, .. } => [Text("at most "), Number(limit as f64), NONE, NONE],
             Self::Gap { .. } => text("to start where the curve before it ends"),
         }
     }
@@ -199,7 +222,7 @@ impl Error {
             | Self::Item { got, .. }
             | Self::Tolerance { got, .. }
             | Self::TooSmall { got, .. } => (", got ", Number(got)),
-            Self::TooMany { needed, .. } => (", this needs ", count(needed)),
+            Self::TooMany { needed, .. } => (", this needs ", Number(needed as f64)),
             Self::Gap { got, .. } => (", got a gap of ", Number(got)),
         }
     }

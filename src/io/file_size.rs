@@ -10,9 +10,5 @@ pub(crate) fn checked_length(length: usize) -> Result<usize, Error> {
     if length <= MAX_BYTES {
         return Ok(length);
     }
-    Err(Error::TooMany {
-        what: "bytes",
-        limit: MAX_BYTES,
-        needed: length,
-    })
+    Err(Error::too_many("bytes", MAX_BYTES, length))
 }

@@ -1,6 +1,7 @@
 //! Parsing a surface from arrays of C source code; `js/io/surface-arrays.js` does the same with the same messages.
 
 use super::text_reader::{END, ParseError, number, refuse, shown, whole};
+use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::order::to_u32;
 use glam::DVec3;
 
@@ -115,6 +116,9 @@ impl<'a> Parser<'a> {
                 .ok_or_else(|| self.refuse("a number", Some(token)))?;
             if !vertex[axis].is_finite() {
                 return Err(self.refuse("a finite number", Some(token)));
+            }
+            if vertex[axis].abs() > MAX_COORDINATE {
+                return Err(self.refuse("a number from -2^500 to 2^500", Some(token)));
             }
         }
         self.vertices.push(vertex);

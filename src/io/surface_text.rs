@@ -2,6 +2,7 @@
 
 use super::surface_arrays::read_arrays;
 use super::text_reader::{END, ParseError, Reader, number, refuse, shown, whole};
+use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
@@ -226,6 +227,9 @@ impl Parser<'_> {
             point[axis] = number(word).ok_or_else(|| self.refuse(axis, "a number"))?;
             if !point[axis].is_finite() {
                 return Err(self.refuse(axis, "a finite number"));
+            }
+            if point[axis].abs() > MAX_COORDINATE {
+                return Err(self.refuse(axis, "a number from -2^500 to 2^500"));
             }
         }
         Ok(point)

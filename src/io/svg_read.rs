@@ -2,6 +2,7 @@
 
 use super::svg_error::SvgError;
 use super::svg_number::{Refusal, Scanner};
+use crate::geometry::check::is_allowed;
 use crate::path::Path;
 use crate::path::arc::Arc;
 use crate::path::builder::PathBuilder;
@@ -24,8 +25,9 @@ impl Path {
     /// Parses a path from the `d` attribute of an SVG `<path>`.
     ///
     /// Supports all commands M L H V C S Q T A Z in upper and lower case, repeated arguments, and all number forms of
-    /// the grammar ("1." too, as in SVG 1.1). Lines get degree 1, quadratics 2, cubics 3. An arc is converted to
-    /// cubics, each within 10⁻⁹ of the larger radius; radii that are too small are scaled up, a radius of 0 gives a
+    /// the grammar ("1." too, as in SVG 1.1). Lines get degree 1, quadratics 2, cubics 3. An arc is converted to the
+    /// fewest cubics within 10⁻⁵ of the larger radius (8 for a circle of two arcs; see
+    /// [`from_svg_with`](Self::from_svg_with)); radii that are too small are scaled up, a radius of 0 gives a
     /// line, and an arc whose ends are equal is omitted. If the ends are diametrically opposite up to the rounding of
     /// their coordinates, the arc is half the ellipse.
     ///
@@ -38,19 +40,57 @@ impl Path {
     /// # Errors
     /// [`SvgError`] with the offset and the path before it; as SVG requires, the path ends at the error.
     pub fn from_svg(d: &str) -> Result<Self, SvgError> {
-        let mut scanner = Scanner::new(d);
-        let mut reader = Reader::default();
-        let result = read(&mut scanner, &mut reader);
-        let path = reader.builder.finished();
-        match result {
-            Ok(()) => Ok(path),
-            Err(Refusal { offset, expected }) => Err(SvgError {
-                offset,
-                expected,
-                got: scanner.shown(offset),
-                path,
-            }),
+        read_path(d, PathBuilder::new())
+    }
+
+    /// Parses a path as [`from_svg`](Self::from_svg), with cubics within `arc_tolerance` of the arcs, in the unit of the
+    /// path; see [`PathBuilder::set_arc_tolerance`].
+    ///
+    /// # Errors
+    /// [`SvgError`] for a text as [`from_svg`](Self::from_svg), and at offset 0 for a tolerance that is not above 0.
+    ///
+    /// ```
+    /// use casteljau::Path;
+    ///
+    /// let circle = "M2 0A2 2 0 0 1 -2 0 2 2 0 0 1 2 0Z";
+    /// assert_eq!(Path::from_svg(circle)?.segment_count(), 8);
+    /// assert_eq!(Path::from_svg_with(circle, 1e-3)?.segment_count(), 4);
+    /// assert_eq!(Path::from_svg_with(circle, 2e-9)?.segment_count(), 34);
+    /// # Ok::<(), casteljau::path::SvgError>(())
+    /// ```
+    pub fn from_svg_with(d: &str, arc_tolerance: f64) -> Result<Self, SvgError> {
+        if !(arc_tolerance > 0.0) {
+            return Err(SvgError {
+                offset: 0,
+                expected: "an arc tolerance above 0",
+                got: arc_tolerance.to_string(),
+                path: Self::default(),
+            });
         }
+        let mut builder = PathBuilder::new();
+        builder.set_arc_tolerance(arc_tolerance);
+        read_path(d, builder)
+    }
+}
+
+/// Parses path data with an empty builder.
+fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
+    let mut scanner = Scanner::new(d);
+    let mut reader = Reader {
+        builder,
+        cubic: None,
+        quadratic: None,
+    };
+    let result = read(&mut scanner, &mut reader);
+    let path = reader.builder.finished();
+    match result {
+        Ok(()) => Ok(path),
+        Err(Refusal { offset, expected }) => Err(SvgError {
+            offset,
+            expected,
+            got: scanner.shown(offset),
+            path,
+        }),
     }
 }
 
@@ -104,7 +144,7 @@ fn read_groups(
         if !reader.draw(command, &numbers) {
             return Err(Refusal {
                 offset,
-                expected: "finite coordinates",
+                expected: "coordinates from -2^500 to 2^500",
             });
         }
         let comma = scanner.skip_separator();
@@ -121,7 +161,6 @@ fn read_groups(
 }
 
 /// The state of the parser: the path so far, and the points that later commands refer to.
-#[derive(Default)]
 struct Reader {
     builder: PathBuilder,
     /// The last control point of the previous command if it was a cubic (for S) or a quadratic (for T).
@@ -130,7 +169,7 @@ struct Reader {
 }
 
 impl Reader {
-    /// Adds one command with its numbers; adds nothing and returns false if a coordinate overflows f64.
+    /// Adds one command with its numbers; adds nothing and returns false if a coordinate exceeds the limit.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
         let from = self.builder.current_point();
         let base = if command.is_ascii_lowercase() {
@@ -154,7 +193,7 @@ impl Reader {
     }
 
     fn move_to(&mut self, p: DVec2) -> bool {
-        if !p.is_finite() {
+        if !is_allowed(p) {
             return false;
         }
         self.builder.move_to(p);
@@ -164,7 +203,7 @@ impl Reader {
 
     /// Adds a line, a quadratic or a cubic by its points after the first.
     fn segment(&mut self, points: &[DVec2]) -> bool {
-        if !points.iter().all(|p| p.is_finite()) {
+        if !points.iter().all(|&p| is_allowed(p)) {
             return false;
         }
         self.builder.add_segment(points);
@@ -177,7 +216,7 @@ impl Reader {
     }
 
     fn arc(&mut self, n: &[f64; 7], to: DVec2) -> bool {
-        if !to.is_finite() {
+        if !is_allowed(to) {
             return false;
         }
         self.builder.add_arc(&Arc {

@@ -183,11 +183,7 @@ impl Surface {
         let per_patch = grid.segments_u * grid.segments_v;
         let count = self.patch_count() * per_patch;
         if count > MAX_CELLS {
-            return Err(Error::TooMany {
-                what: "triangles",
-                limit: 2 * MAX_CELLS,
-                needed: 2 * count,
-            });
+            return Err(Error::too_many("triangles", 2 * MAX_CELLS, 2 * count));
         }
         let (segments_u, segments_v) = (to_u32(grid.segments_u), to_u32(grid.segments_v));
         // This does not overflow u32, since the number of vertices of the grid is limited.

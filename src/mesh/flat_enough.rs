@@ -9,12 +9,14 @@ use crate::patch::Patch;
 use crate::surface::network::Surface;
 use glam::DVec3;
 
-/// The maximum number of leaves of one surface.
-const MAX_LEAVES: usize = 1 << 18;
+/// The maximum number of leaves: for each patch of a surface, and in addition for any number of them.
+const LEAVES_PER_PATCH: usize = 1 << 4;
+const FURTHER_LEAVES: usize = 1 << 18;
 
-/// The maximum number of control points of all pieces together, leaves and split pieces. Up to degree 5, 2¹⁸ leaves
-/// need fewer.
-const MAX_STEPS: usize = 1 << 24;
+/// The maximum number of control points of all pieces together, leaves and split pieces: for each control point of a
+/// patch, and in addition for any number of them. Up to degree 5, 2¹⁸ leaves need fewer.
+const STEPS_PER_POINT: usize = 2 * LEAVES_PER_PATCH;
+const FURTHER_STEPS: usize = 1 << 24;
 
 /// A piece of a patch that counts as flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,70 +62,79 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces, and when all pieces, including those that are split, have more
-    /// than 2²⁴ control points together (above degree 5 this limit is reached first).
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces and 16 for each patch, and when all pieces, including those that
+    /// are split, have more than 2²⁴ control points together and 32 for each of the surface (above degree 5 this limit
+    /// is reached first).
     pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
         let size = self.control_bounds();
         check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
         let mut leaves = Vec::new();
-        let mut work = WorkLimit::new(MAX_STEPS);
+        let max_leaves = LEAVES_PER_PATCH
+            .saturating_mul(self.patch_count())
+            .saturating_add(FURTHER_LEAVES);
+        let mut work = WorkLimit::new(FURTHER_STEPS);
         for (number, patch) in self.patches().enumerate() {
+            work.earn(STEPS_PER_POINT, patch.points.len());
             let all = [0.0, 1.0, 0.0, 1.0];
-            if !split(number, &patch, all, tolerance, &mut leaves, &mut work) {
+            let mut pieces = Pieces {
+                patch: number,
+                tolerance,
+                max_leaves,
+                leaves: &mut leaves,
+                work: &mut work,
+            };
+            if !pieces.split(&patch, all) {
                 break;
             }
         }
-        let refusal = |what, limit| Error::TooMany {
-            what,
-            limit,
-            needed: limit + 1,
-        };
-        if leaves.len() > MAX_LEAVES {
-            return Err(refusal("leaves", MAX_LEAVES));
+        if leaves.len() > max_leaves {
+            return Err(Error::too_many("leaves", max_leaves, leaves.len()));
         }
-        if work.is_exceeded() {
-            return Err(refusal("control points of all pieces", MAX_STEPS));
-        }
+        Error::unless_within("control points of all pieces", &work)?;
         Ok(leaves)
     }
 }
 
-/// Adds the leaves of one piece; returns `false` as soon as there are too many or the work limit is exceeded. The
-/// recursion depth is limited by the parameters: about 52 halvings, after which a piece is a point.
-fn split(
+/// The pieces of a patch.
+struct Pieces<'a> {
     patch: usize,
-    piece: &Patch,
-    [u0, u1, v0, v1]: [f64; 4],
     tolerance: f64,
-    leaves: &mut Vec<FlatPiece>,
-    work: &mut WorkLimit,
-) -> bool {
-    if !work.spend(piece.points.len()) || leaves.len() > MAX_LEAVES {
-        return false;
+    max_leaves: usize,
+    leaves: &'a mut Vec<FlatPiece>,
+    work: &'a mut WorkLimit,
+}
+
+impl Pieces<'_> {
+    /// Adds the leaves of one piece; returns `false` as soon as there are too many or the work limit is exceeded. The
+    /// recursion depth is limited by the parameters: about 52 halvings, after which a piece is a point.
+    fn split(&mut self, piece: &Patch, [u0, u1, v0, v1]: [f64; 4]) -> bool {
+        if !self.work.spend(piece.points.len()) || self.leaves.len() > self.max_leaves {
+            return false;
+        }
+        let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
+        let inside = u0 < u && u < u1 && v0 < v && v < v1;
+        let corners = corners(&piece.points, piece.columns);
+        if !inside || is_flat(&piece.points, corners, self.tolerance) {
+            self.leaves.push(FlatPiece {
+                patch: self.patch,
+                u0,
+                u1,
+                v0,
+                v1,
+                corners,
+            });
+            return true;
+        }
+        let ranges = [
+            [u0, u, v0, v],
+            [u, u1, v0, v],
+            [u0, u, v, v1],
+            [u, u1, v, v1],
+        ];
+        let quarters = piece.split(0.5, 0.5);
+        let mut quarters = quarters.iter().zip(ranges);
+        quarters.all(|(quarter, range)| self.split(quarter, range))
     }
-    let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
-    let inside = u0 < u && u < u1 && v0 < v && v < v1;
-    let corners = corners(&piece.points, piece.columns);
-    if !inside || is_flat(&piece.points, corners, tolerance) {
-        leaves.push(FlatPiece {
-            patch,
-            u0,
-            u1,
-            v0,
-            v1,
-            corners,
-        });
-        return true;
-    }
-    let corner_indices = [
-        [u0, u, v0, v],
-        [u, u1, v0, v],
-        [u0, u, v, v1],
-        [u, u1, v, v1],
-    ];
-    let quarters = piece.split(0.5, 0.5);
-    let mut quarters = quarters.iter().zip(corner_indices);
-    quarters.all(|(quarter, index)| split(patch, quarter, index, tolerance, leaves, work))
 }
 
 /// The corners of a net, in cyclic order.

@@ -6,7 +6,8 @@ use crate::numeric::float::ratio;
 /// A grid over a patch: `segments_u` × `segments_v` cells with their corners at equal steps of u and v.
 ///
 /// There are (segments_u + 1)·(segments_v + 1) vertices; the vertex at (iu, iv) has the index iv·(segments_u + 1) + iu.
-/// Each cell has two triangles. Faces are counter-clockwise as seen from the side to which ∂u × ∂v points.
+/// Each cell has two triangles. Faces are counter-clockwise as seen from the side to which ∂u × ∂v points. Counts and
+/// indices beyond `usize::MAX` are reported as `usize::MAX`; no mesh has as many (see [`check`](Self::check)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -61,17 +62,21 @@ impl From<usize> for Grid {
 impl Grid {
     /// The number of vertices, (segments_u + 1)·(segments_v + 1).
     pub fn vertex_count(&self) -> usize {
-        (self.segments_u + 1) * (self.segments_v + 1)
+        let points = |segments: usize| segments.saturating_add(1);
+        points(self.segments_u).saturating_mul(points(self.segments_v))
     }
 
     /// The number of triangles, two per cell.
     pub fn triangle_count(&self) -> usize {
-        2 * self.segments_u * self.segments_v
+        self.segments_u
+            .saturating_mul(self.segments_v)
+            .saturating_mul(2)
     }
 
     /// The index of the vertex at (iu, iv).
     pub fn vertex(&self, iu: usize, iv: usize) -> usize {
-        iv * (self.segments_u + 1) + iu
+        iv.saturating_mul(self.segments_u.saturating_add(1))
+            .saturating_add(iu)
     }
 
     /// (u, v) of the vertex at (iu, iv): (iu / segments_u, iv / segments_v).
@@ -81,8 +86,8 @@ impl Grid {
 
     /// The corners of the cell at (iu, iv), counter-clockwise from the vertex (iu, iv).
     pub fn quad(&self, iu: usize, iv: usize) -> [usize; 4] {
-        let (near, far) = (self.vertex(iu, iv), self.vertex(iu, iv + 1));
-        [near, near + 1, far + 1, far]
+        let [near, far] = [iv, iv.saturating_add(1)].map(|iv| self.vertex(iu, iv));
+        [near, near.saturating_add(1), far.saturating_add(1), far]
     }
 
     /// The corners of all cells, row by row.
@@ -124,11 +129,7 @@ impl Grid {
         };
         let limit = usize::try_from(per_line.saturating_sub(1)).unwrap_or(usize::MAX);
         if max > limit {
-            Err(Error::TooMany {
-                what: "segments",
-                limit,
-                needed: max,
-            })
+            Err(Error::too_many("segments", limit, max))
         } else {
             Ok(())
         }

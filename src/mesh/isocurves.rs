@@ -119,11 +119,7 @@ impl Surface {
             .sum();
         let limit = (MAX_OUTPUT_F64 / per_line.max(1)).saturating_sub(1);
         if lines > limit {
-            return Err(Error::TooMany {
-                what: "lines",
-                limit,
-                needed: lines,
-            });
+            return Err(Error::too_many("lines", limit, lines));
         }
         Ok(())
     }

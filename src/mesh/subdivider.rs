@@ -211,11 +211,11 @@ impl AdaptiveSubdivider<'_> {
             reason = "the cast saturates, and the number is only shown to people"
         )]
         let expected = self.expected as usize;
-        Error::TooMany {
-            what: "triangles",
-            limit: 2 * self.limit,
-            needed: expected.max(self.limit + 1).saturating_mul(2),
-        }
+        Error::too_many(
+            "triangles",
+            2 * self.limit,
+            expected.max(self.limit + 1).saturating_mul(2),
+        )
     }
 }
 

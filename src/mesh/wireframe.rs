@@ -102,11 +102,7 @@ impl Surface {
 }
 
 fn too_many(needed: usize) -> Error {
-    Error::TooMany {
-        what: "vertices",
-        limit: MAX_VERTICES as usize,
-        needed,
-    }
+    Error::too_many("vertices", MAX_VERTICES as usize, needed)
 }
 
 impl Wire {

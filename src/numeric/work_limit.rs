@@ -9,25 +9,48 @@
 /// A step is one repetition of the algorithm: a halving, the test of a box, an evaluation. A call that exceeds its
 /// limit either returns an error (`Error::TooMany`) or the best result found so far; the documentation of each function
 /// says which.
+///
+/// Numbers of steps have 64 bits on all targets: a limit that grows with the input exceeds 32 bits.
 #[derive(Debug)]
 pub struct WorkLimit {
-    used: usize,
-    limit: usize,
+    used: u64,
+    limit: u64,
 }
 
 impl WorkLimit {
     /// A counter that allows `limit` steps.
     #[inline]
     pub fn new(limit: usize) -> Self {
-        Self { used: 0, limit }
+        Self {
+            used: 0,
+            limit: limit as u64,
+        }
+    }
+
+    /// Raises the limit by a number of steps for each of `count` items.
+    #[inline]
+    pub fn earn(&mut self, steps: usize, count: usize) {
+        let further = (steps as u64).saturating_mul(count as u64);
+        self.limit = self.limit.saturating_add(further);
+    }
+
+    /// The number of steps allowed and the number used.
+    pub fn limit_and_used(&self) -> (u64, u64) {
+        (self.limit, self.used)
     }
 
     /// Counts steps; returns false as soon as the limit is exceeded.
     #[inline]
     #[must_use]
     pub fn spend(&mut self, steps: usize) -> bool {
-        self.used = self.used.saturating_add(steps);
-        self.used <= self.limit
+        self.count(steps);
+        !self.is_exceeded()
+    }
+
+    /// Counts steps that are already done.
+    #[inline]
+    pub fn count(&mut self, steps: usize) {
+        self.used = self.used.saturating_add(steps as u64);
     }
 
     /// Whether more steps were counted than the limit allows.
@@ -39,7 +62,7 @@ impl WorkLimit {
     /// The number of counted steps.
     #[inline]
     pub fn used(&self) -> usize {
-        self.used
+        usize::try_from(self.used).unwrap_or(usize::MAX)
     }
 }
 
@@ -56,7 +79,7 @@ mod total {
 
     impl Drop for WorkLimit {
         fn drop(&mut self) {
-            STEPS.with(|steps| steps.set(steps.get().saturating_add(self.used)));
+            STEPS.with(|steps| steps.set(steps.get().saturating_add(self.used())));
         }
     }
 

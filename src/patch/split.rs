@@ -5,7 +5,7 @@ use super::net::{curve_at_u, transpose};
 use crate::bernstein::de_casteljau::split;
 use crate::curve::Curve;
 use crate::curve::basis::{Basis, apply};
-use crate::geometry::check::check_finite;
+use crate::geometry::check::{check_points, within_limit};
 use crate::geometry::error::Error;
 use crate::numeric::list::Net;
 use glam::DVec3;
@@ -21,7 +21,7 @@ impl Patch {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
     pub fn from_basis(basis: Basis, net: &[DVec3; 16]) -> Result<Self, Error> {
-        check_finite("net", net)?;
+        check_points("net", net)?;
         let matrix = basis.to_bezier()?;
         let bezier_rows = |net: &[DVec3]| -> Net {
             net.chunks_exact(4)
@@ -34,13 +34,13 @@ impl Patch {
 
     /// The curve u = constant, of degree n in v, from S(u, 0) to S(u, 1).
     pub fn isocurve_at_u(&self, u: f64) -> Curve<DVec3> {
-        Curve::from_points(curve_at_u(&self.points, self.columns, u))
+        Curve::from_points(curve_at_u(&self.points, self.columns, u)).clamped()
     }
 
     /// The curve v = constant, of degree m in u, from S(0, v) to S(1, v).
     pub fn isocurve_at_v(&self, v: f64) -> Curve<DVec3> {
         let across = transpose(&self.points, self.columns);
-        Curve::from_points(curve_at_u(&across, self.rows(), v))
+        Curve::from_points(curve_at_u(&across, self.rows(), v)).clamped()
     }
 
     /// Splits the patch at u into two patches of the same degrees: before u and after u.
@@ -97,6 +97,9 @@ fn split_rows(net: &[DVec3], columns: usize, t: f64) -> (Net, Net) {
     let (mut before, mut after) = (Net::from(net), Net::from(net));
     for (left, right) in before.chunks_mut(columns).zip(after.chunks_mut(columns)) {
         split(left, right, t);
+    }
+    for p in before.iter_mut().chain(&mut after) {
+        *p = within_limit(*p);
     }
     (before, after)
 }

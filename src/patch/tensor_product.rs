@@ -3,7 +3,7 @@
 use super::net::{self, evaluate_net};
 use super::normal::NormalNet;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::{check_points, images};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -70,7 +70,7 @@ impl Patch {
                 got: net.len(),
             });
         }
-        check_finite("net", net)?;
+        check_points("net", net)?;
         Ok(Self::from_net(Net::from(net), degree_u + 1))
     }
 
@@ -157,10 +157,11 @@ impl Patch {
     }
 
     /// The image of the patch under an affine map: the patch of the mapped control points.
-    #[must_use]
-    pub fn transform(&self, map: &DAffine3) -> Self {
-        let points = self.points.iter().map(|p| p.transform(map)).collect();
-        Self::from_net(points, self.columns)
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    pub fn transform(&self, map: &DAffine3) -> Result<Self, Error> {
+        images(&self.points, map).map(|points| Self::from_net(points.into(), self.columns))
     }
 
     /// The patch with one control point moved.
@@ -221,13 +222,7 @@ pub(crate) fn checked_point(
     index: usize,
     to: DVec3,
 ) -> Result<&mut DVec3, Error> {
-    if !to.is_finite() {
-        return Err(Error::NotFinite {
-            what: "to",
-            index: 0,
-            got: to.max_abs(),
-        });
-    }
+    check_points("to", &[to])?;
     let last = points.len().saturating_sub(1);
     points.get_mut(index).ok_or(Error::Index {
         what: "index",

@@ -1,13 +1,18 @@
 //! Elliptical arcs as cubic Bézier curves.
 
+use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_8, TAU};
 
-/// The maximum angle of one cubic in radians. A cubic with the ends, the tangents and the midpoint of an arc of angle θ
-/// deviates by at most 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: here 9.95·10⁻¹⁰. Source: Goldapp, "Approximation of
-/// circular arcs by cubic polynomials", CAGD 8 (1991).
-const LONGEST_PIECE: f64 = 0.195;
+/// The maximum angle of one cubic in radians, for the default tolerance: a distance of 10⁻⁵ of the larger radius.
+const MAX_PIECE_ANGLE: f64 = 0.9059;
+
+/// The bisections that divide the interval of angles down to its rounding.
+const BISECTIONS: usize = 50;
+
+/// More than the relative rounding of an angle, and far too small to matter for the distance.
+const QUARTER_TURN_ROUNDING: f64 = 1e-13;
 
 /// Both end points are rounded by up to half an ulp, and so is each operation from them to the half chord.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
@@ -25,16 +30,20 @@ pub(crate) struct Arc {
 }
 
 /// Calls `cubic` with the control points after the first of each cubic. Returns false without a call if the arc is a
-/// line: a radius is 0, or too small relative to the other for f64.
+/// line: a radius is 0, or too small relative to the other for f64. The cubics are within `tolerance` of the arc, by
+/// default 10⁻⁵ of the larger radius.
 ///
 /// Points are computed relative to the start, so that a short arc of a very large ellipse keeps its precision: the
 /// chord of an angle 2β is 2 sin β long, in the direction at β.
-pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
+pub(crate) fn arc(shape: &Arc, tolerance: Option<f64>, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let Some(ellipse) = Ellipse::of(shape) else {
         return false;
     };
     let theta = ellipse.theta;
-    let pieces = (theta / LONGEST_PIECE).ceil();
+    let max_angle = tolerance.map_or(MAX_PIECE_ANGLE, |tolerance| {
+        max_piece_angle(tolerance / ellipse.radii.max_element())
+    });
+    let pieces = (theta / max_angle).ceil();
     let half_step = direction(theta / (2.0 * pieces));
     let sign = if shape.sweep { 1.0 } else { -1.0 };
     let step = DVec2::new(half_step.x, sign * half_step.y);
@@ -57,6 +66,28 @@ pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
         (point, handle) = (next, next_handle);
     }
     true
+}
+
+/// The maximum angle of one cubic in radians, at most a quarter turn, for a distance of at most `tolerance`, a part of
+/// the larger radius.
+///
+/// A cubic with the ends, the tangents and the midpoint of an arc of angle θ deviates by at most 2/27 sin⁶(θ/4) /
+/// cos²(θ/4) of the radius. Source: Goldapp, "Approximation of circular arcs by cubic polynomials", CAGD 8 (1991).
+fn max_piece_angle(tolerance: f64) -> f64 {
+    let bound = 13.5 * tolerance.max(f64::EPSILON);
+    let (mut low, mut high) = (0.0, FRAC_PI_8);
+    for _ in 0..BISECTIONS {
+        let middle = (low + high) / 2.0;
+        let DVec2 { x: cos, y: sin } = direction(middle);
+        let square = sin * sin;
+        if square * square * square <= bound * cos * cos {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    // Rounding must not divide a quarter turn, whose angle is computed, into two.
+    4.0 * low * (1.0 + QUARTER_TURN_ROUNDING)
 }
 
 /// The ellipse of an arc, as the image of the unit circle under an affine map.
@@ -95,7 +126,7 @@ impl Ellipse {
             height = ((1.0 - length) * (1.0 + length)).sqrt();
         }
         // No point is farther from the start than two radii and a handle.
-        if !(4.0 * radii.max_element() + largest).is_finite() {
+        if !(4.0 * radii.max_element() + largest <= MAX_COORDINATE) {
             return None;
         }
         let across = DVec2::new(part.y, -part.x) * (height / part_length);

@@ -3,7 +3,7 @@
 use super::Path;
 use super::arc::{Arc, arc};
 use crate::curve::trace::PathSink;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use glam::DVec2;
 
@@ -35,6 +35,8 @@ pub struct PathBuilder {
     has_segment: bool,
     /// Whether the last command was `close`.
     is_closed: bool,
+    /// The largest distance of cubics from arcs; `None` for the default.
+    arc_tolerance: Option<f64>,
     /// The error of the first invalid argument.
     error: Option<Error>,
 }
@@ -43,6 +45,23 @@ impl PathBuilder {
     /// A builder of an empty path.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Sets the largest distance of cubics from the arcs that follow, in the unit of the points. By default it is 10⁻⁵ of
+    /// the larger radius of each arc.
+    ///
+    /// The smallest useful value is about 10⁻¹⁵ of the radius, which takes 414 cubics for a circle; 10⁻⁹ takes 33. No
+    /// cubic covers more than a quarter turn. A value that is not above 0 is reported by [`build`](Self::build).
+    pub fn set_arc_tolerance(&mut self, tolerance: f64) {
+        if tolerance > 0.0 {
+            self.arc_tolerance = Some(tolerance);
+        } else {
+            self.error.get_or_insert(Error::Range {
+                what: "tolerance",
+                expected: "a number above 0",
+                got: tolerance,
+            });
+        }
     }
 
     /// The end of the last command, where the next one starts.
@@ -91,8 +110,9 @@ impl PathBuilder {
     ///
     /// `x_rotation` is the angle from the x-axis to the first axis of the ellipse, in radians. `large` selects an arc
     /// of more than half the ellipse, `sweep` one of increasing angle. Radii that are too small are scaled up; with a
-    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to cubics, each within
-    /// 10⁻⁹ of the larger radius. Source: *SVG 2*, §B.2.
+    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to the fewest
+    /// cubics within 10⁻⁵ of the larger radius (7 or 8 for a circle), or within
+    /// [`set_arc_tolerance`](Self::set_arc_tolerance). Source: *SVG 2*, §B.2.
     pub fn arc_to(&mut self, radii: DVec2, x_rotation: f64, large: bool, sweep: bool, p: DVec2) {
         let rotation = [DVec2::new(x_rotation, 0.0)];
         if self.accept("radii", &[radii])
@@ -131,7 +151,7 @@ impl PathBuilder {
     ///
     /// # Errors
     /// The error of the first invalid command: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Count`] for
-    /// [`curve_to`](Self::curve_to) with no points or more than 64.
+    /// [`curve_to`](Self::curve_to) with no points or more than 64, [`Error::Range`] for a tolerance that is not above 0.
     pub fn build(self) -> Result<Path, Error> {
         match self.error {
             Some(error) => Err(error),
@@ -160,14 +180,15 @@ impl PathBuilder {
 
     /// Adds an arc that starts at the current point.
     pub(crate) fn add_arc(&mut self, shape: &Arc) {
-        if shape.from != shape.to && !arc(shape, |points| self.add_segment(points)) {
+        let tolerance = self.arc_tolerance;
+        if shape.from != shape.to && !arc(shape, tolerance, |points| self.add_segment(points)) {
             self.add_segment(&[shape.to]);
         }
         self.is_closed = false;
     }
 
     fn accept(&mut self, what: &'static str, points: &[DVec2]) -> bool {
-        match check_finite(what, points) {
+        match check_points(what, points) {
             Ok(()) => true,
             Err(error) => {
                 self.error.get_or_insert(error);

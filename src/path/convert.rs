@@ -2,6 +2,7 @@
 
 use super::Path;
 use crate::curve::Curve;
+use crate::geometry::check::finite;
 use crate::io::svg_error::SvgError;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
@@ -69,7 +70,10 @@ impl Mul<&Path> for DAffine2 {
     type Output = Path;
 
     /// The image of the path under the map, as [`Path::transform`] computes it.
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, path: &Path) -> Path {
-        path.transform(&self)
+        finite(path.transform(&self))
     }
 }

@@ -28,6 +28,8 @@ pub use nearest::PathPoint;
 pub use stroke::{OffsetOptions, StrokeCap, StrokeOptions};
 pub use winding::FillRule;
 
+use crate::geometry::check::images;
+use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
@@ -201,14 +203,15 @@ impl Path {
     }
 
     /// The image under an affine map, which is applied to all control points.
-    #[must_use]
-    pub fn transform(&self, map: &DAffine2) -> Self {
-        let points = self.points.iter().map(|p| p.transform(map)).collect();
-        Self {
-            points,
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    pub fn transform(&self, map: &DAffine2) -> Result<Self, Error> {
+        Ok(Self {
+            points: images(&self.points, map)?,
             degrees: self.degrees.clone(),
             subpaths: self.subpaths.clone(),
-        }
+        })
     }
 
     /// The same path with each subpath reversed; the order of the subpaths and the first point of closed ones are kept.

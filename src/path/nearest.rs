@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::nearest::{Nearest, nearest_on};
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
@@ -38,7 +38,7 @@ impl Path {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec2) -> Result<Option<PathPoint>, Error> {
-        check_finite("p", &[p])?;
+        check_points("p", &[p])?;
         // The nearest joint gives an upper bound of the distance.
         let ends = self
             .segment_points()

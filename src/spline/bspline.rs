@@ -3,7 +3,7 @@
 use super::Spline;
 use super::knots::Knots;
 use crate::curve::eval::MAX_OUTPUT_F64;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 
@@ -82,16 +82,12 @@ impl<P: Point> Spline<P> {
                 got: count,
             });
         }
-        check_finite("points", points)?;
+        check_points("points", points)?;
         let knots = Knots::new(knots, count, degree, closed)?;
         let spans = knots.spans();
         let limit = (MAX_OUTPUT_F64 / P::DIMENSION / degree - 1).min(MAX_STEPS / degree / degree);
         if spans > limit {
-            return Err(Error::TooMany {
-                what: "segments",
-                limit,
-                needed: spans,
-            });
+            return Err(Error::too_many("segments", limit, spans));
         }
         Ok(bezier_form(points, &knots, closed))
     }

@@ -2,6 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
+use crate::geometry::check::{check_points, is_allowed, within_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -63,10 +64,11 @@ impl<P: Point> Spline<P> {
                 got: 1.0,
             });
         }
-        crate::geometry::check::check_finite("point", &[point])?;
+        check_points("point", &[point])?;
         let last = self.curve(self.segment_count() - 1);
         let from = last.end();
         let corner = from + last.tangent(1.0) * (0.5 * (point - from).length());
+        let corner = within_limit(corner);
         let mut points = self.points.clone();
         match last.degree() {
             1 => points.push(point),
@@ -169,11 +171,11 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
         right = right.elevated();
     }
     let healed = healed_at(&left, &right, split_parameter(&left, &right));
-    if healed.control_points().iter().all(|&p| p.is_finite()) {
+    if healed.control_points().iter().all(|&p| is_allowed(p)) {
         return healed;
     }
     let healed = healed_at(&left, &right, 0.5);
-    if healed.control_points().iter().all(|&p| p.is_finite()) {
+    if healed.control_points().iter().all(|&p| is_allowed(p)) {
         return healed;
     }
     Curve::from_points([left.start(), right.end()].into_iter().collect())

@@ -2,6 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
+use crate::geometry::check::finite;
 use crate::geometry::point::Point;
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
@@ -17,8 +18,11 @@ impl Mul<&Spline<DVec2>> for DAffine2 {
     type Output = Spline<DVec2>;
 
     /// The image of the spline under the map, as [`Spline::transform`] computes it.
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, spline: &Spline<DVec2>) -> Spline<DVec2> {
-        spline.transform(&self)
+        finite(spline.transform(&self))
     }
 }
 
@@ -26,7 +30,10 @@ impl Mul<&Spline<DVec3>> for DAffine3 {
     type Output = Spline<DVec3>;
 
     /// The image of the spline under the map, as [`Spline::transform`] computes it.
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, spline: &Spline<DVec3>) -> Spline<DVec3> {
-        spline.transform(&self)
+        finite(spline.transform(&self))
     }
 }

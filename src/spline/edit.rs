@@ -3,7 +3,7 @@
 use super::Spline;
 use super::joint::JointMode;
 use super::repair::JointRepair;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
@@ -50,7 +50,7 @@ impl<P: Point> Spline<P> {
                 got: index,
             });
         }
-        check_finite("to", &[to])?;
+        check_points("to", &[to])?;
         if self.points[index] == to {
             return Ok(self.clone());
         }

@@ -5,7 +5,7 @@ use super::corners::corners;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::polyline::SampledPolyline;
 use super::smoothing::smoothed;
-use crate::geometry::check::{check_finite, check_tolerance, max_abs};
+use crate::geometry::check::{check_points, check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
@@ -53,7 +53,7 @@ impl<P: Point> Spline<P> {
                 got: points.len(),
             });
         }
-        check_finite("points", points)?;
+        check_points("points", points)?;
         check_tolerance(tolerance, max_abs(points))?;
         let corner_angle = corner_angle.unwrap_or(DEFAULT_CORNER_ANGLE);
         check_corner_angle(corner_angle)?;

@@ -3,7 +3,7 @@
 use super::Spline;
 use super::joint::catmull_rom;
 use crate::curve::eval::MAX_OUTPUT_F64;
-use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::check::{check_points, is_allowed, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
@@ -95,13 +95,9 @@ impl<P: Point> Spline<P> {
         }
         let limit = MAX_OUTPUT_F64 / (3 * P::DIMENSION);
         if count > limit {
-            return Err(Error::TooMany {
-                what: "points",
-                limit,
-                needed: count,
-            });
+            return Err(Error::too_many("points", limit, count));
         }
-        check_finite("points", points)?;
+        check_points("points", points)?;
         let unit = if max_abs(points) > HUGE { SHRUNK } else { 1.0 };
         let row = Equation {
             points: points.iter().map(|&p| p * unit).collect(),
@@ -113,8 +109,8 @@ impl<P: Point> Spline<P> {
         };
         let handle = |i: usize, along: P| {
             let handle = (row.points[i] + along / 3.0) / unit;
-            // Near the largest finite coordinates a handle can overflow; it is then placed at the point.
-            if handle.is_finite() {
+            // Near the limit of coordinates a handle can exceed it; it is then placed at the point.
+            if is_allowed(handle) {
                 handle
             } else {
                 points[i]

@@ -39,11 +39,7 @@ impl<P: Point> Spline<P> {
         let limit = MAX_OUTPUT_F64 / P::DIMENSION - 1;
         let total = per_curve.saturating_mul(self.segment_count());
         if total > limit {
-            return Err(Error::TooMany {
-                what: "segments",
-                limit,
-                needed: total,
-            });
+            return Err(Error::too_many("segments", limit, total));
         }
         let mut points = vec![P::default(); total + 1];
         for k in 0..self.segment_count() {

@@ -38,7 +38,7 @@ pub use joint::JointMode;
 pub use offset::OffsetJoin;
 
 use crate::curve::Curve;
-use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 
@@ -116,7 +116,7 @@ impl<P: Point> Spline<P> {
                 got: points.len(),
             });
         }
-        check_finite("points", &points)?;
+        check_points("points", &points)?;
         Ok(Self::from_parts(points, degrees, closed))
     }
 
@@ -219,13 +219,15 @@ impl<P: Point> Spline<P> {
     }
 
     /// The image under an affine map.
-    #[must_use]
-    pub fn transform(&self, map: &P::Affine) -> Self {
-        let points = self.points.iter().map(|p| p.transform(map)).collect();
-        Self {
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    pub fn transform(&self, map: &P::Affine) -> Result<Self, Error> {
+        let points = images(&self.points, map)?;
+        Ok(Self {
             points,
             ..self.clone()
-        }
+        })
     }
 
     /// The largest absolute coordinate.

@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::nearest::{Nearest, nearest_on};
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
@@ -28,7 +28,7 @@ impl<P: Point> Spline<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
-        check_finite("p", &[p])?;
+        check_points("p", &[p])?;
         Ok(self.nearest_to(p))
     }
 

@@ -114,11 +114,11 @@ impl<P: Point> Spline<P> {
             while let Some(piece) = rest.pop() {
                 if !work.spend(1) {
                     let limit = MAX_CUBICS_PER_SEGMENT.saturating_mul(self.segment_count());
-                    return Err(Error::TooMany {
-                        what: "cubics of the simplified spline",
+                    return Err(Error::too_many(
+                        "cubics of the simplified spline",
                         limit,
-                        needed: limit.saturating_add(1),
-                    });
+                        limit.saturating_add(1),
+                    ));
                 }
                 if piece.degree() <= 3 {
                     cubics.push(piece);

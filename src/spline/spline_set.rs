@@ -1,12 +1,13 @@
 //! Intersections of sets of splines: finds the pairs of curves whose boxes overlap and maps their intersections to
 //! spline parameters.
 //!
-//! Each list of curves has a tree of bounding boxes in list order, because neighbouring segments of a spline are close
-//! in the plane. Two trees are traversed together where boxes overlap.
+//! Each list of curves has a tree of bounding boxes.
 
 use super::Spline;
 use crate::curve::Curve;
 use crate::curve::intersect::intersection::{Intersection, IntersectionKind};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::box_tree::BoxTree;
 use crate::numeric::sort::sort_by;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
@@ -26,7 +27,7 @@ pub(crate) struct SplineSet {
     segment_keys: Vec<(usize, usize)>,
     /// For each spline, its number of segments and whether it is closed.
     sizes: Vec<(usize, bool)>,
-    boxes: Vec<[DVec2; 2]>,
+    tree: BoxTree,
 }
 
 /// An intersection of two splines.
@@ -63,24 +64,12 @@ impl SplineSet {
         segment_keys: Vec<(usize, usize)>,
         sizes: Vec<(usize, bool)>,
     ) -> Self {
-        // A binary tree in an array: node k has the children 2k and 2k + 1, the leaves are the curves.
-        let leaves = curves.len().next_power_of_two();
-        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        let mut boxes = vec![nothing; 2 * leaves];
-        for (leaf, curve) in boxes[leaves..].iter_mut().zip(&curves) {
-            let bounds = curve.control_bounds();
-            let margin = bounds.min.abs().max(bounds.max.abs()) * ROUNDING;
-            *leaf = [bounds.min - margin, bounds.max + margin];
-        }
-        for k in (1..leaves).rev() {
-            let [left, right] = [boxes[2 * k], boxes[2 * k + 1]];
-            boxes[k] = [left[0].min(right[0]), left[1].max(right[1])];
-        }
+        let boxes: Vec<Bounds<DVec2>> = curves.iter().map(enlarged_box).collect();
         Self {
             curves,
             segment_keys,
             sizes,
-            boxes,
+            tree: BoxTree::new(&boxes),
         }
     }
 
@@ -105,7 +94,7 @@ impl SplineSet {
         let mut found = Vec::new();
         // In the worst case all pairs of boxes overlap, and all pairs are compared.
         let mut work = WorkLimit::new(usize::MAX);
-        self.walk(other, (1, 1), &mut work, &mut |i, j| {
+        self.tree.pairs_with(&other.tree, &mut work, |i, j| {
             for intersection in self.curves[i].intersections(&other.curves[j]) {
                 found.push(self.intersection_of(other, (i, j), intersection));
             }
@@ -136,59 +125,26 @@ impl SplineSet {
         }
     }
 
-    /// Calls `act` for each pair of curves whose boxes overlap. The work counts pairs of boxes.
-    fn walk(
-        &self,
-        other: &Self,
-        (k, l): (usize, usize),
-        work: &mut WorkLimit,
-        act: &mut impl FnMut(usize, usize),
-    ) {
-        let ([min_a, max_a], [min_b, max_b]) = (self.boxes[k], other.boxes[l]);
-        if !work.spend(1) || min_a.cmpgt(max_b).any() || min_b.cmpgt(max_a).any() {
-            return;
-        }
-        let (leaves_a, leaves_b) = (self.boxes.len() / 2, other.boxes.len() / 2);
-        let size = |[min, max]: [DVec2; 2]| (max - min).max_element();
-        match (k >= leaves_a, l >= leaves_b) {
-            (true, true) => act(k - leaves_a, l - leaves_b),
-            (leaf_a, leaf_b)
-                if leaf_b || !leaf_a && size(self.boxes[k]) >= size(other.boxes[l]) =>
-            {
-                self.walk(other, (2 * k, l), work, act);
-                self.walk(other, (2 * k + 1, l), work, act);
-            }
-            _ => {
-                self.walk(other, (k, 2 * l), work, act);
-                self.walk(other, (k, 2 * l + 1), work, act);
-            }
-        }
-    }
-
     /// The self-intersections of the splines of this set and the intersections between them; every pair once, with its
     /// smaller parameter first. Overlaps are omitted.
     pub(crate) fn intersections_within(&self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
-        self.walk(self, (1, 1), &mut work, &mut |i, j| {
-            if i == j {
-                for intersection in self.curves[i].self_intersections() {
-                    let kind = IntersectionKind::Cross;
-                    let intersection = Intersection {
-                        t: intersection.t,
-                        u: intersection.u,
-                        point: intersection.point,
-                        kind,
-                    };
-                    found.push(self.intersection_of(self, (i, i), intersection));
-                }
-            } else if i < j {
-                let crossings = self.curves[i].intersections(&self.curves[j]);
-                found.extend(
-                    crossings
-                        .into_iter()
-                        .map(|intersection| self.intersection_of(self, (i, j), intersection)),
-                );
+        for (i, curve) in self.curves.iter().enumerate() {
+            for intersection in curve.self_intersections() {
+                let intersection = Intersection {
+                    t: intersection.t,
+                    u: intersection.u,
+                    point: intersection.point,
+                    kind: IntersectionKind::Cross,
+                };
+                found.push(self.intersection_of(self, (i, i), intersection));
+            }
+        }
+        self.tree.pairs_within(&mut work, |i, j, _| {
+            let (i, j) = (i.min(j), i.max(j));
+            for intersection in self.curves[i].intersections(&self.curves[j]) {
+                found.push(self.intersection_of(self, (i, j), intersection));
             }
         });
         found.retain_mut(|m| {
@@ -207,6 +163,16 @@ impl SplineSet {
         let around = if closed { count as f64 } else { f64::INFINITY };
         let apart = (u - t).abs();
         apart <= ONE_JOINT || around - apart <= ONE_JOINT
+    }
+}
+
+/// The box of a curve, enlarged by rounding.
+fn enlarged_box(curve: &Curve<DVec2>) -> Bounds<DVec2> {
+    let Bounds { min, max } = curve.control_bounds();
+    let margin = min.abs().max(max.abs()) * ROUNDING;
+    Bounds {
+        min: min - margin,
+        max: max + margin,
     }
 }
 

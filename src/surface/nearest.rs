@@ -12,7 +12,7 @@ use super::piece::PolynomialPiece;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::patch::Patch;
@@ -35,7 +35,7 @@ impl Patch {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec3) -> Result<PatchPoint, Error> {
-        check_finite("point", &[p])?;
+        check_points("point", &[p])?;
         let nearest = nearest(std::slice::from_ref(self), p);
         Ok(nearest
             .unwrap_or_else(|| SurfacePoint::at(self, 0, 0.0, 0.0, p))
@@ -70,7 +70,7 @@ impl Surface {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec3) -> Result<Option<SurfacePoint>, Error> {
-        check_finite("point", &[p])?;
+        check_points("point", &[p])?;
         let patches: Vec<Patch> = self.patches().collect();
         Ok(nearest(&patches, p))
     }

@@ -2,9 +2,8 @@
 
 use super::first_of::joined;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::{check_points, images};
 use crate::geometry::error::Error;
-use crate::geometry::point::Point;
 use crate::numeric::list::Net;
 use crate::patch::tensor_product::Patch;
 use crate::patch::tensor_product::{check_degree, checked_point};
@@ -110,7 +109,7 @@ impl Surface {
                 got: indices.len(),
             });
         }
-        check_finite("vertices", &vertices)?;
+        check_points("vertices", &vertices)?;
         let surface = Self {
             vertices,
             joined,
@@ -213,13 +212,14 @@ impl Surface {
     }
 
     /// The image of the surface under an affine map.
-    #[must_use]
-    pub fn transform(&self, map: &DAffine3) -> Self {
-        let mut image = self.clone();
-        for vertex in &mut image.vertices {
-            *vertex = vertex.transform(map);
-        }
-        image
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    pub fn transform(&self, map: &DAffine3) -> Result<Self, Error> {
+        Ok(Self {
+            vertices: images(&self.vertices, map)?,
+            ..self.clone()
+        })
     }
 
     /// The surface with one vertex moved.

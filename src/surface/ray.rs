@@ -11,7 +11,7 @@ use super::piece::PolynomialPiece;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
 use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::parallel::map_patches;
@@ -70,8 +70,8 @@ struct Ray {
 }
 
 fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<SurfacePoint>, Error> {
-    check_finite("origin", &[origin])?;
-    check_finite("direction", &[direction])?;
+    check_points("origin", &[origin])?;
+    check_points("direction", &[direction])?;
     let along = Point::normalize_or_zero(direction);
     if along == DVec3::ZERO {
         return Err(Error::Range {
@@ -127,11 +127,11 @@ fn hits_of(
         return Ok(Vec::new());
     };
     let Some(zeros) = common_zeros(&piece) else {
-        return Err(Error::TooMany {
-            what: "steps of a ray query",
-            limit: MAX_RAY_STEPS,
-            needed: MAX_RAY_STEPS + 1,
-        });
+        return Err(Error::too_many(
+            "steps of a ray query",
+            MAX_RAY_STEPS,
+            MAX_RAY_STEPS + 1,
+        ));
     };
     let mut hits: Vec<SurfacePoint> = zeros
         .points

@@ -9,6 +9,7 @@ use crate::bernstein::polynomials::bernstein;
 use crate::curve::Curve;
 use crate::curve::basis::Basis;
 use crate::curve::subdivide::Subdivision;
+use crate::geometry::check::images;
 use crate::geometry::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -258,14 +259,13 @@ pub fn curve_hull(count: usize) -> usize {
 
 /// Arguments: an affine map after any number of points, as four columns of 3 numbers. Writes the images of the points.
 #[wasm_bindgen]
-pub fn points_transform(dimension: usize, count: usize) {
-    arena::with(|a| {
+pub fn points_transform(dimension: usize, count: usize) -> isize {
+    arena::answer(|a| {
         let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
-        for at in (0..count).map(|k| k * dimension) {
-            let image = a.point_in_space(at, dimension).transform(&map);
-            a.write_from_space(at, &[image], dimension);
-        }
-    });
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let images = images(&points, &map)?;
+        Ok(a.write_from_space(0, &images, dimension))
+    })
 }
 
 /// The area that a plane curve sweeps.

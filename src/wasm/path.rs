@@ -166,11 +166,7 @@ pub fn path_flatten(tolerance: f64) -> isize {
             let line = spline.flatten(tolerance)?;
             vertices += line.ts.len();
             if vertices > MAX_VERTICES {
-                return Err(Error::TooMany {
-                    what: "vertices",
-                    limit: MAX_VERTICES,
-                    needed: vertices,
-                });
+                return Err(Error::too_many("vertices", MAX_VERTICES, vertices));
             }
             at = a.write_numbers(at, &[line.ts.len() as f64]);
             at = a.write_from_space(at, &line.points, 2);

@@ -5,7 +5,7 @@ use crate::common::{Rng, curve, exact, largest, plane, real};
 use crate::thorough;
 use casteljau::curve::Moments;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Spline};
+use casteljau::{Curve, MAX_COORDINATE, Spline};
 
 fn close(got: f64, expected: f64, slack: f64) {
     assert!(
@@ -73,8 +73,7 @@ fn a_closed_spline_encloses_the_same_anywhere() {
     close(circle(DVec2::new(1e6, -3e6), 1.0).area(), unit, 1e-8);
     close(circle(DVec2::ZERO, 1e150).area() / 1e300, unit, 1e-14);
     assert_eq!(circle(DVec2::ZERO, 1e-200).area(), 0.0);
-    assert_eq!(circle(DVec2::ZERO, 1e200).area(), f64::INFINITY);
-    assert_eq!(circle(DVec2::ZERO, 1e200).reverse().area(), -f64::INFINITY);
+    close(circle(DVec2::ZERO, 3e150).area() / 9e300, unit, 1e-14);
 }
 
 /// ½ ∫ (x dy − y dx), with sums in double the precision of f64.
@@ -182,9 +181,9 @@ fn no_nan_for_any_size() {
         }
     }
     let far = plane(&[
-        (f64::MAX, -f64::MAX),
-        (-f64::MAX, f64::MAX),
-        (f64::MAX, f64::MAX),
+        (MAX_COORDINATE, -MAX_COORDINATE),
+        (-MAX_COORDINATE, MAX_COORDINATE),
+        (MAX_COORDINATE, MAX_COORDINATE),
     ]);
     assert!(!far.area().is_nan() && !far.moments().xx.is_nan());
 }

@@ -25,7 +25,7 @@ fn constructors_of_low_degrees_are_those_of_slices() {
 }
 
 #[test]
-#[should_panic(expected = "p1: expected finite coordinates")]
+#[should_panic(expected = "p1: expected coordinates from")]
 fn a_line_to_nowhere_panics() {
     _ = Curve::line(DVec2::ZERO, DVec2::new(f64::NAN, 0.0));
 }
@@ -34,7 +34,7 @@ fn a_line_to_nowhere_panics() {
 fn maps_multiply() {
     let curve = Curve::new(&P).expect("a cubic");
     let map = DAffine2::from_angle(0.5) * DAffine2::from_translation(DVec2::new(3.0, 1.0));
-    assert_eq!(map * &curve, curve.transform(&map));
+    assert_eq!(map * &curve, curve.transform(&map).expect("a finite image"));
     let space = Curve::line(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0));
     let map = DAffine3::from_scale(DVec3::splat(2.0));
     assert_eq!((map * &space).end(), DVec3::new(2.0, 4.0, 6.0));

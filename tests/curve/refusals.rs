@@ -61,14 +61,14 @@ fn segments() {
         refused.to_string(),
         "segments: expected a whole number from 1, got 0"
     );
-    for needed in [1 << 26, usize::MAX] {
+    for needed in [1_usize << 26, usize::MAX] {
         let limit = (1 << 27) / 2 - 1;
         assert_eq!(
             line.sample(needed),
             Err(Error::TooMany {
                 what: "segments",
                 limit,
-                needed
+                needed: needed as u64
             })
         );
     }

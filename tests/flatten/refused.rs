@@ -28,7 +28,7 @@ fn a_tolerance_is_a_finite_number_above_zero() {
 
 #[test]
 fn a_tolerance_below_4_ulps_of_the_largest_coordinate_is_refused_with_that_figure() {
-    for size in [1.1, 1.5, 1e-300, 1e300, 12345.678] {
+    for size in [1.1, 1.5, 1e-300, 1e150, 12345.678] {
         let curve = plane(&[(0.0, 0.0), (size, 0.1 * size), (-0.3 * size, 0.0)]);
         let min = 4.0 * ulp(size);
         let got = min.next_down();

@@ -126,7 +126,7 @@ fn reduce<P: Space>(case: &Case) -> Checked {
 
 fn transform<P: Space>(case: &Case) -> Checked {
     let (curve, map) = (curve::<P>(case, "curve"), affine::<P>(case, "map"));
-    let image = value!(case, curve.transform(&map));
+    let image = answer!(case, curve.transform(&map), &["image"]);
     let slack = 8.0 * slack(case.size() + 2.0, curve.degree());
     for t in parameters(4, 1.0) {
         let gap = distance(image.eval(t), curve.eval(t).transform(&map));

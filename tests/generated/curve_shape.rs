@@ -91,7 +91,11 @@ fn approx_eq<P: Space>(case: &Case) -> Checked {
 
 fn from_basis<P: Space>(case: &Case) -> Checked {
     let points: [P; 4] = points(case, "points").try_into().expect("four points");
-    let curve = answer!(case, Curve::from_basis(basis(case, "basis"), points));
+    let curve = answer!(
+        case,
+        Curve::from_basis(basis(case, "basis"), points),
+        &["points"]
+    );
     ensure!(curve.degree() == 3, "degree {}", curve.degree());
     Ok(())
 }

@@ -43,6 +43,11 @@ const LIMITS: &[(&str, usize)] = &[
     ("Path::filled_moments", 1 << 27),
     ("Path::stroke", 1 << 27),
     ("Path::offset", 1 << 27),
+    ("Curve::chain", FLATTEN),
+    ("Spline::chain", FLATTEN),
+    ("Path::chain", 1 << 29),
+    ("Patch::chain", 2 * RAY),
+    ("Surface::chain", 2 * PATCHES * RAY),
     ("Surface::subdivide", (1 << 24) + (1 << 12)),
 ];
 

@@ -5,6 +5,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod arguments;
+mod chains;
 mod check;
 mod coverage;
 mod curve_drawing;
@@ -37,7 +38,7 @@ mod surface_query;
 use runner::Row;
 
 /// The functions in groups; each group is a test, so that the groups run in parallel.
-const GROUPS: [(&str, &[&[Row]]); 10] = [
+const GROUPS: [(&str, &[&[Row]]); 11] = [
     ("curves: evaluation", &[curve_shape::ROWS]),
     ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
     ("curves: measures", &[curve_measure::ROWS]),
@@ -68,6 +69,7 @@ const GROUPS: [(&str, &[&[Row]]); 10] = [
     ("surfaces: meshes", &[surface::ROWS, export::ROWS]),
     ("surfaces: queries", &[surface_query::ROWS]),
     ("parsers", &[parsers::ROWS]),
+    ("chains", &[chains::ROWS]),
 ];
 
 macro_rules! groups {
@@ -90,4 +92,5 @@ groups! {
     surfaces_meshes: 7,
     surfaces_queries: 8,
     parsers_read_what_they_wrote: 9,
+    chains_of_operations: 10,
 }

@@ -7,6 +7,7 @@ use casteljau::{Easing, Path, Surface};
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
+    ("Path::from_svg_with", from_svg_with),
     ("Path::from_svg", from_svg),
     ("Surface::parse", parse),
     ("Easing::new", easing_new),
@@ -59,6 +60,30 @@ fn from_svg(case: &Case) -> Checked {
     );
     let again = Path::from_svg(&written).map_err(|error| error.to_string())?;
     ensure!(again == path, "another path is read from {written}");
+    Ok(())
+}
+
+fn from_svg_with(case: &Case) -> Checked {
+    let (text, tolerance) = (text(case, "text"), number(case, "tolerance"));
+    let refused = |error: &casteljau::path::SvgError| error.expected == "an arc tolerance above 0";
+    match call(case, || {
+        Path::from_svg_with(text, tolerance).map_err(Box::new)
+    })? {
+        Ok(path) => {
+            let plain = Path::from_svg(text).map_err(|error| error.to_string())?;
+            ensure!(tolerance > 0.0, "a tolerance of {tolerance} is accepted");
+            ensure!(
+                path.subpath_count() == plain.subpath_count(),
+                "{} subpaths, not {}",
+                path.subpath_count(),
+                plain.subpath_count()
+            );
+        }
+        Err(error) => ensure!(
+            refused(&error) != (tolerance > 0.0),
+            "refused without a reason: {error}"
+        ),
+    }
     Ok(())
 }
 

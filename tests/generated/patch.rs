@@ -83,7 +83,7 @@ fn from_basis(case: &Case) -> Checked {
         return Err(String::from("no points"));
     };
     let net: &[DVec3; 16] = points.as_slice().try_into().expect("sixteen points");
-    let patch = answer!(case, Patch::from_basis(basis(case, "basis"), net));
+    let patch = answer!(case, Patch::from_basis(basis(case, "basis"), net), &["net"]);
     ensure!(
         (patch.degree_u(), patch.degree_v()) == (3, 3),
         "not bicubic"
@@ -248,7 +248,7 @@ fn isocurve_at_v(case: &Case) -> Checked {
 
 fn transform(case: &Case) -> Checked {
     let (patch, map) = (patch(case), affine::<DVec3>(case, "map"));
-    let image = value!(case, patch.transform(&map));
+    let image = answer!(case, patch.transform(&map), &["image"]);
     let images = patch
         .control_points()
         .iter()

@@ -217,12 +217,12 @@ fn flatten(case: &Case) -> Checked {
 
 fn transform(case: &Case) -> Checked {
     let (path, map) = (path(case, "path"), affine::<DVec2>(case, "map"));
-    let image = value!(case, path.transform(&map));
+    let image = answer!(case, path.transform(&map), &["image"]);
     let images: Vec<_> = path
         .subpaths()
         .collect::<Vec<_>>()
         .iter()
-        .map(|spline| spline.transform(&map))
+        .map(|spline| spline.transform(&map).expect("a finite image"))
         .collect();
     ensure!(
         image == Path::new(&images),

@@ -119,7 +119,7 @@ fn reverse<P: Space>(case: &Case) -> Checked {
 
 fn transform<P: Space>(case: &Case) -> Checked {
     let (spline, map) = (spline::<P>(case, "spline"), affine::<P>(case, "map"));
-    let image = value!(case, spline.transform(&map));
+    let image = answer!(case, spline.transform(&map), &["image"]);
     let images = spline.control_points().iter().map(|p| p.transform(&map));
     ensure!(
         images.eq(image.control_points().iter().copied()),

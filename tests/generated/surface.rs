@@ -182,7 +182,7 @@ fn to_text(case: &Case) -> Checked {
 
 fn transform(case: &Case) -> Checked {
     let (surface, map) = (surface(case), affine::<DVec3>(case, "map"));
-    let image = value!(case, surface.transform(&map));
+    let image = answer!(case, surface.transform(&map), &["image"]);
     let images = surface
         .vertices()
         .iter()

@@ -32,10 +32,22 @@ fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
     for k in 0..17 {
         let e = 10_f64.powi(-k);
         let along = c.tangent(0.3) * e;
-        all.push(c.transform(&DAffine2::from_translation(along)));
-        all.push(c.transform(&DAffine2::from_translation(along.perp())));
-        all.push(c.transform(&DAffine2::from_angle(e)));
-        all.push(c.transform(&DAffine2::from_scale(DVec2::new(1.0 + e, 1.0))));
+        all.push(
+            c.transform(&DAffine2::from_translation(along))
+                .expect("a finite image"),
+        );
+        all.push(
+            c.transform(&DAffine2::from_translation(along.perp()))
+                .expect("a finite image"),
+        );
+        all.push(
+            c.transform(&DAffine2::from_angle(e))
+                .expect("a finite image"),
+        );
+        all.push(
+            c.transform(&DAffine2::from_scale(DVec2::new(1.0 + e, 1.0)))
+                .expect("a finite image"),
+        );
         let noisy: Vec<DVec2> = c
             .control_points()
             .iter()

@@ -60,7 +60,11 @@ fn the_results_follow() {
         assert!(same(&reversed, &fixed), "{}", known("reversed"));
 
         let turn = DAffine2::from_angle(0.7);
-        let turned = locations(&a.transform(&turn).intersections(&b.transform(&turn)));
+        let turned = locations(
+            &a.transform(&turn)
+                .expect("a finite image")
+                .intersections(&b.transform(&turn).expect("a finite image")),
+        );
         assert!(same(&turned, &fixed), "{}", known("turned"));
     }
 }

@@ -120,3 +120,15 @@ test("empty paths, and what is not a shape", () => {
   refused(() => space.intersections(lines), TypeError, /^intersections: expected a 2D curve, got a 3D one/);
   refused(() => lines.intersections(space), TypeError, /^other: expected a 2D one, got a 3D one/);
 });
+
+test("coordinates up to the limit have answers, and larger ones are refused", () => {
+  const triangle = (x) => Path.fromSVG(`M0,${x}L${x},-${x}L-${x},-${x}Z`);
+  assert.throws(() => triangle(Number.MAX_VALUE), { name: "RangeError", message: /from -2\^500 to 2\^500/ });
+  assert.deepEqual(triangle(2 ** 500).selfIntersections(), []);
+  const scaled = (x) => triangle(1).transform([x, 0, 0, x, 0, 0]);
+  assert.throws(() => scaled(1e308), {
+    name: "RangeError",
+    message: /^image\[0\]: expected a coordinate from -2\^500/,
+  });
+  assert.throws(() => triangle(2).transform([1e308, 0, 0, 1e308, 0, 0]), { message: /^image\[0\]: .* got Infinity$/ });
+});

@@ -22,7 +22,9 @@ fn many_teapots() -> Surface {
         let turn = DAffine3::from_rotation_z(k as f64) * DAffine3::from_rotation_x(0.3 * k as f64);
         let scale = DAffine3::from_scale(DVec3::splat(1.0 + 0.1 * k as f64));
         let location = DVec3::new(20.0 * (k % 5) as f64, 20.0 * (k / 5) as f64, 0.0);
-        let copy = teapot.transform(&(DAffine3::from_translation(location) * turn * scale));
+        let copy = teapot
+            .transform(&(DAffine3::from_translation(location) * turn * scale))
+            .expect("a finite image");
         let first = u32::try_from(vertices.len()).unwrap();
         indices.extend(copy.indices().iter().map(|index| first + index));
         vertices.extend_from_slice(copy.vertices());

@@ -1,7 +1,7 @@
 //! Paths from curves, splines and path data, and back to path data.
 
 use casteljau::glam::{DAffine2, DVec2};
-use casteljau::{Curve, Path, Spline};
+use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
 const TEXT: &str = "M0,0 L1,0.5 Q2,3 4,4 C5,4 6,3 6,2 Z M8,8 L9,8";
 
@@ -46,7 +46,56 @@ fn a_curve_is_a_spline_and_a_path() {
 fn maps_multiply() {
     let path: Path = TEXT.parse().expect("path data");
     let map = DAffine2::from_angle(1.0);
-    assert_eq!(map * &path, path.transform(&map));
+    assert_eq!(map * &path, path.transform(&map).expect("a finite image"));
     let spline = path.subpath(0).expect("a subpath");
-    assert_eq!(map * &spline, spline.transform(&map));
+    assert_eq!(
+        map * &spline,
+        spline.transform(&map).expect("a finite image")
+    );
+}
+
+/// Coordinates beyond the limit are refused, and everything up to it has an answer.
+#[test]
+fn coordinates_up_to_the_limit() {
+    let triangle = |x: f64| Path::from_svg(&format!("M0,{x}L{x},-{x}L-{x},-{x}Z"));
+    let error = triangle(f64::MAX).expect_err("too large");
+    assert!(
+        error.to_string().contains("from -2^500 to 2^500"),
+        "{error}"
+    );
+    let path = triangle(MAX_COORDINATE).expect("at the limit");
+    assert_eq!(path.self_intersections(), []);
+    assert_eq!(path.intersections(&path).len(), 1, "an overlap");
+    let region = path.remove_overlaps(casteljau::path::FillRule::NonZero);
+    assert_eq!(region.expect("few segments").segment_count(), 3);
+}
+
+#[test]
+fn maps_beyond_the_limit_are_refused() {
+    let path = Path::from_svg("M1 2C3 4 5 6 7 8L9 9").expect("path data");
+    let curve = path
+        .segments()
+        .next()
+        .expect("a cubic")
+        .elevate()
+        .expect("degree 4");
+    for scale in [1e151, 1e308, f64::INFINITY, f64::NAN] {
+        let map = DAffine2::from_scale(DVec2::splat(scale));
+        let messages = [
+            path.transform(&map).map(|_| ()),
+            curve.transform(&map).map(|_| ()),
+            path.subpath(0).expect("one").transform(&map).map(|_| ()),
+        ];
+        for message in messages {
+            let error = message.expect_err("too large").to_string();
+            assert!(error.starts_with("image[0]: expected "), "{error}");
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "image[0]: expected a finite number")]
+fn an_operator_cannot_return_an_error() {
+    let path = Path::from_svg("M1 2L3 4").expect("path data");
+    _ = DAffine2::from_scale(DVec2::splat(f64::INFINITY)) * &path;
 }

@@ -25,7 +25,7 @@ fn print(path: &Path) -> String {
 
 /// The hash of the results for the 20,000 texts: their messages, the paths with all digits, the paths in short form.
 /// The same number is in tests/js/path.test.js; it changes only if the reader or the writer changes.
-const HASH_OF_ALL: u32 = 2_100_080_138;
+const HASH_OF_ALL: u32 = 1_885_360_373;
 
 #[test]
 fn rust_and_javascript_read_and_write_the_same() {
@@ -62,9 +62,14 @@ fn adversarial_number(rng: &mut Numbers) -> f64 {
         1 => -0.0,
         2 => rng.pick(&[1.0, -1.0, 0.5, 1e21, 1e-7, 123_456_789.125]),
         3 => f64::from_bits(rng.next() >> 12), // subnormal
-        4 => rng.pick(&[f64::MAX, f64::MIN_POSITIVE, 5e-324, -f64::MAX]),
+        4 => rng.pick(&[
+            casteljau::MAX_COORDINATE,
+            f64::MIN_POSITIVE,
+            5e-324,
+            -casteljau::MAX_COORDINATE,
+        ]),
         5 => Some(f64::from_bits(rng.next()))
-            .filter(|x| x.is_finite())
+            .filter(|x| x.abs() <= casteljau::MAX_COORDINATE)
             .unwrap_or(1.0),
         _ => rng.signed(),
     }

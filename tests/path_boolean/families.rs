@@ -115,7 +115,7 @@ fn turned(random: &mut Random) -> (Path, Path) {
     let shape = any(random);
     let angle = 10.0_f64.powf(random.between(-12.0, -3.0));
     let map = DAffine2::from_angle(angle);
-    let other = shape.transform(&map);
+    let other = shape.transform(&map).expect("a finite image");
     (shape, other)
 }
 
@@ -129,7 +129,9 @@ fn moved(random: &mut Random) -> (Path, Path) {
     } else {
         by
     };
-    let other = shape.transform(&DAffine2::from_translation(by));
+    let other = shape
+        .transform(&DAffine2::from_translation(by))
+        .expect("a finite image");
     (shape, other)
 }
 
@@ -307,7 +309,11 @@ fn glyph(random: &mut Random) -> Path {
 fn glyphs(random: &mut Random) -> (Path, Path) {
     let (a, b) = (glyph(random), glyph(random));
     let by = DVec2::new(random.below(400) as f64, random.below(200) as f64) / 1000.0;
-    (a, b.transform(&DAffine2::from_translation(by)))
+    (
+        a,
+        b.transform(&DAffine2::from_translation(by))
+            .expect("a finite image"),
+    )
 }
 
 /// Polygons and curves with small integer coordinates, so that points and segments often coincide.

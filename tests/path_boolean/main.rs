@@ -5,6 +5,7 @@
 mod check;
 mod families;
 mod known;
+mod large;
 mod oracle;
 mod order;
 mod promises;

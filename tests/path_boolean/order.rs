@@ -17,8 +17,11 @@ fn loops_that_leave_a_corner_in_similar_directions() {
     );
     let second = first
         .transform(&DAffine2::from_translation(-corner))
+        .expect("a finite image")
         .transform(&DAffine2::from_scale(DVec2::splat(1.0 / 3.0)))
-        .transform(&DAffine2::from_translation(corner));
+        .expect("a finite image")
+        .transform(&DAffine2::from_translation(corner))
+        .expect("a finite image");
     let both = valid(first.exclude(&second, RULE));
     assert_close(both.area() / first.area(), 8.0 / 9.0);
     let union = valid(first.union(&second, RULE));
@@ -75,7 +78,9 @@ fn arcs_that_turn_back_near_their_end() {
     ]
     .map(|points| Curve::new(&points).expect("five points"));
     let a = Path::from(Spline::from_curves(&degree_4, true).expect("a closed outline"));
-    let b = a.transform(&DAffine2::from_angle(9.948057441366842e-06));
+    let b = a
+        .transform(&DAffine2::from_angle(9.948057441366842e-06))
+        .expect("a finite image");
     let error = identity_error(&a, &b, FillRule::EvenOdd);
     assert!(error < 1e-12, "areas differ by {error:e}");
 }

@@ -36,7 +36,10 @@ fn check_pair(name: &str, seed: usize, family: Family, coincident: bool) {
     let mut random = Random::new(seed as u64);
     let scale = DAffine2::from_scale(DVec2::splat(SCALES[seed % 3]));
     let (a, b) = family(&mut random);
-    let (a, b) = (a.transform(&scale), b.transform(&scale));
+    let (a, b) = (
+        a.transform(&scale).expect("a finite image"),
+        b.transform(&scale).expect("a finite image"),
+    );
     let rule = [FillRule::NonZero, FillRule::EvenOdd][seed % 2];
     let found = faults(&a, &b, rule, &mut random);
     assert!(

@@ -140,7 +140,7 @@ fn inflections_stay_under_affine_maps() {
         if a.perp_dot(b).abs() < 0.1 {
             continue;
         }
-        let scale = rng.pick(&[1.0, 1e9, 1e-9, 1e250, 1e-250]);
+        let scale = rng.pick(&[1.0, 1e9, 1e-9, 1e140, 1e-250]);
         let image: Vec<DVec2> = points.iter().map(|p| (a * p.x + b * p.y) * scale).collect();
         let again = Curve::new(&image).expect("finite").inflections();
         assert_eq!(again.len(), plain.len(), "{points:?}");

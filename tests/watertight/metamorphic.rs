@@ -19,7 +19,7 @@ struct Change {
 const CHANGES: [Change; 7] = [
     Change {
         name: "turned",
-        surface: |s| s.transform(&turn()),
+        surface: |s| s.transform(&turn()).expect("a finite image"),
         scale: 1.0,
         sense: 1.0,
     },
@@ -66,9 +66,11 @@ fn turn() -> DAffine3 {
 }
 
 fn scaled(surface: &Surface, factor: f64) -> Surface {
-    surface.transform(&DAffine3::from_mat3(DMat3::from_diagonal(DVec3::splat(
-        factor,
-    ))))
+    surface
+        .transform(&DAffine3::from_mat3(DMat3::from_diagonal(DVec3::splat(
+            factor,
+        ))))
+        .expect("a finite image")
 }
 
 /// A bicubic surface with all nets in another order.

@@ -30,11 +30,13 @@ fn results_follow_the_surface() {
     let cup = Surface::teacup(Up::Z);
     let (plain, turned) = (
         ribbons(&cup, 2, 0.02),
-        ribbons(&cup.transform(&turn), 2, 0.02),
+        ribbons(&cup.transform(&turn).expect("a finite image"), 2, 0.02),
     );
     assert!(count(&plain).0.abs_diff(count(&turned).0) < 20);
     for scale in [1e-9, 1e9] {
-        let scaled = cup.transform(&DAffine3::from_scale(DVec3::splat(scale)));
+        let scaled = cup
+            .transform(&DAffine3::from_scale(DVec3::splat(scale)))
+            .expect("a finite image");
         let mesh = tubes(&scaled, 2, 0.02 * scale, 8);
         assert!(count(&mesh).0.abs_diff(count(&tubes(&cup, 2, 0.02, 8)).0) < 100);
         let share = volume(&mesh) / volume(&tubes(&cup, 2, 0.02, 8)) / scale.powi(3);

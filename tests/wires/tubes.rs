@@ -101,7 +101,9 @@ fn tubes_of_plane_lines_do_not_twist() {
     });
     // Rotated, so that the first corners are neither in the plane nor perpendicular to it.
     let turn = DAffine3::from_rotation_x(0.8) * DAffine3::from_rotation_y(0.5);
-    let surface = single(net.collect(), 3, 3).transform(&turn);
+    let surface = single(net.collect(), 3, 3)
+        .transform(&turn)
+        .expect("a finite image");
     let sides = 6;
     let mesh = tubes(&surface, 1, 0.05, sides);
     assert_eq!(euler(&mesh), 8);

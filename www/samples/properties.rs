@@ -21,7 +21,7 @@ pub(crate) fn sample(out: &mut String) {
     let points = [(60.0, 400.0), (160.0, 40.0), (480.0, 40.0), (600.0, 400.0)];
     let flat = Curve::new(&points.map(DVec2::from)).unwrap();
     let moved = map.transform_point2(flat.eval(0.3));
-    let other = flat.transform(&map).eval(0.3);
+    let other = flat.transform(&map).unwrap().eval(0.3);
     writeln!(out, "affine: {}", other.distance(moved) < 1e-12);
 
     // The curve lies inside the hull and does not reach P1 and P2.

@@ -118,10 +118,10 @@ export class CoreCurve extends CurveEvaluation {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
+   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
    */
   transform(matrix) {
-    core().points_transform(this.dimension, this._write(check.affine(matrix)));
-    return this._read(this._flat.length);
+    return this._read(core().points_transform(this.dimension, this._write(check.affine(matrix))));
   }
 
   /**

@@ -135,11 +135,11 @@ export class PatchValue {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
+   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
    */
   transform(matrix) {
     writeArguments(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
-    core().points_transform(3, this.#flat.length / 3);
-    return this.#withNet(readResult(0, this.#flat.length));
+    return this.#withNet(readResult(0, core().points_transform(3, this.#flat.length / 3)));
   }
 
   /**

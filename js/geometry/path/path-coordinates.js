@@ -65,8 +65,13 @@ function extremaOfSubpath(segments, closed, axis) {
  */
 function endDirections(flat, axis) {
   const steps = [];
-  for (let k = axis + 2; k < flat.length; k += 2)
-    if (flat[k] !== flat[k - 2]) steps.push(Math.sign(flat[k] - flat[k - 2]));
+  let largest = 0;
+  for (let k = axis; k < flat.length; k += 2) largest = Math.max(largest, Math.abs(flat[k]));
+  // Rounding is no step, as in src/curve/extrema.rs.
+  for (let k = axis + 2; k < flat.length; k += 2) {
+    const step = flat[k] - flat[k - 2];
+    if (Math.abs(step) > Number.EPSILON * largest) steps.push(Math.sign(step));
+  }
   return steps.length ? [steps[0], steps[steps.length - 1]] : [0, 0];
 }
 

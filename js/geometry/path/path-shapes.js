@@ -14,7 +14,7 @@ import { PackedPathBuilder, packedSplines } from "../../wasm/packed-path.js";
  * How arcs are approximated.
  *
  * @typedef {object} ArcOptions
- * @property {number} [tolerance] the largest distance of the cubics from the arcs, by default 1e-9 of the larger radius. No cubic
+ * @property {number} [tolerance] the largest distance of the cubics from the arcs, by default 1e-5 of the larger radius. No cubic
  *   covers more than a quarter turn, whatever the tolerance
  */
 
@@ -210,8 +210,8 @@ class ShapeBuilder {
    * @param {Pair} point the point, in the unit of the points
    */
   arcTo(radiusX, radiusY, degrees, isCounterClockwise, [x, y]) {
-    if (!Number.isFinite(4 * Math.max(radiusX, radiusY) + Math.abs(x) + Math.abs(y))) {
-      throw new RangeError(`radius: expected an arc with finite coordinates, got ${Math.max(radiusX, radiusY)}`);
+    if (!check.isCoordinate(4 * Math.max(radiusX, radiusY) + Math.abs(x) + Math.abs(y))) {
+      throw new RangeError(`radius: expected an arc with coordinates below 2^500, got ${Math.max(radiusX, radiusY)}`);
     }
     const numbers = Float64Array.of(radiusX, radiusY, degrees, 0, isCounterClockwise ? 1 : 0);
     const cubics = arc(this.#x, this.#y, numbers, x, y, this.#tolerance);
@@ -233,8 +233,8 @@ class ShapeBuilder {
     if (this.#packer.degrees.length === 0) this.#line(this.#x, this.#y);
     this.#packer.endSubpath(closed);
     const packed = this.#packer.packed();
-    const bad = packed.find((number) => !Number.isFinite(number));
-    if (bad !== undefined) throw new RangeError(`shape: expected finite coordinates, got ${bad}`);
+    const bad = packed.find((number) => !check.isCoordinate(number));
+    if (bad !== undefined) throw new RangeError(`shape: expected coordinates from -2^500 to 2^500, got ${bad}`);
     checkTolerance(packed, this.#tolerance);
     return packed;
   }

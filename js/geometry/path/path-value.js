@@ -99,15 +99,19 @@ export class PathValue {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
+   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
    */
   transform(matrix) {
     const [a, b, , c, d, , , , , e, f] = check.affine(matrix);
     const packed = this.#packed.slice();
+    let index = 0;
     for (const { points, end } of extents(packed)) {
-      for (let k = points; k < end; k += 2) {
+      for (let k = points; k < end; k += 2, index++) {
         const [x, y] = [packed[k], packed[k + 1]];
         packed[k] = a * x + c * y + e;
         packed[k + 1] = b * x + d * y + f;
+        const bad = [packed[k], packed[k + 1]].find((number) => !check.isCoordinate(number));
+        if (bad !== undefined) check.coordinate(bad, `image[${index}]`);
       }
     }
     return this._pathOf(packed);

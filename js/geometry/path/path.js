@@ -55,7 +55,7 @@ export class Path extends PathRegions {
   /**
    * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
-   * Arcs are approximated by cubics, by default within 1e-9 of the larger radius. A moveto without a segment is ignored; "M1 1Z" is
+   * Arcs are approximated by the fewest cubics within a tolerance, by default 1e-5 of the larger radius: 8 for a circle. A moveto without a segment is ignored; "M1 1Z" is
    * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
    *
    * @param {string} d SVG path data
@@ -109,7 +109,7 @@ export class Path extends PathRegions {
    * A circle, counter-clockwise (x right, y up; clockwise on a canvas), from the point to the right of the centre. It
    * consists of cubics that join at each quarter turn.
    *
-   * By default, 36 cubics approximate it within 1e-9 of the radius. The largest distance of a cubic over the angle θ is
+   * By default, 8 cubics approximate it within 4.3e-6 of the radius. The largest distance of a cubic over the angle θ is
    * 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: a tolerance of 2.73e-4 · radius gives the usual four cubics.
    *
    * @param {PointLike} center the center

@@ -189,12 +189,13 @@ export class CoreSpline extends SplineEvaluation {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
+   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
    */
   transform(matrix) {
     const { flat, dimension } = this.casteljauData();
     writeArguments(flat, 12).set(check.affine(matrix), flat.length);
-    core().points_transform(dimension, flat.length / dimension);
-    return this._splineOf({ ...this.casteljauData(), flat: readResult(0, flat.length) });
+    const length = core().points_transform(dimension, flat.length / dimension);
+    return this._splineOf({ ...this.casteljauData(), flat: readResult(0, length) });
   }
 
   /**

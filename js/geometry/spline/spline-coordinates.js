@@ -65,13 +65,14 @@ function directionsOf(index, k, axis) {
 }
 
 /**
- * The sign of the first difference from the first value that is not zero.
+ * The sign of the first difference from the first value that is not zero up to rounding, as in src/curve/extrema.rs.
  *
  * @param {Float64Array} values
  * @returns {number}
  */
 function firstDirection(values) {
-  return Math.sign((values.find((value) => value !== values[0]) ?? values[0]) - values[0]);
+  const rounding = Number.EPSILON * values.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0);
+  return Math.sign((values.find((value) => Math.abs(value - values[0]) > rounding) ?? values[0]) - values[0]);
 }
 
 /**

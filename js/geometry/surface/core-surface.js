@@ -180,8 +180,9 @@ export class CoreSurface extends SurfaceValue {
    * @param {number} tolerance the largest distance, in the unit of the points
    * @param {never[]} surplus
    * @returns {FlatPiece[]} patch by patch
-   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and if all pieces,
-   *   including split ones, have more than 2²⁴ control points together (the lower limit for degrees above 5)
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces and 16 for each patch, and if all
+   *   pieces, including split ones, have more than 2²⁴ control points together and 32 for each of the surface (the lower
+   *   limit for degrees above 5)
    */
   subdivide(tolerance, ...surplus) {
     check.noSurplus(surplus, "subdivide", 1);

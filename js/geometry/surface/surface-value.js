@@ -124,12 +124,13 @@ export class SurfaceValue {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
+   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
    */
   transform(matrix) {
     const { vertices } = this.#network;
     writeArguments(vertices, 12).set(check.affine(matrix), vertices.length);
-    core().points_transform(3, vertices.length / 3);
-    return this._surfaceOf({ ...this.#network, vertices: readResult(0, vertices.length) });
+    const length = core().points_transform(3, vertices.length / 3);
+    return this._surfaceOf({ ...this.#network, vertices: readResult(0, length) });
   }
 
   /**

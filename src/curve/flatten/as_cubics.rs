@@ -60,11 +60,11 @@ pub(crate) fn as_cubics(
     let mut work = WorkLimit::new(2 * MAX_CUBICS);
     while let Some(piece) = rest.pop() {
         if !work.spend(1) || cubics.len() + rest.len() >= MAX_CUBICS {
-            return Err(Error::TooMany {
-                what: "cubics in the place of the curve",
-                limit: MAX_CUBICS,
-                needed: MAX_CUBICS + 1,
-            });
+            return Err(Error::too_many(
+                "cubics in the place of the curve",
+                MAX_CUBICS,
+                MAX_CUBICS + 1,
+            ));
         }
         if piece.error() <= ERROR_PART * tolerance || piece.halvings == MAX_HALVINGS {
             let cubic = piece.cubic();

@@ -40,11 +40,7 @@ impl VertexLimit {
 }
 
 fn too_many(limit: usize) -> Error {
-    Error::TooMany {
-        what: "vertices",
-        limit,
-        needed: limit.saturating_add(1),
-    }
+    Error::too_many("vertices", limit, limit.saturating_add(1))
 }
 
 /// Returns an error if flattening all curves is expected to give more vertices than the limit.

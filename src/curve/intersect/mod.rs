@@ -47,7 +47,12 @@ impl Curve<DVec2> {
     ///
     /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for crossings.
     pub fn intersections(&self, other: &Self) -> Vec<Intersection> {
+        self.intersections_and_steps(other).0
+    }
+
+    /// All intersections with another curve, and the number of pairs of segments that the search processed.
+    pub(crate) fn intersections_and_steps(&self, other: &Self) -> (Vec<Intersection>, usize) {
         NormalizedPair::new(&self.points, &other.points)
-            .map_or_else(Vec::new, |pair| pair.solve(self, other))
+            .map_or_else(|| (Vec::new(), 0), |pair| pair.solve(self, other))
     }
 }

@@ -55,7 +55,7 @@ pub(crate) struct NormalizedPair {
 }
 
 impl NormalizedPair {
-    /// `None` if the boxes of the control points do not overlap.
+    /// `None` if the boxes of the control points do not overlap, and for coordinates that are not finite.
     pub(crate) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
         let (min_a, max_a) = corners(a);
         let (min_b, max_b) = corners(b);
@@ -79,6 +79,9 @@ impl NormalizedPair {
             a.iter().map(normalized).collect(),
             b.iter().map(normalized).collect(),
         );
+        if !a.iter().chain(&b).all(|p| p.is_finite()) {
+            return None;
+        }
         Some(Self {
             stops: [stops(&a), stops(&b)],
             curves: [a, b],
@@ -86,13 +89,14 @@ impl NormalizedPair {
         })
     }
 
-    /// The contacts of the given pairs of segments, unsorted; the segments lie between cuts.
+    /// The contacts of the given pairs of segments, unsorted, and the number of steps of the search; the segments lie
+    /// between cuts.
     pub(crate) fn search(
         &self,
         cuts_a: &[f64],
         cuts_b: &[f64],
         pairs: impl IntoIterator<Item = (usize, usize)>,
-    ) -> Vec<Contact> {
+    ) -> (Vec<Contact>, usize) {
         let [a, b] = &self.curves;
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
@@ -105,7 +109,7 @@ impl NormalizedPair {
                     [cuts_b[j], cuts_b[j + 1]],
                 );
             }
-            return solver.found;
+            return (solver.found, solver.work.used());
         }
         let whole = [piece(a, degree), piece(b, degree)];
         let mut solver = ClippingSolver::new(
@@ -116,7 +120,7 @@ impl NormalizedPair {
         for (i, j) in pairs {
             solver.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
         }
-        solver.found
+        (solver.found, solver.work.used())
     }
 }
 

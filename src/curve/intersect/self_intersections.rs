@@ -17,6 +17,9 @@ const MIN_LOOP: f64 = 2e-5;
 /// Maximum depth of halving; a segment that still reverses then contains a cusp smaller than rounding.
 const HALVINGS: usize = 30;
 
+/// Maximum number of segments: about one on each side of every halving next to the cusps of a curve of degree 64.
+const MAX_SEGMENTS: usize = 1 << 12;
+
 impl Curve<DVec2> {
     /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1.
     ///
@@ -106,7 +109,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     };
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let pairs = pairs.filter(touch);
-    let found = pair.search(&cuts, &cuts, pairs);
+    let (found, _) = pair.search(&cuts, &cuts, pairs);
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
@@ -122,10 +125,31 @@ fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f
     let small = piece
         .iter()
         .all(|p| (*p - piece[0]).max_abs() <= pair.slack);
-    if depth == HALVINGS || small || runs_forward(&piece) {
+    let is_last = depth == HALVINGS || cuts.len() >= MAX_SEGMENTS;
+    if is_last || small || runs_forward(&piece) {
         return cuts.push(to);
     }
     let middle = 0.5 * (from + to);
     cut(pair, from, middle, depth + 1, cuts);
     cut(pair, middle, to, depth + 1, cuts);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_with_coordinates_that_constructors_refuse() {
+        for x in [f64::NAN, f64::INFINITY] {
+            for degree in [3, 4, 64] {
+                let points: Vec<DVec2> = (0..=degree)
+                    .map(|k| DVec2::new(if k % 2 == 0 { x } else { -x }, f64::from(k)))
+                    .collect();
+                let curve = Curve::from_slice(&points);
+                assert!(curve.self_intersections().len() <= MAX_SEGMENTS);
+                assert!(curve.intersections(&curve).len() <= MAX_SEGMENTS);
+                assert!(!(curve.distance_to(&curve.reverse()).distance < 0.0));
+            }
+        }
+    }
 }

@@ -18,14 +18,15 @@ const SAME_PARAMETERS: f64 = 1e-10;
 const ONE_END: f64 = 1e-7;
 
 impl NormalizedPair {
-    /// All intersections of the curves, in order.
-    pub(crate) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
-        let locations = if self.is_of_lines() {
-            self.lines()
+    /// All intersections of the curves, in order, and the number of steps of the search.
+    pub(crate) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> (Vec<Intersection>, usize) {
+        let (locations, steps) = if self.is_of_lines() {
+            (self.lines(), 0)
         } else {
-            self.exact(self.locations(self.contacts()))
+            let (contacts, steps) = self.contacts();
+            (self.exact(self.locations(contacts)), steps)
         };
-        locations
+        let intersections = locations
             .into_iter()
             .map(|ClassifiedPoint { t, u, kind }| Intersection {
                 t,
@@ -33,11 +34,12 @@ impl NormalizedPair {
                 point: point_at(a, b, t, u),
                 kind,
             })
-            .collect()
+            .collect();
+        (intersections, steps)
     }
 
-    /// All contacts of the curves.
-    fn contacts(&self) -> Vec<Contact> {
+    /// All contacts of the curves, and the number of steps of the search.
+    fn contacts(&self) -> (Vec<Contact>, usize) {
         if self.stops.iter().all(|stops| stops.is_empty()) {
             self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
         } else {

@@ -19,7 +19,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::{roots_inside, sign_changes};
 use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
-use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
@@ -83,7 +83,7 @@ impl<P: Point> Curve<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
-        check_finite("p", &[p])?;
+        check_points("p", &[p])?;
         Ok(nearest_on(&self.points, p))
     }
 }

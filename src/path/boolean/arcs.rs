@@ -115,11 +115,7 @@ impl Arcs {
 
 fn is_short(segments: &Segments, arc: Arc, tolerance: f64) -> bool {
     let points = segments.part(arc.segment, arc.t[0], arc.t[1]);
-    let start = Bounds {
-        min: points[0],
-        max: points[0],
-    };
-    let all = points.iter().fold(start, |bounds, &p| bounds.including(p));
+    let all = Bounds::of(&points);
     (all.max - all.min).max_element() <= 4.0 * tolerance
 }
 

@@ -1,8 +1,7 @@
 //! The division of the plane by the segments of some paths: vertices, edges and faces.
 
 use super::arcs::Arcs;
-use super::box_tree::BoxTree;
-use super::contacts::{Contact, contacts};
+use super::contacts::{Contact, contacts, enlarged_box};
 use super::contours::NONE;
 use super::edges::Edges;
 use super::faces::Faces;
@@ -10,9 +9,12 @@ use super::order::Order;
 use super::segments::{Role, Segments};
 use super::union_find::UnionFind;
 use super::windings::{Windings, visit_faces};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::box_tree::BoxTree;
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::winding::FillRule;
+use glam::DVec2;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
 /// other, because features are of about this size, the next is tried. If all of them do, the last is used, which is the
@@ -36,10 +38,15 @@ struct Attempt {
 
 impl Arrangement {
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²² segments or 2²⁴ contacts.
+    /// [`Error::TooMany`] as [`contacts`] and [`Segments::new`].
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
         let segments = Segments::new(paths)?;
-        let tree = BoxTree::new(&segments, segments.epsilon);
+        let boxes: Vec<Bounds<DVec2>> = segments
+            .list
+            .iter()
+            .map(|segment| enlarged_box(&segment.points, segments.epsilon))
+            .collect();
+        let tree = BoxTree::new(&boxes);
         let contacts = contacts(&segments, &tree)?;
         let mut k = 0;
         let attempt = loop {

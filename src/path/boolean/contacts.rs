@@ -1,23 +1,37 @@
 //! The contacts of all segments: crossings, tangencies and ends of overlaps, and ends of segments next to others.
 
-use super::box_tree::BoxTree;
 use super::segments::{Segment, Segments};
 use crate::curve::Curve;
 use crate::curve::intersect::IntersectionKind;
 use crate::curve::nearest::nearest_on;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::box_tree::BoxTree;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::list::Points;
+use crate::numeric::sort::sort_by;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
-/// The steps of the search for contacts: for each segment, and in addition for any number of them. A comparison of two
-/// boxes is one step, the examination of a segment [`SEGMENT_STEPS`](super::box_tree::SEGMENT_STEPS). Outlines of fonts and maps need fewer than
-/// 2,000 for each segment.
-const STEPS_PER_SEGMENT: usize = 1 << 13;
-const FURTHER_STEPS: usize = 1 << 26;
+/// The steps that the search for contacts may take: for each segment and for each contact that is found, and in addition
+/// for any number of them. A step is a comparison of two boxes, about 5 ns.
+const STEPS_PER_ITEM: usize = 1 << 13;
+const FURTHER_STEPS: usize = 1 << 30;
 
-/// The largest number of contacts that one operation finds.
-const MAX_CONTACTS: usize = 1 << 24;
+/// The steps of the comparison of two segments whose boxes overlap: whether one is beside the other, the examination of
+/// a pair where neither is, and each pair of pieces of two cubics in their search for intersections.
+const BESIDE_STEPS: usize = 4;
+const PAIR_STEPS: usize = 64;
+const CLIPPING_STEPS: usize = 32;
+
+/// The largest number of contacts that one operation finds. The memory of an operation is about 700 bytes for each.
+const MAX_CONTACTS: usize = 1 << 22;
+
+/// The number of cuts in each part of a segment in the tree of the search for segments next to crossings.
+const CUTS_PER_PART: usize = 4;
+
+/// Crossings in the same square of this width, in parts of epsilon, are at one point: less than the smallest tolerance.
+const ONE_POINT: f64 = 1e-6;
 
 /// A point where two segments meet.
 #[derive(Clone, Copy, Debug)]
@@ -28,51 +42,140 @@ pub(super) struct Contact {
     pub(super) gap: f64,
 }
 
-/// Finds all contacts.
+/// Finds all contacts. The tree has the boxes of the segments, enlarged by epsilon.
 ///
 /// # Errors
-/// [`Error::TooMany`] if there are more than 2²⁴ contacts, or too many pairs of segments that might have some.
+/// [`Error::TooMany`] if there are more than 2²² contacts, or too many pairs of segments that might have some.
 pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contact>, Error> {
     let mut found = Vec::new();
     for index in 0..segments.list.len() {
         self_contacts(segments, index, &mut found);
     }
-    let mut work = WorkLimit::new(FURTHER_STEPS + STEPS_PER_SEGMENT * segments.list.len());
-    tree.pairs(&mut work, |a, b| {
-        let (a, b) = (a.min(b), a.max(b));
-        if found.len() <= MAX_CONTACTS {
-            pair_contacts(segments, a, b, &mut found);
+    let mut work = WorkLimit::new(FURTHER_STEPS);
+    work.earn(STEPS_PER_ITEM, segments.list.len());
+    tree.pairs_within(&mut work, |a, b, work| {
+        let before = found.len();
+        if before <= MAX_CONTACTS {
+            let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
+            work.earn(STEPS_PER_ITEM, found.len() - before);
+            work.count(steps);
         }
     });
-    near_crossings(segments, tree, &mut work, &mut found);
-    if work.is_exceeded() || found.len() > MAX_CONTACTS {
-        return Err(Error::TooMany {
-            what: "contacts",
-            limit: MAX_CONTACTS,
-            needed: MAX_CONTACTS + 1,
-        });
+    near_crossings(segments, &mut work, &mut found);
+    if found.len() > MAX_CONTACTS {
+        return Err(Error::too_many(
+            "contacts of segments",
+            MAX_CONTACTS,
+            found.len(),
+        ));
     }
+    Error::unless_within("steps of the search for contacts", &work)?;
     Ok(found)
 }
 
 /// Adds the contacts of crossings with further segments that pass within epsilon of them.
-fn near_crossings(
-    segments: &Segments,
-    tree: &BoxTree,
-    work: &mut WorkLimit,
-    found: &mut Vec<Contact>,
-) {
-    for k in 0..found.len() {
-        let [(i, t), (j, u)] = found[k].places;
-        if t == 0.0 || t == 1.0 || u == 0.0 || u == 1.0 {
-            continue; // The end of a segment is compared with all others.
-        }
+///
+/// The boxes of long segments contain most crossings, so the search is in a tree of parts with few cuts each.
+fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Contact>) {
+    let crossings = crossings_at_different_points(segments, found);
+    if crossings.is_empty() {
+        return;
+    }
+    let parts = parts_with_few_cuts(segments, found);
+    let boxes: Vec<Bounds<DVec2>> = parts
+        .iter()
+        .map(|part| enlarged_box(&part.points(segments), segments.epsilon))
+        .collect();
+    let tree = BoxTree::new(&boxes);
+    let mut seen = Vec::new();
+    for k in crossings {
+        let [(i, t), (j, _)] = found[k].places;
         let p = segments.list[i].at(t);
-        tree.around_point(p, work, |other| {
-            if other != i && other != j && found.len() <= MAX_CONTACTS {
-                point_contact(segments, (i, t), p, other, found);
+        seen.clear();
+        seen.extend([i, j]);
+        tree.around_point(p, work, |part, work| {
+            let other = parts[part].segment;
+            if found.len() <= MAX_CONTACTS && !seen.contains(&other) {
+                work.count(BESIDE_STEPS);
+                if !is_beside(&parts[part].points(segments), &[p], segments.epsilon) {
+                    seen.push(other);
+                    work.count(PAIR_STEPS);
+                    point_contact(segments, (i, t), p, other, found);
+                }
             }
         });
+    }
+}
+
+/// The indices of the crossings inside both segments, one of those at the same point. Ends of segments are compared
+/// with all others, so they are not among them.
+fn crossings_at_different_points(segments: &Segments, found: &[Contact]) -> Vec<usize> {
+    let width = ONE_POINT * segments.epsilon;
+    let is_inside = |(_, t): (usize, f64)| t != 0.0 && t != 1.0;
+    let mut keys: Vec<(DVec2, usize)> = Vec::new();
+    for (k, contact) in found.iter().enumerate() {
+        let [(i, t), _] = contact.places;
+        if contact.places.into_iter().all(is_inside) {
+            keys.push(((segments.list[i].at(t) / width).floor(), k));
+        }
+    }
+    sort_by(&mut keys, |(p, k), (q, l)| {
+        let by_place = p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
+        by_place.then(k.cmp(l))
+    });
+    keys.dedup_by_key(|(square, _)| *square);
+    keys.into_iter().map(|(_, k)| k).collect()
+}
+
+/// A part of a segment.
+struct Part {
+    segment: usize,
+    t: [f64; 2],
+}
+
+impl Part {
+    fn points(&self, segments: &Segments) -> Points<DVec2> {
+        segments.part(self.segment, self.t[0], self.t[1])
+    }
+}
+
+/// The segments in parts with few cuts, if they are not at one point.
+fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<Part> {
+    let mut cuts: Vec<(usize, f64)> = Vec::with_capacity(2 * found.len());
+    cuts.extend(found.iter().flat_map(|contact| contact.places));
+    sort_by(&mut cuts, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut parts = Vec::with_capacity(segments.list.len() + cuts.len() / CUTS_PER_PART);
+    let mut rest = &cuts[..];
+    for (segment, curve) in segments.list.iter().enumerate() {
+        let own = rest.iter().take_while(|cut| cut.0 == segment).count();
+        let mut from = 0.0;
+        let mut start = curve.start();
+        for group in rest[..own].chunks_exact(CUTS_PER_PART) {
+            let to = group[CUTS_PER_PART - 1].1;
+            let end = curve.at(to);
+            if to < 1.0 && (end - start).max_abs() > segments.epsilon {
+                parts.push(Part {
+                    segment,
+                    t: [from, to],
+                });
+                (from, start) = (to, end);
+            }
+        }
+        parts.push(Part {
+            segment,
+            t: [from, 1.0],
+        });
+        rest = &rest[own..];
+    }
+    parts
+}
+
+/// The box of some points, enlarged on each side.
+pub(super) fn enlarged_box(points: &[DVec2], margin: f64) -> Bounds<DVec2> {
+    let Bounds { min, max } = Bounds::of(points);
+    Bounds {
+        min: min - margin,
+        max: max + margin,
     }
 }
 
@@ -88,16 +191,17 @@ fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {
     }));
 }
 
-fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contact>) {
+/// Adds the contacts of two segments, and returns the number of steps.
+fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contact>) -> usize {
     let (a, b) = (&segments.list[i], &segments.list[j]);
     let epsilon = segments.epsilon;
     if is_beside(&a.points, &b.points, epsilon) || is_beside(&b.points, &a.points, epsilon) {
-        return;
+        return BESIDE_STEPS;
     }
     let before = a.ends[1] == b.ends[0];
     let after = b.ends[1] == a.ends[0];
     if before && !after && runs_on(a, b) || after && !before && runs_on(b, a) {
-        return;
+        return BESIDE_STEPS;
     }
     if !after {
         end_contact(segments, i, j, found);
@@ -105,7 +209,9 @@ fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contac
     if !before {
         end_contact(segments, j, i, found);
     }
-    for at in Curve::from_slice(&a.points).intersections(&Curve::from_slice(&b.points)) {
+    let (a, b) = (Curve::from_slice(&a.points), Curve::from_slice(&b.points));
+    let (intersections, steps) = a.intersections_and_steps(&b);
+    for at in intersections {
         let mut push = |t, u| {
             found.push(Contact {
                 places: [(i, t), (j, u)],
@@ -117,6 +223,8 @@ fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contac
             push(t_end, u_end);
         }
     }
+    let degree = a.degree().max(b.degree()).max(3);
+    PAIR_STEPS + steps * CLIPPING_STEPS * degree * degree / 9
 }
 
 /// Whether all of `b` is farther than epsilon from the strip along the chord of `a` that contains `a`.

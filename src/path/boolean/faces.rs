@@ -1,13 +1,13 @@
 //! The faces between the edges.
 
 use super::arcs::Arcs;
-use super::box_tree::BoxTree;
 use super::edges::Edges;
 use super::nesting::containing_half_edges;
 use super::order::Order;
 use super::segments::Segments;
 use super::union_find::UnionFind;
 use crate::curve::area::area_about;
+use crate::geometry::box_tree::BoxTree;
 use glam::DVec2;
 
 /// The faces of all edges.

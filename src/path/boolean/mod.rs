@@ -7,7 +7,6 @@
 
 mod arcs;
 mod arrangement;
-mod box_tree;
 mod choice;
 mod contacts;
 mod contours;

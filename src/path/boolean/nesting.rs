@@ -1,11 +1,11 @@
 //! Which face contains a connected component: found by a ray from a point where the component extends farthest.
 
-use super::box_tree::BoxTree;
 use super::edges::Edges;
 use super::segments::Segments;
 use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
 use crate::bernstein::roots::roots_inside;
 use crate::curve::extrema::extrema_of;
+use crate::geometry::box_tree::BoxTree;
 use crate::numeric::list::Scalars;
 use crate::numeric::sort::sort_by;
 use glam::DVec2;

@@ -79,11 +79,7 @@ impl Segments {
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
         let needed = paths.iter().map(|(path, _)| path.segment_count()).sum();
         if needed > MAX_SEGMENTS {
-            return Err(Error::TooMany {
-                what: "segments",
-                limit: MAX_SEGMENTS,
-                needed,
-            });
+            return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
         }
         let largest = paths.iter().fold(0.0, |m: f64, (p, _)| m.max(p.max_abs()));
         let mut segments = Self {
@@ -148,13 +144,9 @@ impl Segments {
     fn push_segment(&mut self, points: &[DVec2], path: usize) {
         let joint = self.joints.len();
         self.joints.push(points[0]);
-        let start = Bounds {
-            min: points[0],
-            max: points[0],
-        };
         self.list.push(Segment {
             points: points_of(points),
-            bounds: points.iter().fold(start, |b, &p| b.including(p)),
+            bounds: Bounds::of(points),
             path,
             ends: [joint, joint + 1],
             is_first: false,

@@ -7,7 +7,7 @@ use crate::bernstein::product::product_of;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
 use crate::curve::nearest::nearest_on;
-use crate::geometry::check::check_finite;
+use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
@@ -51,7 +51,7 @@ impl Path {
         width: f64,
         options: &StrokeOptions,
     ) -> Result<bool, Error> {
-        check_finite("p", &[p])?;
+        check_points("p", &[p])?;
         let pen = self.pen(width, options)?;
         let pattern = Pattern::new(&options.dash, options.dash_offset)?;
         let Some(pen) = pen else {

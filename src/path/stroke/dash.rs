@@ -8,7 +8,7 @@ use crate::spline::Spline;
 use glam::DVec2;
 
 /// The largest number of pieces.
-const MAX_PIECES: usize = 1 << 20;
+const MAX_PIECES: usize = 1 << 22;
 
 /// An end of a dash this close to a joint, as a part of the length of the subpath, is moved to the joint.
 const AT_JOINT: f64 = 1e-13;
@@ -41,7 +41,7 @@ impl Path {
     ///
     /// # Errors
     /// [`Error::Item`] for an entry that is negative or not finite; [`Error::Range`] for a pattern of only zeros, or
-    /// with an infinite sum, and for an offset that is not finite; [`Error::TooMany`] for more than 2²⁰ dashes.
+    /// with an infinite sum, and for an offset that is not finite; [`Error::TooMany`] for more than 2²² dashes.
     ///
     /// Source: SVG 2, § 13.5.6 (stroke-dasharray, stroke-dashoffset).
     pub fn dash(&self, pattern: &[f64], offset: f64) -> Result<Self, Error> {
@@ -121,11 +121,7 @@ impl Pattern {
         let whole = lengths[spline.segment_count()];
         let needed = (whole / self.period).ceil() * (self.ends.len() / 2) as f64 + *count as f64;
         if needed.is_nan() || needed > MAX_PIECES as f64 {
-            return Err(Error::TooMany {
-                what: "dashes",
-                limit: MAX_PIECES,
-                needed: MAX_PIECES + 1,
-            });
+            return Err(Error::too_many("dashes", MAX_PIECES, MAX_PIECES + 1));
         }
         if whole == 0.0 {
             let starts_on = self.ends.iter().position(|&end| end > self.offset);

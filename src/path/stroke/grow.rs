@@ -60,7 +60,7 @@ impl Path {
         if !width.is_finite() {
             return Err(Error::Range {
                 what: "distance",
-                expected: "a finite number, and coordinates that stay finite",
+                expected: "a finite number, and coordinates that stay below 2^498",
                 got: distance,
             });
         }

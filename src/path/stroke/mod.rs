@@ -169,11 +169,7 @@ impl Strokes {
         let needed = self.outlines.segment_count() + self.folds.segment_count();
         let limit = FURTHER_SEGMENTS + SEGMENTS_PER_CURVE * self.curve_count;
         if needed > limit {
-            return Err(Error::TooMany {
-                what: "segments",
-                limit,
-                needed,
-            });
+            return Err(Error::too_many("segments", limit, needed));
         }
         let paths = [&self.outlines, &self.folds];
         let union = if self.folds.is_empty() {

@@ -1,5 +1,6 @@
 //! Options of strokes.
 
+use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::Error;
 use crate::spline::OffsetJoin;
 
@@ -98,12 +99,15 @@ pub(super) struct Pen {
 
 impl Pen {
     /// The factor of the sum of two unit normals at a corner that gives the tip of its miter; `None` for a join that is
-    /// not a miter, or exceeds the limit.
+    /// not a miter, or exceeds the limit of miters or that of
+    /// coordinates.
     ///
     /// The tip is 1/cos(θ/2) radii away, and 1 + cos θ = 2cos²(θ/2).
     pub(super) fn miter(&self, cos: f64) -> Option<f64> {
         let twice = 1.0 + cos;
         let within = twice * self.miter_limit * self.miter_limit >= 2.0;
-        (self.join == OffsetJoin::Miter && within).then(|| self.radius / twice)
+        let reach = self.radius / twice;
+        (self.join == OffsetJoin::Miter && within && reach <= 0.125 * MAX_COORDINATE)
+            .then_some(reach)
     }
 }

@@ -8,7 +8,7 @@
 
 use super::offset_curve::{OffsetCurve, Source, add_arc};
 use crate::curve::Curve;
-use crate::geometry::check::check_tolerance;
+use crate::geometry::check::{MAX_COORDINATE, check_tolerance};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
@@ -87,10 +87,10 @@ pub(crate) fn offset_tolerance(
     diagonal: impl FnOnce() -> f64,
 ) -> Result<f64, Error> {
     let reach = largest + distance.abs();
-    if !(reach * 4.0).is_finite() {
+    if !(reach * 4.0 <= MAX_COORDINATE) {
         return Err(Error::Range {
             what: "distance",
-            expected: "a finite number, and coordinates that stay finite",
+            expected: "a finite number, and coordinates that stay below 2^498",
             got: distance,
         });
     }
@@ -275,14 +275,7 @@ impl<'a> NormalizedCurve<'a> {
             self.curve.end(),
             &mut work,
         );
-        if work.is_exceeded() {
-            return Err(Error::TooMany {
-                what: "steps of an offset",
-                limit: MAX_STEPS,
-                needed: work.used(),
-            });
-        }
-        Ok(())
+        Error::unless_within("steps of an offset", &work)
     }
 
     /// Appends the offset of the curve between two cusps.

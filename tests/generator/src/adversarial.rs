@@ -3,6 +3,9 @@
 use crate::random::Rng;
 use glam::DVec3;
 
+/// The largest coordinate that the library accepts: 2⁵⁰⁰.
+pub const MAX_COORDINATE: f64 = 3.273_390_607_896_142e150;
+
 /// What makes a curve difficult.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -40,10 +43,12 @@ pub enum Kind {
     LongHandle,
     /// The curve runs there and back on almost the same line.
     Spike,
-    /// Coordinates near 1e300.
+    /// Coordinates near 1e148.
     Huge,
     /// Coordinates near 1e-300.
     Tiny,
+    /// Coordinates up to the limit of the library, and equal to it.
+    Largest,
 }
 
 /// The kinds with coordinates of ordinary size.
@@ -67,7 +72,7 @@ pub const ORDINARY: [Kind; 17] = [
     Kind::Spike,
 ];
 
-/// All kinds.
+/// All kinds but [`Kind::Largest`], where results of operations exceed the limit of coordinates.
 pub const ALL: [Kind; 19] = {
     let mut all = [Kind::Huge; 19];
     let mut i = 0;
@@ -133,8 +138,16 @@ pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec
             p.iter_mut().for_each(|p| p.y *= thin);
             p[n] = p[0] + rng.point(dimension) * thin;
         }
-        Kind::Huge => p.iter_mut().for_each(|p| *p *= 1e300),
+        Kind::Huge => p.iter_mut().for_each(|p| *p *= 1e148),
         Kind::Tiny => p.iter_mut().for_each(|p| *p *= 1e-300),
+        Kind::Largest => {
+            for p in &mut p {
+                if rng.chance(0.5) {
+                    *p = p.signum() * p.abs().ceil();
+                }
+                *p *= MAX_COORDINATE;
+            }
+        }
     }
     p
 }
@@ -202,7 +215,10 @@ pub fn elevated(p: &[DVec3]) -> Vec<DVec3> {
     let n = real(p.len());
     let inner = (1..p.len()).map(|i| p[i - 1] * (real(i) / n) + p[i] * (1.0 - real(i) / n));
     let mut raised = vec![p[0]];
-    raised.extend(inner);
+    // Rounding may exceed the limit.
+    raised.extend(
+        inner.map(|p: DVec3| p.clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE))),
+    );
     raised.push(p[p.len() - 1]);
     raised
 }

@@ -1,5 +1,6 @@
 //! A value for each kind of argument.
 
+use crate::adversarial::MAX_COORDINATE;
 use crate::case::{Case, Mode, Value};
 use crate::functions;
 use crate::geometry;
@@ -139,7 +140,7 @@ impl Maker<'_> {
             flat(match self.rng.below(8) {
                 0 | 1 if !known.is_empty() => known[self.rng.below(known.len())],
                 2 if !known.is_empty() => (known[0] + known[known.len() - 1]) * 0.5,
-                3 => random * 1e3_f64.min(f64::MAX / (1.0 + size) * 1e-3),
+                3 => random * 1e3_f64.min(MAX_COORDINATE / (1.0 + size)),
                 4 => DVec3::ZERO,
                 _ => random,
             }),

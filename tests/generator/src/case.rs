@@ -9,7 +9,7 @@ pub enum Mode {
     Moderate,
     /// Degrees 1 to 24, coordinates from 1e-12 to 1e15 within one curve, tolerances from 1e-1 to 1e-12 of the size.
     MixedScale,
-    /// Coordinates near 1e300 or 1e-300. Answers may be infinite or zero here, never NaN.
+    /// Coordinates near 1e-300, or up to the limit of 2⁵⁰⁰. Answers may be infinite or zero here, never NaN.
     Extreme,
 }
 

@@ -12,7 +12,7 @@ pub(crate) fn curve(rng: &mut Rng, mode: Mode, dimension: usize, max_degree: usi
         Mode::Moderate => moderate(rng, degree, dimension),
         Mode::MixedScale => mixed_scale(rng, degree, dimension),
         Mode::Extreme => {
-            let kind = rng.pick(&[Kind::Huge, Kind::Tiny]);
+            let kind = rng.pick(&[Kind::Huge, Kind::Tiny, Kind::Largest]);
             adversarial::points(rng, kind, degree, dimension)
         }
     }
@@ -109,11 +109,18 @@ pub(crate) fn related(rng: &mut Rng, mode: Mode, dimension: usize, first: &[DVec
         _ => points = curve(rng, mode, dimension, 24),
     }
     points.truncate(25);
+    points.iter_mut().for_each(|p| *p = within_range(*p));
     if points.len() < 2 {
         first.to_vec()
     } else {
         points
     }
+}
+
+/// The nearest point whose coordinates are within the limit.
+fn within_range(p: DVec3) -> DVec3 {
+    let max = DVec3::splat(adversarial::MAX_COORDINATE);
+    p.clamp(-max, max)
 }
 
 /// The control points of the piece from 0 to t, by de Casteljau's algorithm.
@@ -163,9 +170,11 @@ fn join(rng: &mut Rng, points: &mut Vec<DVec3>, mut piece: Vec<DVec3>) {
         return;
     };
     let shift = end - piece[0];
-    piece.iter_mut().for_each(|p| *p += shift);
+    piece.iter_mut().for_each(|p| *p = within_range(*p + shift));
+    piece[0] = end;
     if rng.chance(0.5) && piece.len() > 2 {
-        piece[1] = end + (end - points[points.len() - 2]) * rng.pick(&[1.0, 1.0, 0.5, 1e-6]);
+        let back = end - points[points.len() - 2];
+        piece[1] = within_range(end + back * rng.pick(&[1.0, 1.0, 0.5, 1e-6]));
     }
     points.extend(&piece[1..]);
 }
@@ -197,7 +206,7 @@ pub(crate) fn net(rng: &mut Rng, mode: Mode) -> (Vec<DVec3>, [usize; 2]) {
     let scale = match mode {
         Mode::Moderate => rng.pick(&[1.0, 10.0, 100.0]),
         Mode::MixedScale => rng.magnitude(-6.0, 3.0),
-        Mode::Extreme => rng.pick(&[1e290, 1e-290]),
+        Mode::Extreme => rng.pick(&[1e140, 1e-290]),
     };
     if mode != Mode::Extreme || net.iter().all(|p| p.abs().max_element() < 1e3) {
         net.iter_mut().for_each(|p| *p *= scale);

@@ -44,6 +44,7 @@ impl Maker<'_> {
             }
             "parts" => Value::Words(PARTS.into_iter().filter(|_| self.rng.chance(0.6)).collect()),
             "map" => self.map(),
+            "extreme map" => self.extreme_map(),
             "projection" => self.projection(),
             "closed" | "flag" => Value::Flag(self.rng.chance(0.5)),
             _ => return None,
@@ -131,6 +132,25 @@ impl Maker<'_> {
             0 => numbers.iter_mut().for_each(|x| *x = x.round()),
             1 => numbers[..dimension].fill(0.0), // singular
             _ => {}
+        }
+        Value::Numbers(numbers)
+    }
+
+    /// A map whose images may leave the range of f64, or vanish.
+    fn extreme_map(&mut self) -> Value {
+        let Value::Numbers(mut numbers) = self.map() else {
+            unreachable!("a map is a list of numbers");
+        };
+        let dimension = self.result.dimension();
+        let sizes = [1.0, 1e100, 1e150, 1e300, 1e308, 1e-150, 1e-300, 0.0];
+        let [linear, translation] = [self.rng.pick(&sizes), self.rng.pick(&sizes)];
+        for (k, x) in numbers.iter_mut().enumerate() {
+            let size = if k < dimension * dimension {
+                linear
+            } else {
+                translation
+            };
+            *x = (*x * size).clamp(-f64::MAX, f64::MAX);
         }
         Value::Numbers(numbers)
     }

@@ -68,7 +68,8 @@ impl<C: Coefficients> ClippingSolver<C> {
         if a.is_off(b, self.slack) {
             return;
         }
-        if size_a <= self.slack && size_b <= self.slack {
+        let is_small = |size: f64| size <= self.slack || size.is_nan();
+        if is_small(size_a) && is_small(size_b) {
             self.record_contact(a, b);
         } else if size_a > size_b {
             let (before, after) = a.split(SPLIT);
