@@ -10,7 +10,7 @@ use crate::surface::network::Surface;
 use glam::DVec3;
 
 /// The maximum number of leaves: for each patch of a surface, and in addition for any number of them.
-const LEAVES_PER_PATCH: usize = 1 << 4;
+const LEAVES_PER_PATCH: usize = 1 << 6;
 const FURTHER_LEAVES: usize = 1 << 18;
 
 /// The maximum number of control points of all pieces together, leaves and split pieces: for each control point of a
@@ -62,8 +62,8 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces and 16 for each patch, and when all pieces, including those that
-    /// are split, have more than 2²⁴ control points together and 32 for each of the surface (above degree 5 this limit
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces and 64 for each patch, and when all pieces, including those that
+    /// are split, have more than 2²⁴ control points together and 128 for each of the surface (above degree 5 this limit
     /// is reached first).
     pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
         let size = self.control_bounds();

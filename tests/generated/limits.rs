@@ -10,7 +10,7 @@ const SEARCH: usize = (1 << 23) + (1 << 22);
 const RAY: usize = (1 << 27) + 4 * SEARCH;
 
 /// The maximum number of patches of a generated surface.
-const PATCHES: usize = 4;
+const PATCHES: usize = 100;
 
 /// The documented limit of vertices, and the forecast and the cubics of every segment of a generated spline or path.
 const FLATTEN: usize = (1 << 24) + DEFAULT;
@@ -30,25 +30,25 @@ const LIMITS: &[(&str, usize)] = &[
     ("Surface::bounds", PATCHES * 6 * SEARCH),
     ("Surface::area", PATCHES << 22),
     // The search for contacts of a few thousand segments.
-    ("Path::union", 1 << 27),
-    ("Path::intersect", 1 << 27),
-    ("Path::subtract", 1 << 27),
-    ("Path::exclude", 1 << 27),
-    ("Path::combine", 1 << 27),
-    ("Path::remove_overlaps", 1 << 27),
-    ("Path::faces", 1 << 27),
-    ("Path::divide", 1 << 27),
-    ("Path::clip", 1 << 27),
-    ("Path::filled_area", 1 << 27),
-    ("Path::filled_moments", 1 << 27),
-    ("Path::stroke", 1 << 27),
-    ("Path::offset", 1 << 27),
+    ("Path::union", 1 << 31),
+    ("Path::intersect", 1 << 31),
+    ("Path::subtract", 1 << 31),
+    ("Path::exclude", 1 << 31),
+    ("Path::combine", 1 << 31),
+    ("Path::remove_overlaps", 1 << 31),
+    ("Path::faces", 1 << 31),
+    ("Path::divide", 1 << 31),
+    ("Path::clip", 1 << 31),
+    ("Path::filled_area", 1 << 31),
+    ("Path::filled_moments", 1 << 31),
+    ("Path::stroke", 1 << 31),
+    ("Path::offset", 1 << 31),
     ("Curve::chain", FLATTEN),
     ("Spline::chain", FLATTEN),
     ("Path::chain", 1 << 29),
     ("Patch::chain", 2 * RAY),
     ("Surface::chain", 2 * PATCHES * RAY),
-    ("Surface::subdivide", (1 << 24) + (1 << 12)),
+    ("Surface::subdivide", (1 << 24) + (1 << 18)),
 ];
 
 /// The limit of a function.

@@ -178,7 +178,7 @@ test("refused", () => {
     refused(() => teapot.subdivide(bad), RangeError, /^tolerance: expected a number above 0, got /);
   refused(() => teapot.subdivide(untyped(undefined)), TypeError, /^tolerance: expected a number, got undefined$/);
   refused(() => teapot.subdivide(1e-20), RangeError, /^tolerance: expected at least \S+ .*got 1e-20$/);
-  refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 262656, this needs 262657$/);
+  refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 264192, this needs 264193$/);
   assert.equal(teapot.patchCount, 32);
 });
 

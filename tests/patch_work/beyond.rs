@@ -17,7 +17,7 @@ fn of_subdivision_beyond_the_limit() {
     take_steps();
     let outcome = surface.subdivide(1e-9 * size);
     assert!(matches!(outcome, Err(Error::TooMany { .. })));
-    assert!(take_steps() <= (1 << 24) + 2 * 32 * 25 * 25 + 25 * 25);
+    assert!(take_steps() <= (1 << 24) + 2 * 128 * 25 * 25 + 25 * 25);
 }
 
 /// However long a patch is along one axis, its bounding box is exact along the others. Here y has two minima, and the

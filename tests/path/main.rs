@@ -10,6 +10,8 @@ mod common;
 mod convert;
 mod inside;
 mod kurbo;
+#[cfg(not(target_family = "wasm"))]
+mod large;
 mod sizes;
 mod svg;
 mod table;

@@ -165,7 +165,7 @@ fn refused() {
     ));
     assert!(matches!(
         surface.subdivide(1e-12),
-        Err(Error::TooMany { limit: 262_160, .. })
+        Err(Error::TooMany { limit: 262_208, .. })
     ));
     let huge = single(
         &Random(1)

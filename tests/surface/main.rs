@@ -9,6 +9,8 @@ mod forward;
 mod golden;
 mod grid;
 #[cfg(not(target_family = "wasm"))]
+mod large;
+#[cfg(not(target_family = "wasm"))]
 mod limit_normals;
 #[path = "../listings/mod.rs"]
 mod listings;

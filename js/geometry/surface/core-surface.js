@@ -180,8 +180,8 @@ export class CoreSurface extends SurfaceValue {
    * @param {number} tolerance the largest distance, in the unit of the points
    * @param {never[]} surplus
    * @returns {FlatPiece[]} patch by patch
-   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces and 16 for each patch, and if all
-   *   pieces, including split ones, have more than 2²⁴ control points together and 32 for each of the surface (the lower
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces and 64 for each patch, and if all
+   *   pieces, including split ones, have more than 2²⁴ control points together and 128 for each of the surface (the lower
    *   limit for degrees above 5)
    */
   subdivide(tolerance, ...surplus) {

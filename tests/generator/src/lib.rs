@@ -9,6 +9,7 @@ mod case;
 mod functions;
 mod geometry;
 mod json;
+mod large;
 mod listing;
 mod lists;
 mod mutations;
