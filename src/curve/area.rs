@@ -51,15 +51,47 @@ pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
         .map(|&p| ((p * 0.5 - centre * 0.5) / unit).to_2d())
         .collect();
     let n = around.len() - 1;
-    let binomial = crate::bernstein::weights::binomial;
-    let mut sum = 0.0;
+    let known = WEIGHTS.get(n.wrapping_sub(1));
+    let (mut sum, mut k) = (0.0, 0);
     for j in 1..=n {
         for i in 0..j {
-            let m = i + j;
-            let share = binomial(n, i) * binomial(n, j) / binomial(2 * n, m);
-            let weight = (n * (j - i)) as f64 / (m * (2 * n - m)) as f64 * share;
+            let weight = known.map_or_else(|| weight(n, i, j), |weights| weights[k]);
             sum += weight * around[i].cross(around[j]);
+            k += 1;
         }
     }
     4.0 * sum
+}
+
+/// The weights of lines, quadratics and cubics, in the order of [`area_about`].
+const WEIGHTS: [&[f64]; 3] = [
+    &[0.5],
+    &[2.0 / 3.0 * 0.5, 1.0 / 6.0, 2.0 / 3.0 * 0.5],
+    &[
+        0.6 * 0.5,
+        0.75 * 0.2,
+        1.0 / 3.0 * 0.45,
+        0.05,
+        0.75 * 0.2,
+        0.6 * 0.5,
+    ],
+];
+
+/// The weight w of Pᵢ × Pⱼ for degree n.
+fn weight(n: usize, i: usize, j: usize) -> f64 {
+    let (m, binomial) = (i + j, crate::bernstein::weights::binomial);
+    let share = binomial(n, i) * binomial(n, j) / binomial(2 * n, m);
+    (n * (j - i)) as f64 / (m * (2 * n - m)) as f64 * share
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_weights_are_those_of_the_formula() {
+        for (weights, n) in super::WEIGHTS.iter().zip(1..) {
+            let pairs = (1..=n).flat_map(|j| (0..j).map(move |i| (i, j)));
+            let expected: Vec<f64> = pairs.map(|(i, j)| super::weight(n, i, j)).collect();
+            assert_eq!(*weights, expected, "degree {n}");
+        }
+    }
 }
