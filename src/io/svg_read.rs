@@ -59,7 +59,7 @@ impl Path {
     /// # Ok::<(), casteljau::path::SvgError>(())
     /// ```
     pub fn from_svg_with(d: &str, arc_tolerance: f64) -> Result<Self, SvgError> {
-        if !(arc_tolerance > 0.0) {
+        if arc_tolerance.is_nan() || arc_tolerance <= 0.0 {
             return Err(SvgError {
                 offset: 0,
                 expected: "an arc tolerance above 0",

@@ -161,7 +161,7 @@ impl Patch {
     /// # Errors
     /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
     pub fn transform(&self, map: &DAffine3) -> Result<Self, Error> {
-        images(&self.points, map).map(|points| Self::from_net(points.into(), self.columns))
+        images(&self.points, map).map(|points| Self::from_net(Net::from(&points[..]), self.columns))
     }
 
     /// The patch with one control point moved.

@@ -126,7 +126,7 @@ impl Ellipse {
             height = ((1.0 - length) * (1.0 + length)).sqrt();
         }
         // No point is farther from the start than two radii and a handle.
-        if !(4.0 * radii.max_element() + largest <= MAX_COORDINATE) {
+        if !(..=MAX_COORDINATE).contains(&(4.0 * radii.max_element() + largest)) {
             return None;
         }
         let across = DVec2::new(part.y, -part.x) * (height / part_length);

@@ -374,7 +374,7 @@ fn surfaces_that_do_not_add_up() {
 /// Counts and indices beyond the range of integers do not overflow.
 #[test]
 fn grids_of_any_size_have_counts() {
-    for segments in [usize::MAX, usize::MAX / 2, 1 << 40] {
+    for segments in [usize::MAX, usize::MAX / 2, usize::MAX >> 9] {
         let grid = Grid::from(segments);
         assert_eq!(grid.vertex_count(), usize::MAX);
         assert_eq!(grid.triangle_count(), usize::MAX);

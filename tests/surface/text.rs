@@ -81,7 +81,8 @@ fn text_of_adversarial_numbers_reads_back() {
         let mut number = || {
             let adversarial = f64::from_bits(random.bits());
             let edge = edges[usize::try_from(random.bits() % 13).unwrap()];
-            if random.bits().is_multiple_of(3) || !(adversarial.abs() <= casteljau::MAX_COORDINATE)
+            if random.bits().is_multiple_of(3)
+                || !(..=casteljau::MAX_COORDINATE).contains(&adversarial.abs())
             {
                 edge
             } else {

@@ -87,7 +87,7 @@ pub(crate) fn offset_tolerance(
     diagonal: impl FnOnce() -> f64,
 ) -> Result<f64, Error> {
     let reach = largest + distance.abs();
-    if !(reach * 4.0 <= MAX_COORDINATE) {
+    if !(..=MAX_COORDINATE).contains(&(reach * 4.0)) {
         return Err(Error::Range {
             what: "distance",
             expected: "a finite number, and coordinates that stay below 2^498",
