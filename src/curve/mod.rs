@@ -79,7 +79,8 @@ impl<P: Point> Curve<P> {
     /// Coincident points are allowed; the curve may be a single point.
     ///
     /// # Errors
-    /// [`Error::Count`] unless there are 2 to 65 points, [`Error::NotFinite`] for a NaN or an infinity.
+    /// [`Error::Count`] unless there are 2 to 65 points, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a coordinate
+    /// beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn new(points: &[P]) -> Result<Self, Error> {
         if points.len() < 2 || points.len() > MAX_DEGREE + 1 {
             return Err(Error::Count {
@@ -154,7 +155,8 @@ impl<P: Point> Curve<P> {
     /// The image of the curve under an affine map, which is the curve of the mapped control points.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    /// [`Error::NotFinite`] and [`Error::Item`] for an image that is not finite or exceeds
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn transform(&self, map: &P::Affine) -> Result<Self, Error> {
         images(&self.points, map).map(|points| Self::from_slice(&points))
     }

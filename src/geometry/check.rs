@@ -13,7 +13,8 @@ pub(crate) fn max_abs<P: Point>(points: &[P]) -> f64 {
 
 /// The largest absolute value of a coordinate, 2⁵⁰⁰: neither differences nor products of two coordinates overflow.
 ///
-/// Constructors and functions that take points return an error for larger ones. Where the exact result of an operation
+/// Constructors and functions that take points return [`Error::Item`] for larger ones, as [`Error::NotFinite`] for a NaN
+/// or an infinity. Where the exact result of an operation
 /// has a larger coordinate (the derivative of such a curve, an extrapolation), the coordinate is set to the limit.
 pub const MAX_COORDINATE: f64 = 3.273_390_607_896_142e150;
 

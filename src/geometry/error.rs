@@ -247,3 +247,21 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_work_limit_names_its_steps() {
+        let mut work = WorkLimit::new(1 << 30);
+        work.earn(1 << 13, 1 << 22);
+        work.count(1 << 30);
+        work.count(1 << 35);
+        assert_eq!(Error::unless_within("steps", &work), Ok(()));
+        work.count(1);
+        let error = Error::unless_within("steps of the search", &work).expect_err("one too many");
+        let message = "steps of the search: expected at most 35433480192, this needs 35433480193";
+        assert_eq!(error.to_string(), message);
+    }
+}

@@ -59,7 +59,8 @@ impl Patch {
     ///
     /// # Errors
     /// [`Error::Range`] unless both degrees are 1 to 64, [`Error::Count`] for another number of points,
-    /// [`Error::NotFinite`] for a NaN or an infinity.
+    /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a coordinate
+    /// beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn new(net: &[DVec3], degree_u: usize, degree_v: usize) -> Result<Self, Error> {
         check_degree("degree_u", degree_u)?;
         check_degree("degree_v", degree_v)?;
@@ -159,7 +160,8 @@ impl Patch {
     /// The image of the patch under an affine map: the patch of the mapped control points.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    /// [`Error::NotFinite`] and [`Error::Item`] for an image that is not finite or exceeds
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn transform(&self, map: &DAffine3) -> Result<Self, Error> {
         images(&self.points, map).map(|points| Self::from_net(Net::from(&points[..]), self.columns))
     }

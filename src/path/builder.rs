@@ -150,7 +150,8 @@ impl PathBuilder {
     /// The path of all commands.
     ///
     /// # Errors
-    /// The error of the first invalid command: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Count`] for
+    /// The error of the first invalid command: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a
+    /// coordinate beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE), [`Error::Count`] for
     /// [`curve_to`](Self::curve_to) with no points or more than 64, [`Error::Range`] for a tolerance that is not above 0.
     pub fn build(self) -> Result<Path, Error> {
         match self.error {

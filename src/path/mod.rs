@@ -205,7 +205,8 @@ impl Path {
     /// The image under an affine map, which is applied to all control points.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    /// [`Error::NotFinite`] and [`Error::Item`] for an image that is not finite or exceeds
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn transform(&self, map: &DAffine2) -> Result<Self, Error> {
         Ok(Self {
             points: images(&self.points, map)?,

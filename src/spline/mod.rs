@@ -69,7 +69,8 @@ impl<P: Point> Spline<P> {
     ///
     /// # Errors
     /// [`Error::Range`] for a degree of 0 or above 64, [`Error::Count`] for a number of points that does not match,
-    /// [`Error::NotFinite`] for a NaN or an infinity.
+    /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a coordinate
+    /// beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn new(points: &[P], degree: usize, closed: bool) -> Result<Self, Error> {
         if !(1..=MAX_DEGREE).contains(&degree) {
             return Err(Error::Range {
@@ -221,7 +222,8 @@ impl<P: Point> Spline<P> {
     /// The image under an affine map.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    /// [`Error::NotFinite`] and [`Error::Item`] for an image that is not finite or exceeds
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn transform(&self, map: &P::Affine) -> Result<Self, Error> {
         let points = images(&self.points, map)?;
         Ok(Self {

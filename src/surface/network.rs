@@ -72,7 +72,8 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::Range`] for a degree that is not 1 to 64, [`Error::Count`] when the number of indices does not match
-    /// the degrees, [`Error::Vertex`] for an index without a vertex, [`Error::NotFinite`] for a NaN or an infinity.
+    /// the degrees, [`Error::Vertex`] for an index without a vertex, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a coordinate
+    /// beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn with_degrees(
         vertices: Vec<DVec3>,
         indices: Vec<u32>,
@@ -214,7 +215,8 @@ impl Surface {
     /// The image of the surface under an affine map.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a map with a NaN, and for an image beyond the range of f64.
+    /// [`Error::NotFinite`] and [`Error::Item`] for an image that is not finite or exceeds
+    /// [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     pub fn transform(&self, map: &DAffine3) -> Result<Self, Error> {
         Ok(Self {
             vertices: images(&self.vertices, map)?,

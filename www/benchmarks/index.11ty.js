@@ -1,14 +1,12 @@
 // /benchmarks/: the latest results of `npm run bench` (benches/results.json) and the sizes of the package that this build contains.
 import { readFileSync } from "node:fs";
-import { exponent, quantity, targetText, withUnit } from "../../benches/js/table.js";
+import { exponent, quantity, withUnit } from "../../benches/js/table.js";
 import { IMPORTS, sizeOfImport } from "../../xtask/sizes.js";
 import { tableHtml } from "../build/tables.js";
 
 /**
- * @import { Target } from "../../benches/js/targets.js"
- * @typedef {{ target: Target | null, met: boolean | null }} Goal
- * @typedef {Goal & { work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null, spread: [number, number] }} Row
- * @typedef {Goal & { work: string, costs: { size: number, ns: number }[], ours: number }} Growth
+ * @typedef {{ work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null, spread: [number, number] }} Row
+ * @typedef {{ work: string, costs: { size: number, ns: number }[], ours: number }} Growth
  * @typedef {{ machine: { cpu: string, cores: number, platform: string }, date: string, versions: Record<string, string>, rows: Row[], growth: Growth[] }} Results
  */
 
@@ -36,7 +34,7 @@ export async function render() {
   const compared = rows.filter(({ peer }) => peer);
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return `
-<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. ± is half the distance of the quartiles. The ratio is the time of the other library divided by ours: above 1, casteljau is faster. Targets are our own; ✗ marks those that are not reached.</p>
+<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. ± is half the distance of the quartiles. The ratio is the time of the other library divided by ours: above 1, casteljau is faster.</p>
 ${section(
   "javascript",
   "JavaScript",
@@ -69,29 +67,24 @@ const nameOf = (work) => work.replace(NATIVE, "").replace(/^ +/, "– ");
 const comparison = (language, rows) =>
   tableHtml(
     `Times compared, ${language}`,
-    ["Work", "Other library", "Its time", "casteljau", "Ratio", "Target"],
-    rows.map(({ work, peer, unit, theirs, ours, ratio, spread, ...goal }) => [
+    ["Work", "Other library", "Its time", "casteljau", "Ratio"],
+    rows.map(({ work, peer, unit, theirs, ours, ratio, spread }) => [
       nameOf(work),
       peer ?? "",
       withUnit(theirs, unit, spread[0]),
       withUnit(ours, unit, spread[1]),
       ratio === null ? "" : `${Number(ratio.toPrecision(2))}×`,
-      goalText(goal, unit),
     ]),
   );
-
-/** A target, with a cross if it is not reached. @param {Goal} goal @param {string} unit */
-const goalText = ({ target, met }, unit) => `${targetText(target, unit)}${met === false ? " ✗" : ""}`;
 
 /** @param {Row[]} rows */
 const alone = (rows) =>
   tableHtml(
     "Times",
-    ["Work", "Time", "Target"],
-    rows.map(({ work, unit, ours, spread, ...goal }) => [
+    ["Work", "Time"],
+    rows.map(({ work, unit, ours, spread }) => [
       nameOf(work.replace(NATIVE, "Rust: ")),
       withUnit(ours, unit, spread[1]),
-      goalText(goal, unit),
     ]),
   );
 
@@ -99,14 +92,13 @@ const alone = (rows) =>
 const growthTable = (growth) =>
   tableHtml(
     "Time per item",
-    ["Work", "Smallest size", "Largest size", "Exponent", "Growth", "Target"],
-    growth.map(({ work, costs, ours, ...goal }) => [
+    ["Work", "Smallest size", "Largest size", "Exponent", "Growth"],
+    growth.map(({ work, costs, ours }) => [
       work,
       costText(costs[0]),
       costText(costs.at(-1)),
       exponent(costs).toFixed(2).replace("-", "−"),
       `${Number(ours.toPrecision(3))}×`,
-      goalText(goal, "×"),
     ]),
   );
 

@@ -5,6 +5,7 @@ use anyhow::{Result, bail};
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 const BROWSERS: [&str; 4] = [
     "chromium",
@@ -106,6 +107,9 @@ fn install(packages: &[&str]) -> Option<()> {
     if !can_apt() {
         return None;
     }
+    // Steps for different browsers run at the same time, and apt-get refuses to run twice.
+    static APT: Mutex<()> = Mutex::new(());
+    let _only_one = APT.lock();
     println!("installing {} (apt-get)", packages.join(", "));
     let apt = |args: &[&str]| {
         let mut command = shell::command("apt-get", args);
