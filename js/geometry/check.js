@@ -24,8 +24,8 @@ export { noSurplus, optionalBoolean, options } from "./options.js";
  * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array } | { elements: ArrayLike<number> }} MatrixLike
  */
 
-/** The largest absolute value of a coordinate; src/geometry/check.rs explains it. */
-const MAX_COORDINATE = 2 ** 500;
+/** The largest absolute value of a coordinate; src/geometry/check.rs explains it. @internal */
+export const MAX_COORDINATE = 2 ** 500;
 
 /** Results of operations on the largest coordinates may exceed the limit by rounding. */
 const MAX_ACCEPTED = MAX_COORDINATE * (1 + 1e-9);

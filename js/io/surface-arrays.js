@@ -1,4 +1,5 @@
 // Parsing a surface from arrays of C source code; src/io/surface_arrays.rs does the same with the same messages.
+import { MAX_COORDINATE } from "../geometry/check.js";
 import { END, numberOf, quote, syntaxError, wholeOf } from "./text-reader.js";
 
 /**
@@ -114,7 +115,7 @@ function readVertex({ tokens, output }, words) {
     const number = numberOf(token.word.replace(/[fFlL]$/, ""));
     if (number === undefined) throw tokens.syntaxError("a number", token);
     if (!Number.isFinite(number)) throw tokens.syntaxError("a finite number", token);
-    if (Math.abs(number) > 2 ** 500) throw tokens.syntaxError("a number from -2^500 to 2^500", token);
+    if (Math.abs(number) > MAX_COORDINATE) throw tokens.syntaxError("a number from -2^500 to 2^500", token);
     output.vertices.push(number);
   }
 }

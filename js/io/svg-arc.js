@@ -1,5 +1,6 @@
 // Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs perform the same operations and explain them.
 // `Math.sin` is not used, because its last digit differs between systems.
+import { MAX_COORDINATE } from "../geometry/check.js";
 
 /** The maximum angle of one cubic in radians, for the default tolerance: a distance of 1e-5 of the larger radius. */
 const MAX_PIECE_ANGLE = 0.9059;
@@ -130,7 +131,7 @@ export function arc(x0, y0, n, x1, y1, tolerance = 0) {
   } else {
     height = Math.sqrt((1 - length) * (1 + length));
   }
-  if (!(4 * Math.max(rx, ry) + largest <= 2 ** 500)) return null;
+  if (!(4 * Math.max(rx, ry) + largest <= MAX_COORDINATE)) return null;
   const [large, sweep] = [n[3] !== 0, n[4] !== 0];
   const side = large === sweep ? 1 : -1;
   /** @type {Pair} */

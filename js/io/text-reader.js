@@ -1,4 +1,5 @@
 // Reading text by rows, and syntax errors; src/io/text_reader.rs reads the same format.
+import { MAX_COORDINATE } from "../geometry/check.js";
 
 /** The name of the end of the text in messages. */
 export const END = "the end of the text";
@@ -112,7 +113,7 @@ export class Reader {
     const number = numberOf(this.word(index) ?? "");
     if (number === undefined) throw this.syntaxError(index, "a number");
     if (!Number.isFinite(number)) throw this.syntaxError(index, "a finite number");
-    if (Math.abs(number) > 2 ** 500) throw this.syntaxError(index, "a number from -2^500 to 2^500");
+    if (Math.abs(number) > MAX_COORDINATE) throw this.syntaxError(index, "a number from -2^500 to 2^500");
     return number;
   }
 

@@ -1,7 +1,7 @@
 //! Constructors of lines, quadratics and cubics, and affine maps as factors.
 
 use super::Curve;
-use crate::geometry::check::{finite, is_allowed};
+use crate::geometry::check::{expect_image, is_within_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of;
@@ -43,7 +43,7 @@ impl<P: Point> Curve<P> {
     fn of_finite<const N: usize>(points: [P; N]) -> Self {
         for (index, point) in points.iter().enumerate() {
             assert!(
-                is_allowed(*point),
+                is_within_limit(*point),
                 "p{index}: expected coordinates from -2^500 to 2^500, got {point:?}"
             );
         }
@@ -70,7 +70,7 @@ impl Mul<&Curve<DVec2>> for DAffine2 {
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, curve: &Curve<DVec2>) -> Curve<DVec2> {
-        finite(curve.transform(&self))
+        expect_image(curve.transform(&self))
     }
 }
 
@@ -82,6 +82,6 @@ impl Mul<&Curve<DVec3>> for DAffine3 {
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, curve: &Curve<DVec3>) -> Curve<DVec3> {
-        finite(curve.transform(&self))
+        expect_image(curve.transform(&self))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
-use crate::geometry::check::within_limit;
+use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::list::Points;
 use std::cmp::Ordering;
@@ -20,7 +20,7 @@ impl<P: Point> Curve<P> {
     pub fn derivative(&self) -> Self {
         let mut points = differences(&self.points);
         for p in &mut points {
-            *p = within_limit(*p * self.degree() as f64);
+            *p = clamp_to_limit(*p * self.degree() as f64);
         }
         if points.len() == 1 {
             points.push(points[0]);

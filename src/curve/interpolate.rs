@@ -1,7 +1,7 @@
 //! Interpolation: the curve through given points.
 
 use super::Curve;
-use crate::geometry::check::{check_points, is_allowed};
+use crate::geometry::check::{check_points, is_within_limit};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -39,7 +39,7 @@ impl<P: Point> Curve<P> {
                 .collect();
             let repair = interpolate(&missing, &ts);
             let better: Points<P> = curve.iter().zip(&repair).map(|(&p, &q)| p + q).collect();
-            if !better.iter().all(|&p| is_allowed(p)) {
+            if !better.iter().all(|&p| is_within_limit(p)) {
                 break;
             }
             curve = better;
@@ -52,7 +52,7 @@ impl<P: Point> Curve<P> {
                 curve[last] = p;
             }
         }
-        match curve.iter().find(|&&p| !is_allowed(p)) {
+        match curve.iter().find(|&&p| !is_within_limit(p)) {
             Some(p) => Err(Error::Range {
                 what: "ts",
                 expected: "parameters so far apart that the control points stay below 2^500",

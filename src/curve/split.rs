@@ -2,7 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
-use crate::geometry::check::within_limit;
+use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of_cubic;
 
@@ -53,7 +53,7 @@ impl<P: Point> Curve<P> {
 
     /// The curve with coordinates beyond the limit set to it: an extrapolation may exceed it.
     pub(crate) fn clamped(mut self) -> Self {
-        self.points.iter_mut().for_each(|p| *p = within_limit(*p));
+        self.points.iter_mut().for_each(|p| *p = clamp_to_limit(*p));
         self
     }
 

@@ -26,6 +26,14 @@ impl<P: Point> Bounds<P> {
         points[1..].iter().fold(start, |all, &p| all.including(p))
     }
 
+    /// The box enlarged on each side by a margin for each coordinate.
+    pub(crate) fn enlarged(self, margin: P) -> Self {
+        Self {
+            min: self.min - margin,
+            max: self.max + margin,
+        }
+    }
+
     /// The smallest box that contains this one and a point.
     #[must_use]
     pub(crate) fn including(self, p: P) -> Self {

@@ -90,7 +90,7 @@ impl BoxTree {
         }
         let is_leaf = (k >= self.leaves(), l >= other.leaves());
         if is_leaf == (true, true) {
-            // Only infinite boxes overlap the leaves without an item.
+            // Leaves without an item overlap nothing, unless a box is infinite.
             let items = [(self, k), (other, l)].map(|(tree, k)| tree.order.get(k - tree.leaves()));
             if let [Some(&i), Some(&j)] = items {
                 act(i, j);
@@ -156,7 +156,6 @@ fn size(bounds: Bounds<DVec2>) -> f64 {
 
 /// The items sorted by the interleaved bits of the centres of their boxes (Morton order).
 fn sorted_by_place(items: &[Bounds<DVec2>]) -> Vec<usize> {
-    // Halved, so that no sum overflows.
     let center = |bounds: &Bounds<DVec2>| bounds.min * 0.5 + bounds.max * 0.5;
     let (min, max) = items
         .iter()
@@ -164,11 +163,11 @@ fn sorted_by_place(items: &[Bounds<DVec2>]) -> Vec<usize> {
         .fold((NOTHING.min, NOTHING.max), |(min, max), p| {
             (min.min(p), max.max(p))
         });
-    let width = (max * 0.5 - min * 0.5).max_element();
-    let cells = 0.5 * f64::from((1_u32 << GRID_BITS) - 1) / width.max(f64::MIN_POSITIVE);
+    let width = (max - min).max_element();
+    let cells = f64::from((1_u32 << GRID_BITS) - 1) / width.max(f64::MIN_POSITIVE);
     let mut keys: Vec<(u64, usize)> = Vec::with_capacity(items.len());
     keys.extend(items.iter().enumerate().map(|(k, bounds)| {
-        let cell = (center(bounds) * 0.5 - min * 0.5) * (2.0 * cells);
+        let cell = (center(bounds) - min) * cells;
         (spread(cell.x) | spread(cell.y) << 1, k)
     }));
     sort_by(&mut keys, |a, b| a.cmp(b));

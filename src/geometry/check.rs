@@ -13,22 +13,22 @@ pub(crate) fn max_abs<P: Point>(points: &[P]) -> f64 {
 
 /// The largest absolute value of a coordinate, 2⁵⁰⁰: neither differences nor products of two coordinates overflow.
 ///
-/// Constructors and functions that take points return [`Error::Item`] for larger ones, as [`Error::NotFinite`] for a NaN
-/// or an infinity. Where the exact result of an operation
-/// has a larger coordinate (the derivative of such a curve, an extrapolation), the coordinate is set to the limit.
+/// Constructors and functions that take points return [`Error::Item`] for larger coordinates, and [`Error::NotFinite`] for
+/// a NaN or an infinity. Where the exact result of an operation has a larger coordinate (the derivative of a very large
+/// curve, an extrapolation), the coordinate is set to the limit.
 pub const MAX_COORDINATE: f64 = 3.273_390_607_896_142e150;
 
 /// Results of operations on the largest coordinates may exceed the limit by rounding.
 const MAX_ACCEPTED: f64 = MAX_COORDINATE * (1.0 + 1e-9);
 
 /// Whether all coordinates of a point are within the limit.
-pub(crate) fn is_allowed<P: Point>(p: P) -> bool {
+pub(crate) fn is_within_limit<P: Point>(p: P) -> bool {
     p.max_abs() <= MAX_ACCEPTED
 }
 
 /// The nearest point whose coordinates are within the limit.
-pub(crate) fn within_limit<P: Point>(p: P) -> P {
-    if is_allowed(p) {
+pub(crate) fn clamp_to_limit<P: Point>(p: P) -> P {
+    if is_within_limit(p) {
         return p;
     }
     (0..P::DIMENSION).fold(p, |p, axis| {
@@ -39,7 +39,7 @@ pub(crate) fn within_limit<P: Point>(p: P) -> P {
 
 /// Returns an error for the first point with a NaN, an infinity, or a coordinate beyond [`MAX_COORDINATE`].
 pub(crate) fn check_points<P: Point>(what: &'static str, points: &[P]) -> Result<(), Error> {
-    let Some(index) = points.iter().position(|&p| !is_allowed(p)) else {
+    let Some(index) = points.iter().position(|&p| !is_within_limit(p)) else {
         return Ok(());
     };
     let mut coordinates = (0..P::DIMENSION).map(|axis| points[index].coordinate(axis));
@@ -75,7 +75,7 @@ pub(crate) fn images<P: Point>(points: &[P], map: &P::Affine) -> Result<Vec<P>, 
     clippy::panic,
     reason = "the documented panic of the operators that apply a map"
 )]
-pub(crate) fn finite<T>(image: Result<T, Error>) -> T {
+pub(crate) fn expect_image<T>(image: Result<T, Error>) -> T {
     image.unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -113,7 +113,7 @@ mod tests {
         assert!(check_points("points", &[DVec2::splat(MAX_COORDINATE)]).is_ok());
         assert!(check_points("points", &[DVec2::splat(1.01 * MAX_COORDINATE)]).is_err());
         assert_eq!(
-            within_limit(DVec2::new(f64::INFINITY, 1.0)).x,
+            clamp_to_limit(DVec2::new(f64::INFINITY, 1.0)).x,
             MAX_COORDINATE
         );
     }

@@ -128,14 +128,14 @@ impl Error {
     /// An error if a call has taken more steps than its limit allows.
     pub(crate) fn unless_within(what: &'static str, work: &WorkLimit) -> Result<(), Self> {
         let (limit, needed) = work.limit_and_used();
-        match needed > limit {
-            true => Err(Self::TooMany {
-                what,
-                limit,
-                needed,
-            }),
-            false => Ok(()),
+        if needed <= limit {
+            return Ok(());
         }
+        Err(Self::TooMany {
+            what,
+            limit,
+            needed,
+        })
     }
 
     /// Returns an error for the first number that is a NaN or an infinity.
@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn a_work_limit_names_its_steps() {
         let mut work = WorkLimit::new(1 << 30);
-        work.earn(1 << 13, 1 << 22);
+        work.raise_limit(1 << 13, 1 << 22);
         work.count(1 << 30);
         work.count(1 << 35);
         assert_eq!(Error::unless_within("steps", &work), Ok(()));

@@ -2,7 +2,7 @@
 
 use super::svg_error::SvgError;
 use super::svg_number::{Refusal, Scanner};
-use crate::geometry::check::is_allowed;
+use crate::geometry::check::is_within_limit;
 use crate::path::Path;
 use crate::path::arc::Arc;
 use crate::path::builder::PathBuilder;
@@ -25,8 +25,8 @@ impl Path {
     /// Parses a path from the `d` attribute of an SVG `<path>`.
     ///
     /// Supports all commands M L H V C S Q T A Z in upper and lower case, repeated arguments, and all number forms of
-    /// the grammar ("1." too, as in SVG 1.1). Lines get degree 1, quadratics 2, cubics 3. An arc is converted to the
-    /// fewest cubics within 10⁻⁵ of the larger radius (8 for a circle of two arcs; see
+    /// the grammar ("1." too, as in SVG 1.1). Lines get degree 1, quadratics 2, cubics 3. An arc is converted to
+    /// as few cubics as possible within 10⁻⁵ of the larger radius (8 for a circle of two arcs; see
     /// [`from_svg_with`](Self::from_svg_with)); radii that are too small are scaled up, a radius of 0 gives a
     /// line, and an arc whose ends are equal is omitted. If the ends are diametrically opposite up to the rounding of
     /// their coordinates, the arc is half the ellipse.
@@ -193,7 +193,7 @@ impl Reader {
     }
 
     fn move_to(&mut self, p: DVec2) -> bool {
-        if !is_allowed(p) {
+        if !is_within_limit(p) {
             return false;
         }
         self.builder.move_to(p);
@@ -203,7 +203,7 @@ impl Reader {
 
     /// Adds a line, a quadratic or a cubic by its points after the first.
     fn segment(&mut self, points: &[DVec2]) -> bool {
-        if !points.iter().all(|&p| is_allowed(p)) {
+        if !points.iter().all(|&p| is_within_limit(p)) {
             return false;
         }
         self.builder.add_segment(points);
@@ -216,7 +216,7 @@ impl Reader {
     }
 
     fn arc(&mut self, n: &[f64; 7], to: DVec2) -> bool {
-        if !is_allowed(to) {
+        if !is_within_limit(to) {
             return false;
         }
         self.builder.add_arc(&Arc {

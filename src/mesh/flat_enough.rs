@@ -68,25 +68,24 @@ impl Surface {
     pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
         let size = self.control_bounds();
         check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
-        let mut leaves = Vec::new();
         let max_leaves = LEAVES_PER_PATCH
             .saturating_mul(self.patch_count())
             .saturating_add(FURTHER_LEAVES);
-        let mut work = WorkLimit::new(FURTHER_STEPS);
+        let mut pieces = Pieces {
+            patch: 0,
+            tolerance,
+            max_leaves,
+            leaves: Vec::new(),
+            work: WorkLimit::new(FURTHER_STEPS),
+        };
         for (number, patch) in self.patches().enumerate() {
-            work.earn(STEPS_PER_POINT, patch.points.len());
-            let all = [0.0, 1.0, 0.0, 1.0];
-            let mut pieces = Pieces {
-                patch: number,
-                tolerance,
-                max_leaves,
-                leaves: &mut leaves,
-                work: &mut work,
-            };
-            if !pieces.split(&patch, all) {
+            pieces.patch = number;
+            pieces.work.raise_limit(STEPS_PER_POINT, patch.points.len());
+            if !pieces.split(&patch, [0.0, 1.0, 0.0, 1.0]) {
                 break;
             }
         }
+        let Pieces { leaves, work, .. } = pieces;
         if leaves.len() > max_leaves {
             return Err(Error::too_many("leaves", max_leaves, leaves.len()));
         }
@@ -95,16 +94,17 @@ impl Surface {
     }
 }
 
-/// The pieces of a patch.
-struct Pieces<'a> {
+/// The leaves found so far.
+struct Pieces {
+    /// The index of the patch that is being split.
     patch: usize,
     tolerance: f64,
     max_leaves: usize,
-    leaves: &'a mut Vec<FlatPiece>,
-    work: &'a mut WorkLimit,
+    leaves: Vec<FlatPiece>,
+    work: WorkLimit,
 }
 
-impl Pieces<'_> {
+impl Pieces {
     /// Adds the leaves of one piece; returns `false` as soon as there are too many or the work limit is exceeded. The
     /// recursion depth is limited by the parameters: about 52 halvings, after which a piece is a point.
     fn split(&mut self, piece: &Patch, [u0, u1, v0, v1]: [f64; 4]) -> bool {

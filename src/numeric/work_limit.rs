@@ -29,9 +29,15 @@ impl WorkLimit {
 
     /// Raises the limit by a number of steps for each of `count` items.
     #[inline]
-    pub fn earn(&mut self, steps: usize, count: usize) {
+    pub fn raise_limit(&mut self, steps: usize, count: usize) {
         let further = (steps as u64).saturating_mul(count as u64);
         self.limit = self.limit.saturating_add(further);
+    }
+
+    /// Allows no further steps.
+    #[inline]
+    pub fn stop(&mut self) {
+        self.limit = 0;
     }
 
     /// The number of steps allowed and the number used.

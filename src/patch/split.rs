@@ -5,7 +5,7 @@ use super::net::{curve_at_u, transpose};
 use crate::bernstein::de_casteljau::split;
 use crate::curve::Curve;
 use crate::curve::basis::{Basis, apply};
-use crate::geometry::check::{check_points, within_limit};
+use crate::geometry::check::{check_points, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::numeric::list::Net;
 use glam::DVec3;
@@ -99,7 +99,7 @@ fn split_rows(net: &[DVec3], columns: usize, t: f64) -> (Net, Net) {
         split(left, right, t);
     }
     for p in before.iter_mut().chain(&mut after) {
-        *p = within_limit(*p);
+        *p = clamp_to_limit(*p);
     }
     (before, after)
 }

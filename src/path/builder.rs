@@ -110,8 +110,8 @@ impl PathBuilder {
     ///
     /// `x_rotation` is the angle from the x-axis to the first axis of the ellipse, in radians. `large` selects an arc
     /// of more than half the ellipse, `sweep` one of increasing angle. Radii that are too small are scaled up; with a
-    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to the fewest
-    /// cubics within 10⁻⁵ of the larger radius (7 or 8 for a circle), or within
+    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to as few
+    /// cubics as possible within 10⁻⁵ of the larger radius (7 or 8 for a circle), or within
     /// [`set_arc_tolerance`](Self::set_arc_tolerance). Source: *SVG 2*, §B.2.
     pub fn arc_to(&mut self, radii: DVec2, x_rotation: f64, large: bool, sweep: bool, p: DVec2) {
         let rotation = [DVec2::new(x_rotation, 0.0)];

@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::Curve;
-use crate::geometry::check::finite;
+use crate::geometry::check::expect_image;
 use crate::io::svg_error::SvgError;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
@@ -74,6 +74,6 @@ impl Mul<&Path> for DAffine2 {
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, path: &Path) -> Path {
-        finite(path.transform(&self))
+        expect_image(path.transform(&self))
     }
 }

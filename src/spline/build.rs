@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::geometry::check::{check_points, is_allowed, within_limit};
+use crate::geometry::check::{check_points, clamp_to_limit, is_within_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -68,7 +68,7 @@ impl<P: Point> Spline<P> {
         let last = self.curve(self.segment_count() - 1);
         let from = last.end();
         let corner = from + last.tangent(1.0) * (0.5 * (point - from).length());
-        let corner = within_limit(corner);
+        let corner = clamp_to_limit(corner);
         let mut points = self.points.clone();
         match last.degree() {
             1 => points.push(point),
@@ -171,11 +171,11 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
         right = right.elevated();
     }
     let healed = healed_at(&left, &right, split_parameter(&left, &right));
-    if healed.control_points().iter().all(|&p| is_allowed(p)) {
+    if healed.control_points().iter().all(|&p| is_within_limit(p)) {
         return healed;
     }
     let healed = healed_at(&left, &right, 0.5);
-    if healed.control_points().iter().all(|&p| is_allowed(p)) {
+    if healed.control_points().iter().all(|&p| is_within_limit(p)) {
         return healed;
     }
     Curve::from_points([left.start(), right.end()].into_iter().collect())

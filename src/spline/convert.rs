@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::geometry::check::finite;
+use crate::geometry::check::expect_image;
 use crate::geometry::point::Point;
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
@@ -22,7 +22,7 @@ impl Mul<&Spline<DVec2>> for DAffine2 {
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, spline: &Spline<DVec2>) -> Spline<DVec2> {
-        finite(spline.transform(&self))
+        expect_image(spline.transform(&self))
     }
 }
 
@@ -34,6 +34,6 @@ impl Mul<&Spline<DVec3>> for DAffine3 {
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
     fn mul(self, spline: &Spline<DVec3>) -> Spline<DVec3> {
-        finite(spline.transform(&self))
+        expect_image(spline.transform(&self))
     }
 }

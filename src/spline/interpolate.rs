@@ -3,7 +3,7 @@
 use super::Spline;
 use super::joint::catmull_rom;
 use crate::curve::eval::MAX_OUTPUT_F64;
-use crate::geometry::check::{check_points, is_allowed, max_abs};
+use crate::geometry::check::{check_points, is_within_limit, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
@@ -110,7 +110,7 @@ impl<P: Point> Spline<P> {
         let handle = |i: usize, along: P| {
             let handle = (row.points[i] + along / 3.0) / unit;
             // Near the limit of coordinates a handle can exceed it; it is then placed at the point.
-            if is_allowed(handle) {
+            if is_within_limit(handle) {
                 handle
             } else {
                 points[i]

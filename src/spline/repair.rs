@@ -10,7 +10,7 @@
 use super::Spline;
 use super::joint::JointMode;
 use super::joint::{Sides, catmull_rom};
-use crate::geometry::check::is_allowed;
+use crate::geometry::check::is_within_limit;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
@@ -55,7 +55,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
         let free = self.states[index] == State::Free;
-        if free && is_allowed(to) && *target != to {
+        if free && is_within_limit(to) && *target != to {
             *target = to;
             self.states[index] = State::Changed;
         } else if free {
@@ -193,7 +193,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         if self.spline.degree_of(left) > 1 {
             self.set_point(near, along(self.spline.points[near]));
         }
-        if self.spline.degree_of(right) > 1 && near != far && is_allowed(along(handle)) {
+        if self.spline.degree_of(right) > 1 && near != far && is_within_limit(along(handle)) {
             self.spline.points[far] = along(handle);
         }
         self.follow(joint, true, mode);

@@ -168,12 +168,8 @@ impl SplineSet {
 
 /// The box of a curve, enlarged by rounding.
 fn enlarged_box(curve: &Curve<DVec2>) -> Bounds<DVec2> {
-    let Bounds { min, max } = curve.control_bounds();
-    let margin = min.abs().max(max.abs()) * ROUNDING;
-    Bounds {
-        min: min - margin,
-        max: max + margin,
-    }
+    let bounds = curve.control_bounds();
+    bounds.enlarged(bounds.min.abs().max(bounds.max.abs()) * ROUNDING)
 }
 
 /// Sorts the intersections, merges overlaps that continue across joints, and removes duplicates found on both sides of

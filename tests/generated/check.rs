@@ -122,7 +122,7 @@ pub(crate) fn call_unbounded<T: Numbers>(
     let answer = act();
     TIME.set(TIME.get() + cpu_time() - begin);
     STEPS.set(STEPS.get() + casteljau::take_steps());
-    let (steps, limit) = (STEPS.get(), limits::of(case.function));
+    let (steps, limit) = (STEPS.get(), limits::of(case));
     ensure!(steps <= limit, "{steps} steps, at most {limit} are allowed");
     let mut nan = false;
     answer.visit(&mut |x| nan |= x.is_nan());

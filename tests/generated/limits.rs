@@ -1,5 +1,7 @@
 //! The maximum number of steps of one call of a function, as counted by `casteljau::take_steps`.
 
+use casteljau_generator::{Case, Value};
+
 /// For functions without a documented limit of their own.
 const DEFAULT: usize = 1_000_000;
 
@@ -8,9 +10,6 @@ const SEARCH: usize = (1 << 23) + (1 << 22);
 
 /// The limit of a ray, including three searches for the nearest point to the origin.
 const RAY: usize = (1 << 27) + 4 * SEARCH;
-
-/// The maximum number of patches of a generated surface.
-const PATCHES: usize = 100;
 
 /// The documented limit of vertices, and the forecast and the cubics of every segment of a generated spline or path.
 const FLATTEN: usize = (1 << 24) + DEFAULT;
@@ -25,34 +24,46 @@ const LIMITS: &[(&str, usize)] = &[
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),
     ("Patch::area", 1 << 22),
-    ("Surface::nearest", PATCHES * 2 * SEARCH),
-    ("Surface::intersect_ray", PATCHES * RAY),
-    ("Surface::bounds", PATCHES * 6 * SEARCH),
-    ("Surface::area", PATCHES << 22),
-    // The search for contacts of a few thousand segments.
-    ("Path::union", 1 << 31),
-    ("Path::intersect", 1 << 31),
-    ("Path::subtract", 1 << 31),
-    ("Path::exclude", 1 << 31),
-    ("Path::combine", 1 << 31),
-    ("Path::remove_overlaps", 1 << 31),
-    ("Path::faces", 1 << 31),
-    ("Path::divide", 1 << 31),
-    ("Path::clip", 1 << 31),
-    ("Path::filled_area", 1 << 31),
-    ("Path::filled_moments", 1 << 31),
-    ("Path::stroke", 1 << 31),
-    ("Path::offset", 1 << 31),
+    ("Surface::nearest", 2 * SEARCH),
+    ("Surface::intersect_ray", RAY),
+    ("Surface::bounds", 6 * SEARCH),
+    ("Surface::area", 1 << 22),
     ("Curve::chain", FLATTEN),
     ("Spline::chain", FLATTEN),
     ("Path::chain", 1 << 29),
     ("Patch::chain", 2 * RAY),
-    ("Surface::chain", 2 * PATCHES * RAY),
+    ("Surface::chain", 2 * RAY),
     ("Surface::subdivide", (1 << 24) + (1 << 18)),
 ];
 
-/// The limit of a function.
-pub(crate) fn of(function: &str) -> usize {
-    let found = LIMITS.iter().find(|(name, _)| *name == function);
-    found.map_or(DEFAULT, |&(_, limit)| limit)
+/// The functions of regions, and the search for contacts of a few thousand segments.
+const REGIONS: [&str; 13] = [
+    "union",
+    "intersect",
+    "subtract",
+    "exclude",
+    "combine",
+    "remove_overlaps",
+    "faces",
+    "divide",
+    "clip",
+    "filled_area",
+    "filled_moments",
+    "stroke",
+    "offset",
+];
+const REGION: usize = 1 << 27;
+
+/// The limit of the function of a case. Those of surfaces are limits of one patch.
+pub(crate) fn of(case: &Case) -> usize {
+    let is_region = |name: &str| REGIONS.contains(&name);
+    if case.function.strip_prefix("Path::").is_some_and(is_region) {
+        return REGION;
+    }
+    let found = LIMITS.iter().find(|(name, _)| *name == case.function);
+    let limit = found.map_or(DEFAULT, |&(_, limit)| limit);
+    match case.arguments.first() {
+        Some((_, Value::Surface(surface))) => limit * surface.degrees.len().max(1),
+        _ => limit,
+    }
 }

@@ -156,15 +156,15 @@ fn check(arc: Arc, accuracy: Accuracy) {
         (angle - swept).abs() < 1e-6 + 10.0 * noise,
         "{arc:?}: {angle}, not {swept}"
     );
-    // The fewest pieces that the bound allows; rounding decides where that number changes.
-    let (pieces, fewest) = (
+    // As few pieces as the bound allows; rounding decides where that number changes.
+    let (pieces, min_pieces) = (
         real(spline.segment_count()),
         swept.abs() / accuracy.max_angle(),
     );
-    let slack = 1e-4 * fewest + noise;
+    let slack = 1e-4 * min_pieces + noise;
     assert!(
-        pieces >= (fewest - slack).ceil() && pieces <= (fewest + slack).ceil(),
-        "{arc:?} {accuracy:?}: {pieces} pieces, {fewest} expected"
+        pieces >= (min_pieces - slack).ceil() && pieces <= (min_pieces + slack).ceil(),
+        "{arc:?} {accuracy:?}: {pieces} pieces, {min_pieces} expected"
     );
 }
 

@@ -118,7 +118,7 @@ export class CoreCurve extends CurveEvaluation {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
-   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
+   * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
     return this._read(core().points_transform(this.dimension, this._write(check.affine(matrix))));

@@ -99,7 +99,7 @@ export class PathValue {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
-   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
+   * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
     const [a, b, , c, d, , , , , e, f] = check.affine(matrix);

@@ -55,7 +55,8 @@ export class Path extends PathRegions {
   /**
    * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
-   * Arcs are approximated by the fewest cubics within a tolerance, by default 1e-5 of the larger radius: 8 for a circle. A moveto without a segment is ignored; "M1 1Z" is
+   * Arcs are approximated by as few cubics as possible within a tolerance, by default 1e-5 of the larger radius: 8 for
+   * a circle. A moveto without a segment is ignored; "M1 1Z" is
    * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
    *
    * @param {string} d SVG path data

@@ -189,7 +189,7 @@ export class CoreSpline extends SplineEvaluation {
    *
    * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
-   * @throws {RangeError} for an image with a coordinate beyond the range of numbers
+   * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
     const { flat, dimension } = this.casteljauData();

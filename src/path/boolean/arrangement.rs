@@ -1,7 +1,7 @@
 //! The division of the plane by the segments of some paths: vertices, edges and faces.
 
 use super::arcs::Arcs;
-use super::contacts::{Contact, contacts, enlarged_box};
+use super::contacts::{Contact, contacts};
 use super::contours::NONE;
 use super::edges::Edges;
 use super::faces::Faces;
@@ -44,7 +44,7 @@ impl Arrangement {
         let boxes: Vec<Bounds<DVec2>> = segments
             .list
             .iter()
-            .map(|segment| enlarged_box(&segment.points, segments.epsilon))
+            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
             .collect();
         let tree = BoxTree::new(&boxes);
         let contacts = contacts(&segments, &tree)?;

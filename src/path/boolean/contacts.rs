@@ -52,13 +52,14 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
         self_contacts(segments, index, &mut found);
     }
     let mut work = WorkLimit::new(FURTHER_STEPS);
-    work.earn(STEPS_PER_ITEM, segments.list.len());
+    work.raise_limit(STEPS_PER_ITEM, segments.list.len());
     tree.pairs_within(&mut work, |a, b, work| {
         let before = found.len();
-        if before <= MAX_CONTACTS {
-            let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
-            work.earn(STEPS_PER_ITEM, found.len() - before);
-            work.count(steps);
+        let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
+        work.raise_limit(STEPS_PER_ITEM, found.len() - before);
+        work.count(steps);
+        if found.len() > MAX_CONTACTS {
+            work.stop();
         }
     });
     near_crossings(segments, &mut work, &mut found);
@@ -84,7 +85,7 @@ fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Con
     let parts = parts_with_few_cuts(segments, found);
     let boxes: Vec<Bounds<DVec2>> = parts
         .iter()
-        .map(|part| enlarged_box(&part.points(segments), segments.epsilon))
+        .map(|part| Bounds::of(&part.points(segments)).enlarged(DVec2::splat(segments.epsilon)))
         .collect();
     let tree = BoxTree::new(&boxes);
     let mut seen = Vec::new();
@@ -95,7 +96,7 @@ fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Con
         seen.extend([i, j]);
         tree.around_point(p, work, |part, work| {
             let other = parts[part].segment;
-            if found.len() <= MAX_CONTACTS && !seen.contains(&other) {
+            if !seen.contains(&other) {
                 work.count(BESIDE_STEPS);
                 if !is_beside(&parts[part].points(segments), &[p], segments.epsilon) {
                     seen.push(other);
@@ -104,6 +105,9 @@ fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Con
                 }
             }
         });
+        if work.is_exceeded() || found.len() > MAX_CONTACTS {
+            return;
+        }
     }
 }
 
@@ -168,15 +172,6 @@ fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<Part> {
         rest = &rest[own..];
     }
     parts
-}
-
-/// The box of some points, enlarged on each side.
-pub(super) fn enlarged_box(points: &[DVec2], margin: f64) -> Bounds<DVec2> {
-    let Bounds { min, max } = Bounds::of(points);
-    Bounds {
-        min: min - margin,
-        max: max + margin,
-    }
 }
 
 fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {

@@ -11,10 +11,10 @@ use glam::DVec3;
 
 /// One of this many cases has a path of 10² to 10³ segments, or a surface of 10² patches; one of twenty of these has a
 /// path of up to 10⁴ segments.
-const LARGE_EVERY: u64 = 500;
+const CASES_PER_LARGE_CASE: u64 = 500;
 
 /// The largest number of control points of drawings with wide strokes.
-const MAX_WIDE: usize = 90;
+const MAX_POINTS_WITH_WIDE_STROKES: usize = 90;
 
 /// The words of each kind of choice.
 const CHOICES: &[(&str, &[&str])] = &[
@@ -112,11 +112,12 @@ impl Maker<'_> {
             "spline" => Value::Spline(geometry::spline(rng, mode, any)),
             "spline2" => Value::Spline(geometry::spline(rng, mode, 2)),
             "spline3" => Value::Spline(geometry::spline(rng, mode, 3)),
-            "path" if self.result.number % LARGE_EVERY == LARGE_EVERY / 2 => {
-                let seldom = self.result.number % (20 * LARGE_EVERY) == LARGE_EVERY / 2;
-                Value::Path(large::path(rng, if seldom { 4.0 } else { 3.0 }))
+            "path" if self.result.number % CASES_PER_LARGE_CASE == CASES_PER_LARGE_CASE / 2 => {
+                let is_largest =
+                    self.result.number % (20 * CASES_PER_LARGE_CASE) == CASES_PER_LARGE_CASE / 2;
+                Value::Path(large::path(rng, if is_largest { 4.0 } else { 3.0 }))
             }
-            "surface" if self.result.number % LARGE_EVERY == LARGE_EVERY / 2 => {
+            "surface" if self.result.number % CASES_PER_LARGE_CASE == CASES_PER_LARGE_CASE / 2 => {
                 Value::Surface(large::surface(rng))
             }
             "path" => Value::Path(geometry::path(rng, mode)),
@@ -255,7 +256,9 @@ impl Maker<'_> {
     fn length(&mut self, mut size: f64) -> f64 {
         // Wide strokes of a large drawing cover each other thousands of times.
         let first = self.result.arguments.first();
-        if first.is_some_and(|(_, value)| control_points(value).len() > MAX_WIDE) {
+        if first
+            .is_some_and(|(_, value)| control_points(value).len() > MAX_POINTS_WITH_WIDE_STROKES)
+        {
             size *= 1e-3;
         }
         let sign = if self.rng.chance(0.5) { 1.0 } else { -1.0 };
