@@ -1,8 +1,7 @@
 //! Areas and moments, compared with closed forms, polygons and an integral in double the precision of f64.
 
-use crate::common::adversarial::{self, ALL, ORDINARY};
-use crate::common::{Rng, curve, exact, largest, plane, real};
-use crate::thorough;
+use crate::support::adversarial::{self, ALL, ORDINARY};
+use crate::support::{Rng, cases, curve, exact, largest, plane, real};
 use casteljau::curve::Moments;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, MAX_COORDINATE, Spline};
@@ -98,7 +97,7 @@ fn exact_area(points: &[DVec3]) -> f64 {
 #[test]
 fn area_is_the_integral() {
     let mut rng = Rng(1821);
-    for case in 0..thorough(20_000, 500_000) {
+    for case in 0..cases(20_000, 500_000) {
         let kind = rng.pick(&ORDINARY);
         let degree = if case % 20 == 0 {
             1 + rng.below(64)

@@ -1,9 +1,8 @@
 //! Parameters at given arc lengths, and equidistant parameters, measured with an independent integral.
 
-use crate::common::adversarial::{ALL, Kind, ORDINARY};
-use crate::common::{Rng, curve, integral, plane, real};
-use crate::length::hostile;
-use crate::thorough;
+use crate::arc::length::hostile;
+use crate::support::adversarial::{ALL, Kind, ORDINARY};
+use crate::support::{Rng, cases, curve, integral, plane, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};
 
@@ -44,7 +43,8 @@ fn the_ends() {
     let mut rng = Rng(1687);
     for kind in ALL {
         for degree in [1, 2, 3, 4, 7, 64] {
-            let points = crate::common::adversarial::points(&mut rng, kind, degree, 2 + degree % 2);
+            let points =
+                crate::support::adversarial::points(&mut rng, kind, degree, 2 + degree % 2);
             let curve: Curve<DVec3> = curve(&points);
             let whole = curve.length(None).expect("a length");
             assert_eq!(time(&curve, 0.0), 0.0);
@@ -105,7 +105,7 @@ fn refusals() {
 #[test]
 fn the_length_up_to_t_is_s() {
     let mut rng = Rng(1690);
-    for _ in 0..thorough(4_000, 200_000) {
+    for _ in 0..cases(4_000, 200_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = curve.length(None).expect("a length");
@@ -129,7 +129,7 @@ fn the_length_up_to_t_is_s() {
 #[test]
 fn steps_are_even() {
     let mut rng = Rng(1696);
-    for _ in 0..thorough(1_000, 50_000) {
+    for _ in 0..cases(1_000, 50_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = curve.length(None).expect("a length");
@@ -145,7 +145,7 @@ fn steps_are_even() {
 #[test]
 fn splines_go_on_over_joints() {
     let mut rng = Rng(1701);
-    for round in 0..thorough(100, 5_000) {
+    for round in 0..cases(100, 5_000) {
         let degrees: Vec<usize> = (0..1 + rng.below(6)).map(|_| 1 + rng.below(5)).collect();
         let closed = round % 3 == 0;
         let count = degrees.iter().sum::<usize>() + usize::from(!closed);

@@ -1,8 +1,7 @@
 //! Torsion and frames, compared with closed forms and the differential equation of a rotation-minimising frame.
 
-use crate::common::adversarial::{self, ALL, ORDINARY};
-use crate::common::{Rng, curve, integral, plane, real};
-use crate::thorough;
+use crate::support::adversarial::{self, ALL, ORDINARY};
+use crate::support::{Rng, cases, curve, integral, plane, real};
 use casteljau::curve::Frame;
 use casteljau::glam::{DAffine3, DQuat, DVec3};
 use casteljau::spline::Interpolation;
@@ -263,7 +262,7 @@ fn straight_pieces_change_nothing() {
 #[test]
 fn frames_of_hostile_curves() {
     let mut rng = Rng(2009);
-    for case in 0..thorough(2_000, 100_000) {
+    for case in 0..cases(2_000, 100_000) {
         let degree = if case % 50 == 0 { 64 } else { 1 + rng.below(6) };
         let kind = if case % 10 == 0 {
             rng.pick(&ALL)

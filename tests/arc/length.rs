@@ -1,8 +1,7 @@
 //! Arc lengths, compared with closed forms and an independent integral.
 
-use crate::common::adversarial::{self, Kind, ORDINARY};
-use crate::common::{Rng, curve, integral, plane, real, to_3d};
-use crate::thorough;
+use crate::support::adversarial::{self, Kind, ORDINARY};
+use crate::support::{Rng, cases, curve, integral, plane, real, to_3d};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::take_steps;
 use casteljau::{Curve, MAX_COORDINATE, Point, Spline};
@@ -73,7 +72,7 @@ pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
 #[test]
 fn the_integral_of_the_speed() {
     let mut rng = Rng(1654);
-    for _ in 0..thorough(20_000, 300_000) {
+    for _ in 0..cases(20_000, 300_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let expected = integral::length(&points, 0.0, 1.0);
         let flat = points.iter().all(|p| p.z == 0.0);
@@ -89,7 +88,7 @@ fn the_integral_of_the_speed() {
 #[test]
 fn a_tolerance_is_kept() {
     let mut rng = Rng(1659);
-    for _ in 0..thorough(5_000, 200_000) {
+    for _ in 0..cases(5_000, 200_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let expected = integral::length(&points, 0.0, 1.0);
@@ -107,7 +106,7 @@ fn a_tolerance_is_kept() {
 #[test]
 fn lengths_of_pieces_add_up() {
     let mut rng = Rng(1660);
-    for _ in 0..thorough(5_000, 200_000) {
+    for _ in 0..cases(5_000, 200_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);
@@ -115,7 +114,7 @@ fn lengths_of_pieces_add_up() {
         // Splitting rounds the control points by a few ulps of the largest coordinate: once for each step and each
         // piece.
         let slack =
-            1e-15 * (curve.degree() * curve.degree()) as f64 * crate::common::largest(&points);
+            1e-15 * (curve.degree() * curve.degree()) as f64 * crate::support::largest(&points);
         assert!(
             (length(&left) + length(&right) - whole).abs() <= 1e-12 * whole + slack,
             "{points:?}"

@@ -1,8 +1,8 @@
 //! Conversion of cubics to other bases and back.
 
-use crate::assert_close;
-use crate::common::exact::{Double, exactly};
-use crate::common::{Rng, largest, plane, real};
+use crate::curve::assert_close;
+use crate::support::exact::{Double, exactly};
+use crate::support::{Rng, largest, plane, real};
 use casteljau::curve::Basis;
 use casteljau::glam::DVec3;
 use casteljau::{Curve, Error};

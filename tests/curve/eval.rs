@@ -1,9 +1,9 @@
 //! Evaluation, Bernstein weights and samples.
 
-use crate::common::adversarial::ALL;
-use crate::common::exact::{self, exactly};
-use crate::common::{Rng, Space, curve, largest, parameters, plane, real, to_3d, ulp};
-use crate::{adversarial_points, assert_close, steps};
+use crate::curve::{adversarial_points, assert_close, steps};
+use crate::support::adversarial::ALL;
+use crate::support::exact::{self, exactly};
+use crate::support::{Rng, Space, curve, largest, parameters, plane, real, to_3d, ulp};
 use casteljau::Curve;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};

@@ -1,8 +1,8 @@
 //! Tangents, normals and curvature where the derivative vanishes: limits.
 
-use crate::adversarial_points;
-use crate::common::adversarial::ALL;
-use crate::common::{Space, curve, largest, parameters, plane, real, to_3d};
+use crate::curve::adversarial_points;
+use crate::support::adversarial::ALL;
+use crate::support::{Space, curve, largest, parameters, plane, real, to_3d};
 use casteljau::Point;
 use casteljau::glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_1_SQRT_2;

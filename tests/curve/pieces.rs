@@ -1,9 +1,9 @@
 //! Splitting, reversing, elevating and mapping leave the curve unchanged.
 
-use crate::common::adversarial::ALL;
-use crate::common::exact;
-use crate::common::{Rng, Space, curve, largest, plane, real, to_3d};
-use crate::{adversarial_points, assert_close, steps};
+use crate::curve::{adversarial_points, assert_close, steps};
+use crate::support::adversarial::ALL;
+use crate::support::exact;
+use crate::support::{Rng, Space, curve, largest, plane, real, to_3d};
 use casteljau::glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error};
 use wasm_bindgen_test::wasm_bindgen_test;

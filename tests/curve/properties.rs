@@ -1,6 +1,6 @@
 //! Properties of random hostile curves; failing cases are shrunk.
 
-use crate::common::{exact, largest, real, to_3d, ulp};
+use crate::support::{exact, largest, real, to_3d, ulp};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
 use proptest::collection::vec;

@@ -1,6 +1,6 @@
 //! Invalid arguments are rejected, and the message names the argument, what was expected and what was received.
 
-use crate::common::plane;
+use crate::support::plane;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error};

@@ -1,9 +1,9 @@
 //! Bounding boxes and convex hulls: they contain the curve and are as small as possible.
 
-use crate::common::adversarial::{ALL, Kind};
-use crate::common::exact;
-use crate::common::{Rng, curve, largest, plane, real, to_3d, ulp};
-use crate::{adversarial_points, steps};
+use crate::curve::{adversarial_points, steps};
+use crate::support::adversarial::{ALL, Kind};
+use crate::support::exact;
+use crate::support::{Rng, curve, largest, plane, real, to_3d, ulp};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;

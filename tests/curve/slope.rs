@@ -1,9 +1,9 @@
 //! Derivatives, tangents, normals and curvature, compared with closed forms.
 
-use crate::common::adversarial::ALL;
-use crate::common::exact;
-use crate::common::{curve, largest, parameters, plane, real, ulp};
-use crate::{adversarial_points, assert_close, steps};
+use crate::curve::{adversarial_points, assert_close, steps};
+use crate::support::adversarial::ALL;
+use crate::support::exact;
+use crate::support::{curve, largest, parameters, plane, real, ulp};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, MAX_COORDINATE};
 use wasm_bindgen_test::wasm_bindgen_test;

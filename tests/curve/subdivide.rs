@@ -1,9 +1,9 @@
 //! The tree of halvings with the D1 − D2 test.
 
-use crate::adversarial_points;
-use crate::common::adversarial::ORDINARY;
-use crate::common::measure::Reference;
-use crate::common::{Space, curve, largest, plane, to_3d, ulp};
+use crate::curve::adversarial_points;
+use crate::support::adversarial::ORDINARY;
+use crate::support::measure::Reference;
+use crate::support::{Space, curve, largest, plane, to_3d, ulp};
 use casteljau::curve::Subdivision;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Point};
@@ -16,7 +16,7 @@ fn polygon_length(points: &[DVec3]) -> f64 {
 /// Checks a node and its descendants; `whole` is the curve from which the node comes.
 fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
     let points = to_3d(node.curve.control_points());
-    let rounding = 16.0 * ulp(largest(whole)) * crate::steps(whole);
+    let rounding = 16.0 * ulp(largest(whole)) * crate::curve::steps(whole);
     let near = |a: f64, b: f64| (a - b).abs() <= rounding;
     assert!(near(node.polygon_length, polygon_length(&points)));
     assert!(near(
@@ -25,7 +25,7 @@ fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
     ));
     let ends = [(node.t0, points[0]), (node.t1, points[points.len() - 1])];
     for (t, p) in ends {
-        assert!((crate::common::exact::eval(whole, t) - p).length() <= rounding);
+        assert!((crate::support::exact::eval(whole, t) - p).length() <= rounding);
     }
     let difference = node.polygon_length - node.chord_length;
     let Some(halves) = &node.halves else {

@@ -1,7 +1,7 @@
 //! Drawing: degrees 1 to 3 are unchanged, higher degrees become cubics within the tolerance.
 
-use crate::common::measure::from_segment;
-use crate::common::{Rng, plane, real};
+use crate::support::measure::from_segment;
+use crate::support::{Rng, plane, real};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error};

@@ -1,7 +1,7 @@
 //! Golden data on arc lengths and areas.
 
-use crate::common::{curve, integral};
-use crate::fact::Fact;
+use crate::facts::fact::Fact;
+use crate::support::{curve, integral};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Path};
 

@@ -1,6 +1,6 @@
 //! A record of golden data and its comparison.
 
-use crate::common::curve;
+use crate::support::curve;
 use casteljau::Curve;
 use casteljau::glam::DVec3;
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! Golden data on intersections, through the public methods.
 
-use crate::common::{curve, largest};
-use crate::fact::{Fact, numbers, point};
+use crate::facts::fact::{Fact, numbers, point};
+use crate::support::{curve, largest};
 use casteljau::Curve;
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;

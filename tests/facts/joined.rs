@@ -1,7 +1,7 @@
 //! Golden data on joints, B-splines and timing functions.
 
-use crate::common::real;
-use crate::fact::{Fact, number, numbers};
+use crate::facts::fact::{Fact, number, numbers};
+use crate::support::real;
 use casteljau::{Easing, Spline};
 
 pub(crate) fn continuity(fact: &Fact) {

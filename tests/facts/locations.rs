@@ -1,8 +1,8 @@
 //! Golden data on special points of curves: roots, extrema, inflections, kinds, nearest points.
 
-use crate::common::exact::{exactly, sum};
-use crate::common::{curve, largest, plane, real};
-use crate::fact::{Fact, number, numbers, point};
+use crate::facts::fact::{Fact, number, numbers, point};
+use crate::support::exact::{exactly, sum};
+use crate::support::{curve, largest, plane, real};
 use casteljau::Curve;
 use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};

@@ -1,7 +1,7 @@
 //! Golden data on offset curves and on degree reduction.
 
-use crate::common::curve;
-use crate::fact::{Fact, number, points};
+use crate::facts::fact::{Fact, number, points};
+use crate::support::curve;
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 use serde_json::Value;

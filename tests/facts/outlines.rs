@@ -1,6 +1,6 @@
 //! Golden data on paths: path data, winding numbers, arcs.
 
-use crate::fact::{Fact, number, numbers, point};
+use crate::facts::fact::{Fact, number, numbers, point};
 use casteljau::Path;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};

@@ -1,8 +1,8 @@
 //! Hostile curves, each with a tolerance, and the measurements on them.
 
-use crate::common::adversarial::{self, Kind};
-use crate::common::measure::{Reference, farthest};
-use crate::common::{Rng, Space, curve, largest, real, to_3d, ulp};
+use crate::support::adversarial::{self, Kind};
+use crate::support::measure::{Reference, farthest};
+use crate::support::{Rng, Space, curve, largest, real, to_3d, ulp};
 use casteljau::curve::Polyline;
 use casteljau::glam::{DVec2, DVec3};
 

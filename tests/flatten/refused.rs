@@ -1,6 +1,6 @@
 //! Tolerances that are rejected before any vertex is made.
 
-use crate::common::{plane, ulp};
+use crate::support::{plane, ulp};
 use casteljau::Error;
 use casteljau::glam::DVec2;
 

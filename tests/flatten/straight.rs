@@ -1,6 +1,6 @@
 //! Straight curves that turn back: every turning point is a vertex, unless a vertex lies within the tolerance of it.
 
-use crate::common::{Rng, plane, real};
+use crate::support::{Rng, plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 

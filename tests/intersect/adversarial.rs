@@ -1,7 +1,7 @@
 //! Hostile numbers: no panic, no NaN, and termination in reasonable time.
 
-use crate::common::Rng;
-use crate::generate::new;
+use crate::intersect::generate::new;
+use crate::support::Rng;
 use casteljau::Curve;
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;

@@ -1,6 +1,6 @@
 //! Pairs of low degree that nearly or completely coincide, the hardest to distinguish.
 
-use crate::common::plane;
+use crate::support::plane;
 use casteljau::Curve;
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DAffine2, DVec2};

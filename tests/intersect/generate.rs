@@ -1,6 +1,6 @@
 //! Pairs of curves, most of them degenerate.
 
-use crate::common::{Rng, real};
+use crate::support::{Rng, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 

@@ -1,7 +1,7 @@
 //! Pairs with known intersections.
 
-use crate::common::{Rng, plane, real};
-use crate::generate::new;
+use crate::intersect::generate::new;
+use crate::support::{Rng, plane, real};
 use casteljau::Curve;
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;

@@ -1,7 +1,7 @@
 //! Rotated, scaled, reversed and swapped pairs have the same intersections.
 
-use crate::common::Rng;
-use crate::generate::{case, new};
+use crate::intersect::generate::{case, new};
+use crate::support::Rng;
 use casteljau::Curve;
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::{DAffine2, DVec2};

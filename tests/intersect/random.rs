@@ -1,28 +1,21 @@
 //! Generated cases, compared with the reference.
 
-use crate::common::threads::on_all;
-use crate::common::{Rng, exact, largest, real};
-use crate::generate::{Case, case};
-use crate::reference::{Cluster, Reference};
+use crate::intersect::generate::{Case, case};
+use crate::intersect::reference::{Cluster, Reference};
+use crate::support;
+use crate::support::threads::on_all;
+use crate::support::{Rng, exact, largest, real};
 use casteljau::Curve;
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-fn cases() -> u64 {
-    if std::env::var_os("CASTELJAU_DEEP").is_some() {
-        300_000
-    } else {
-        20_000
-    }
-}
-
 #[test]
 fn complete_and_true() {
     let failures = Mutex::new(BTreeMap::new());
-    on_all(0..cases(), |seed| {
-        let mut rng = Rng(seed);
+    on_all(0..support::cases(20_000, 300_000), |seed| {
+        let mut rng = Rng(seed as u64);
         let case = case(&mut rng);
         if let Err(wrong) = judged(&case) {
             let mut failures = failures.lock().expect("nothing panics under the lock");

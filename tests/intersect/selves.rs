@@ -1,7 +1,7 @@
 //! Self-intersections of curves.
 
-use crate::common::{Rng, largest, plane, real};
-use crate::generate::new;
+use crate::intersect::generate::new;
+use crate::support::{Rng, largest, plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 

@@ -1,6 +1,6 @@
 //! Intersections and self-intersections of splines.
 
-use crate::common::{Rng, plane, real};
+use crate::support::{Rng, plane, real};
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 use casteljau::take_steps;

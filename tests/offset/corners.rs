@@ -1,7 +1,7 @@
 //! Corners of fitted splines: those of known shapes are kept, noise adds none.
 
-use crate::common::{Rng, real};
-use crate::reference::{dense, farthest};
+use crate::offset::reference::{dense, farthest};
+use crate::support::{Rng, real};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Error, Spline};
 use std::f64::consts::{PI, TAU};

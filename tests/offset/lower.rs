@@ -1,7 +1,7 @@
 //! Degree reduction, and curves through points.
 
-use crate::common::{Rng, largest, real, ulp};
-use crate::reference::at;
+use crate::offset::reference::at;
+use crate::support::{Rng, largest, real, ulp};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 

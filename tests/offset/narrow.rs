@@ -1,7 +1,7 @@
 //! Offsets whose distance is small relative to the curve's bends or to the tolerance.
 
-use crate::common::plane;
-use crate::error;
+use crate::offset::error;
+use crate::support::plane;
 
 /// Beside the curve's cusp the offset has a cusp of its own, which rounding of the derivative does not decide.
 #[test]

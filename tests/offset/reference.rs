@@ -1,7 +1,7 @@
 //! The true offset curve, computed slowly: a dense polyline with each vertex from the curve's own point and derivative.
 
-use crate::common::measure::from_plane_segment;
-use crate::common::real;
+use crate::support::measure::from_plane_segment;
+use crate::support::real;
 use casteljau::glam::DVec2;
 use std::f64::consts::PI;
 

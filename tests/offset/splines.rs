@@ -1,7 +1,7 @@
 //! Offset curves of splines: corners, closed splines.
 
-use crate::common::{Rng, real};
-use crate::reference::dense;
+use crate::offset::reference::dense;
+use crate::support::{Rng, real};
 use casteljau::Spline;
 use casteljau::glam::DVec2;
 use casteljau::spline::OffsetJoin;

@@ -1,7 +1,7 @@
 //! Splines fitted to points, and splines with fewer segments.
 
-use crate::common::{Rng, real};
-use crate::reference::{dense, farthest};
+use crate::offset::reference::{dense, farthest};
+use crate::support::{Rng, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Point, Spline};
 
@@ -141,7 +141,7 @@ fn space_as_well() {
     for &p in &helix {
         let near = line
             .windows(2)
-            .map(|s| crate::common::measure::from_segment(p, s[0], s[1]));
+            .map(|s| crate::support::measure::from_segment(p, s[0], s[1]));
         assert!(near.fold(f64::INFINITY, f64::min) <= 1.2e-3);
     }
     assert!(fitted.segment_count() < 30, "{}", fitted.segment_count());

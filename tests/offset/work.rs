@@ -1,6 +1,6 @@
 //! The number of pieces and of counted steps, near cusps and where rounding limits the accuracy.
 
-use crate::common::{plane, real};
+use crate::support::{plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 use casteljau::take_steps;

@@ -1,7 +1,8 @@
 //! Results that remain exact beyond a limit: of steps, and of very different sizes along the axes.
 
-use super::nets::Random;
 use super::{SEARCH, distance_of_own_point, generated};
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::DVec3;
 use casteljau::take_steps;
 use casteljau::{Error, Patch, Surface};
@@ -9,7 +10,7 @@ use casteljau::{Error, Patch, Surface};
 /// Beyond the limit no other piece and no other patch is counted.
 #[test]
 fn of_subdivision_beyond_the_limit() {
-    let patch = Random(5).patch(24, 24);
+    let patch = Rng(5).patch(24, 24);
     let vertices = patch.control_points().to_vec();
     let size = patch.control_bounds().max.abs().max_element();
     let twice = (0..625).chain(0..625).collect();

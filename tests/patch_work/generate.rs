@@ -1,6 +1,7 @@
 //! Seeded generation of patches and of queries on them, including degenerate ones.
 
-use crate::nets::Random;
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 
@@ -18,11 +19,11 @@ enum Scale {
 }
 
 /// A number below `count`.
-pub(crate) fn below(random: &mut Random, count: usize) -> usize {
-    usize::try_from(random.bits() % count as u64).expect("a small number")
+pub(crate) fn below(random: &mut Rng, count: usize) -> usize {
+    usize::try_from(random.next() % count as u64).expect("a small number")
 }
 
-fn coordinate(random: &mut Random, scale: Scale) -> f64 {
+fn coordinate(random: &mut Rng, scale: Scale) -> f64 {
     match scale {
         Scale::Moderate | Scale::Far => random.coordinate(),
         Scale::Coarse => random.coordinate().round(),
@@ -34,13 +35,13 @@ fn coordinate(random: &mut Random, scale: Scale) -> f64 {
     }
 }
 
-fn point(random: &mut Random, scale: Scale) -> DVec3 {
+fn point(random: &mut Rng, scale: Scale) -> DVec3 {
     let [x, y, z] = [(); 3].map(|()| coordinate(random, scale));
     DVec3::new(x + if scale == Scale::Far { 1e6 } else { 0.0 }, y, z)
 }
 
 /// A patch of degrees 1 to `max_degree`.
-pub(crate) fn any_patch(random: &mut Random, max_degree: usize) -> Patch {
+pub(crate) fn any_patch(random: &mut Rng, max_degree: usize) -> Patch {
     let [m, n] = [(); 2].map(|()| 1 + below(random, max_degree));
     let scales = [Scale::Moderate, Scale::Coarse, Scale::Mixed, Scale::Far];
     let scale = scales[below(random, scales.len())];
@@ -52,7 +53,7 @@ pub(crate) fn any_patch(random: &mut Random, max_degree: usize) -> Patch {
 }
 
 /// Makes a net degenerate in one of several ways, or leaves it unchanged.
-fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize) {
+fn degrade(random: &mut Rng, scale: Scale, net: &mut [DVec3], columns: usize) {
     let count = net.len();
     let (first, other) = (net[0], point(random, scale));
     match below(random, 12) {
@@ -102,7 +103,7 @@ fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize)
 }
 
 /// A query point: on the patch, in its bounding box, among its control points, or anywhere.
-pub(crate) fn any_point(random: &mut Random, patch: &Patch) -> DVec3 {
+pub(crate) fn any_point(random: &mut Rng, patch: &Patch) -> DVec3 {
     let net = patch.control_points();
     match below(random, 6) {
         0 => patch.eval(random.unit(), random.unit()),
@@ -115,7 +116,7 @@ pub(crate) fn any_point(random: &mut Random, patch: &Patch) -> DVec3 {
 }
 
 /// A ray that intersects the patch, that runs within it, or that is arbitrary.
-pub(crate) fn any_ray(random: &mut Random, patch: &Patch) -> (DVec3, DVec3) {
+pub(crate) fn any_ray(random: &mut Rng, patch: &Patch) -> (DVec3, DVec3) {
     let origin = any_point(random, patch);
     let (u, v) = (random.unit(), random.unit());
     let direction = match below(random, 6) {

@@ -1,6 +1,6 @@
 //! Elliptical arcs, compared with the ellipse itself; its centre is computed by another method (SVG 1.1, F.6.5).
 
-use crate::common::{Rng, real};
+use crate::support::{Rng, real};
 use casteljau::glam::DVec2;
 use casteljau::path::PathBuilder;
 use casteljau::{MAX_COORDINATE, Path, Spline};

@@ -1,7 +1,7 @@
 //! Winding numbers, compared with the sum of the angles under which a fine polygon is seen, and for partitions of the
 //! plane.
 
-use crate::common::{Rng, adversarial, real};
+use crate::support::{Rng, adversarial, real};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 use casteljau::{Curve, Path, Spline};
@@ -39,7 +39,7 @@ fn angle_sum(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
 
 fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
     let from = |(a, b): (&DVec2, &DVec2)| {
-        crate::common::measure::from_segment(p.extend(0.0), a.extend(0.0), b.extend(0.0))
+        crate::support::measure::from_segment(p.extend(0.0), a.extend(0.0), b.extend(0.0))
     };
     let ring = |points: &Vec<DVec2>| {
         let closed = points.iter().zip(points.iter().cycle().skip(1));

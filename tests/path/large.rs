@@ -1,19 +1,16 @@
 //! Paths and splines as large as maps and scans: 50,000 segments, a million with `CASTELJAU_DEEP=1`.
 
-use crate::common::{Rng, real};
+use crate::support::deep;
+use crate::support::{Rng, real};
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, PathBuilder, StrokeOptions};
 use casteljau::spline::{Interpolation, OffsetJoin};
 use casteljau::{Path, Spline};
 use std::f64::consts::TAU;
 
-fn is_deep() -> bool {
-    std::env::var_os("CASTELJAU_DEEP").is_some()
-}
-
 /// The number of segments.
 fn count() -> usize {
-    if is_deep() { 1_000_000 } else { 50_000 }
+    if deep() { 1_000_000 } else { 50_000 }
 }
 
 /// The corners of a coast: a circle with bays of every size, seen from its centre without overlaps.

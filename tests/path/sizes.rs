@@ -1,7 +1,7 @@
 //! Areas, moments, arc lengths and bounding boxes, under affine maps and compared with polygons.
 
-use crate::common::{Rng, real};
-use crate::inside::{OUTLINES, random_spline};
+use crate::path::inside::{OUTLINES, random_spline};
+use crate::support::{Rng, real};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
 use casteljau::path::PathTime;

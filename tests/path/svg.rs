@@ -1,8 +1,8 @@
 //! Path data: round trips, agreement of the Rust and JavaScript APIs, invalid data, large texts.
 
-use crate::allocations::allocated_by;
-use crate::common::{Rng as Numbers, ulp};
-use crate::texts::{Rng, hash, text};
+use crate::path::texts::{Rng, hash, text};
+use crate::support::allocations::allocated_by;
+use crate::support::{Rng as Numbers, ulp};
 use casteljau::glam::DVec2;
 use casteljau::{Path, Spline};
 
@@ -254,7 +254,7 @@ fn higher_degrees_are_written_as_cubics() {
     for p in spline.sample(8).expect("few") {
         let near = line.points.windows(2).any(|pair| {
             let (a, b, q) = (pair[0].extend(0.0), pair[1].extend(0.0), p.extend(0.0));
-            crate::common::measure::from_segment(q, a, b) <= 1.1e-3 + 1e-4
+            crate::support::measure::from_segment(q, a, b) <= 1.1e-3 + 1e-4
         });
         assert!(near, "{p}");
     }

@@ -1,7 +1,7 @@
 //! All checks of one pair of paths.
 
-use crate::oracle::Outline;
-use crate::random::Random;
+use crate::path_boolean::oracle::Outline;
+use crate::path_boolean::random::Random;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::FillRule;

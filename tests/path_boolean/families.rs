@@ -1,6 +1,6 @@
 //! Pairs of paths of the families that Boolean operations get wrong.
 
-use crate::random::Random;
+use crate::path_boolean::random::Random;
 use casteljau::Path;
 use casteljau::Spline;
 use casteljau::glam::{DAffine2, DVec2};

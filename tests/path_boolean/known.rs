@@ -1,6 +1,6 @@
 //! Results that are known exactly, and operations that cut.
 
-use crate::check::{path, valid};
+use crate::path_boolean::check::{path, valid};
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule};

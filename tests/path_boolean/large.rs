@@ -1,19 +1,15 @@
 //! Large inputs: thousands to a million of contacts, judged by closed forms, brute force and winding numbers.
 
-use crate::check::{is_inside, valid};
-use crate::oracle::Outline;
-use crate::random::Random;
+use crate::path_boolean::check::{is_inside, valid};
+use crate::path_boolean::oracle::Outline;
+use crate::path_boolean::random::Random;
+use crate::support::deep;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule, PathBuilder, StrokeOptions};
 use std::f64::consts::{PI, TAU};
 
 const RULES: [FillRule; 2] = [FillRule::NonZero, FillRule::EvenOdd];
-
-/// Whether the inputs that take longest belong to this run.
-fn is_deep() -> bool {
-    std::env::var_os("CASTELJAU_DEEP").is_some()
-}
 
 fn real(n: usize) -> f64 {
     f64::from(u32::try_from(n).expect("a small number"))
@@ -119,7 +115,7 @@ fn random_polygons() {
 
 #[test]
 fn random_cubics() {
-    for count in if is_deep() {
+    for count in if deep() {
         &[80, 300, 1000][..]
     } else {
         &[80, 300]
@@ -141,7 +137,7 @@ fn random_cubics() {
 
 #[test]
 fn more_than_a_million_contacts() {
-    if !is_deep() {
+    if !deep() {
         return;
     }
     let (n, k) = (1501, 700);
@@ -158,7 +154,7 @@ fn more_than_a_million_contacts() {
 
 #[test]
 fn the_stroke_of_a_scribble() {
-    let count = if is_deep() { 5000 } else { 1500 };
+    let count = if deep() { 5000 } else { 1500 };
     let mut random = Random::new(3);
     let mut points = vec![DVec2::splat(50.0)];
     while points.len() < count {

@@ -1,6 +1,6 @@
 //! Outlines with half-edges around a vertex whose order the directions at the vertex do not show.
 
-use crate::check::{identity_error, path, valid};
+use crate::path_boolean::check::{identity_error, path, valid};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 use casteljau::{Curve, Path, Spline};

@@ -1,8 +1,8 @@
 //! What results promise: bits of what is not touched, starting points, scaling, symmetry, few segments.
 
-use crate::check::{OPERATIONS, path, valid};
-use crate::families::FAMILIES;
-use crate::random::Random;
+use crate::path_boolean::check::{OPERATIONS, path, valid};
+use crate::path_boolean::families::FAMILIES;
+use crate::path_boolean::random::Random;
 use casteljau::Path;
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;

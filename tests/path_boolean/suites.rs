@@ -1,7 +1,7 @@
 //! The inputs of other libraries' tests, from tests/data/boolean; results are judged as those of the families.
 
-use crate::check::{faults, identity_error, path};
-use crate::random::Random;
+use crate::path_boolean::check::{faults, identity_error, path};
+use crate::path_boolean::random::Random;
 use casteljau::path::FillRule;
 
 /// The largest error of an identity of areas, relative to the square of the size. These drawings have outlines that

@@ -1,8 +1,9 @@
 //! All families at three scales and with both fill rules: 2,000 pairs × 4 operations; 100,000 with `CASTELJAU_DEEP=1`.
 
-use crate::check::{OPERATIONS, faults, identity_error};
-use crate::families::{FAMILIES, Family, mixed_scales};
-use crate::random::Random;
+use crate::path_boolean::check::{OPERATIONS, faults, identity_error};
+use crate::path_boolean::families::{FAMILIES, Family, mixed_scales};
+use crate::path_boolean::random::Random;
+use crate::support::cases;
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 
@@ -15,8 +16,7 @@ const NEARLY_COINCIDENT: f64 = 1e-9;
 
 fn pairs_of_each_family() -> usize {
     let given = std::env::var("CASTELJAU_CASES").ok();
-    let deep = std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0");
-    let usual = if deep { 100_000 } else { 2_000 } / FAMILIES.len() + 1;
+    let usual = cases(2_000, 100_000) / FAMILIES.len() + 1;
     given.map_or(usual, |count| count.parse().expect("a number"))
 }
 

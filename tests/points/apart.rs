@@ -1,8 +1,8 @@
 //! The distance between curves (minimum and Hausdorff), compared with grids of samples.
 
-use crate::common::adversarial::ORDINARY;
-use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
-use crate::{cases, hostile, steps};
+use crate::points::{cases, hostile, steps};
+use crate::support::adversarial::ORDINARY;
+use crate::support::{Rng, Space, curve, largest, plane, real, ulp};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::take_steps;

@@ -1,8 +1,8 @@
 //! Nearest points, compared with sampling and refinement, on difficult curves and query points.
 
-use crate::common::adversarial::{self, ORDINARY};
-use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
-use crate::{cases, extent, hostile, steps};
+use crate::points::{cases, extent, hostile, steps};
+use crate::support::adversarial::{self, ORDINARY};
+use crate::support::{Rng, Space, curve, largest, plane, real, ulp};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};
 

@@ -1,9 +1,9 @@
 //! Extrema, times at a coordinate, inflections and tangents: complete in comparison with samples, and without false
 //! results.
 
-use crate::common::adversarial::{Kind, ORDINARY};
-use crate::common::{Rng, curve, largest, plane, real, ulp};
-use crate::{cases, hostile, steps};
+use crate::points::{cases, hostile, steps};
+use crate::support::adversarial::{Kind, ORDINARY};
+use crate::support::{Rng, curve, largest, plane, real, ulp};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 

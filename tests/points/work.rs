@@ -1,6 +1,6 @@
 //! The work of distance queries, in counted steps, where rounding makes termination hardest.
 
-use crate::common::plane;
+use crate::support::plane;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::take_steps;
 use casteljau::{Curve, Spline};

@@ -1,5 +1,6 @@
 //! Queries on patches with any finite coordinates: results are finite numbers, with bounded work.
 
+use crate::support::{Rng, nets::RandomNet};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 use proptest::prelude::*;
@@ -83,11 +84,11 @@ proptest! {
 /// The highest degrees, with curvature in every direction: the work is limited.
 #[test]
 fn the_highest_degrees() {
-    let patch = crate::nets::Random(3).patch(64, 64);
+    let patch = Rng(3).patch(64, 64);
     let p = DVec3::new(0.3, 0.2, 0.1);
     let nearest = patch.nearest(p).unwrap();
     let bounds = patch.bounds();
-    for (u, v) in crate::shapes::samples(30) {
+    for (u, v) in crate::queries::shapes::samples(30) {
         let sample = patch.eval(u, v);
         assert!(sample.cmpge(bounds.min).all() && sample.cmple(bounds.max).all());
         assert!(nearest.distance <= sample.distance(p));

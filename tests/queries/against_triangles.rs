@@ -1,6 +1,7 @@
 //! Rays, compared with intersections of the triangles of a fine grid.
 
-use crate::nets::Random;
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -31,13 +32,13 @@ fn triangles(patch: &Patch) -> Vec<[DVec3; 3]> {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn as_many_hits_at_the_same_distances() {
-    let mut random = Random(77);
+    let mut random = Rng(77);
     let mut hits = 0;
     for k in 0..20 {
         let patch = random.patch(1 + k % 5, 1 + k / 5);
         let triangles = triangles(&patch);
         for _ in 0..40 {
-            let origin = random.point() * 2.0;
+            let origin = random.grid_point() * 2.0;
             let aim = DVec3::from([0; 3].map(|_| 1.5 * random.unit() - 0.75));
             let along = (aim - origin).normalize_or(DVec3::X);
             let mut expected: Vec<f64> = triangles

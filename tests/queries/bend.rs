@@ -1,7 +1,8 @@
 //! Curvature, flatness, de Casteljau's algorithm, other bases.
 
-use crate::nets::{Random, assert_near, graph};
-use crate::shapes::{odd_patches, samples, teapot};
+use crate::queries::shapes::{odd_patches, samples, teapot};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near, graph};
 use casteljau::curve::Basis;
 use casteljau::glam::{DAffine3, DQuat, DVec3};
 use casteljau::patch::Curvature;
@@ -50,7 +51,7 @@ fn curvature_of_graphs() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn curvature_follows_the_map() {
-    let patch = Random(7).patch(3, 3);
+    let patch = Rng(7).patch(3, 3);
     let turn = DQuat::from_axis_angle(DVec3::new(2.0, 2.0, -1.0) / 3.0, 2.0);
     for scale in [1e-6, 1e6] {
         let map = DAffine3::from_scale_rotation_translation(
@@ -147,7 +148,7 @@ fn curvature_is_finite_on_odd_patches() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn flatness_bounds_the_two_triangles() {
-    let mut random = Random(15);
+    let mut random = Rng(15);
     let mut patches = odd_patches();
     patches.extend([(3, 3), (2, 4), (1, 1), (6, 2)].map(|(m, n)| random.patch(m, n)));
     for patch in patches {
@@ -187,7 +188,7 @@ fn flatness_bounds_the_two_triangles() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn de_casteljau_leads_from_rows_to_the_point() {
-    let patch = Random(9).patch(3, 2);
+    let patch = Rng(9).patch(3, 2);
     for (u, v) in [(0.0, 0.0), (0.25, 0.5), (1.0, 0.3), (1.5, -0.5)] {
         let levels = patch.de_casteljau(u, v);
         assert_eq!(levels.rows.len(), 3);
@@ -214,8 +215,8 @@ fn de_casteljau_leads_from_rows_to_the_point() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_patch_from_another_basis() {
-    let mut random = Random(30);
-    let net: [DVec3; 16] = std::array::from_fn(|_| random.point());
+    let mut random = Rng(30);
+    let net: [DVec3; 16] = std::array::from_fn(|_| random.grid_point());
     // The Bézier basis and its matrix leave the points unchanged.
     let same = Patch::from_basis(Basis::Bezier, &net).unwrap();
     assert!(same.approx_eq(&Patch::new(&net, 3, 3).unwrap(), 1e-14));

@@ -1,7 +1,8 @@
 //! Tight bounding boxes.
 
-use crate::nets::{Random, assert_near, graph};
-use crate::shapes::{odd_patches, samples, teapot};
+use crate::queries::shapes::{odd_patches, samples, teapot};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near, graph};
 use casteljau::glam::{DAffine3, DMat3, DVec3};
 use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -49,7 +50,7 @@ fn of_polynomials() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn contain_and_touch_the_patch() {
-    let mut random = Random(31);
+    let mut random = Rng(31);
     let mut patches = odd_patches();
     patches.extend([(3, 3), (2, 2), (6, 4), (1, 3)].map(|(m, n)| random.patch(m, n)));
     for patch in patches {
@@ -73,7 +74,7 @@ fn contain_and_touch_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn follow_scale_and_parameters() {
-    let patch = Random(5).patch(3, 4);
+    let patch = Rng(5).patch(3, 4);
     let bounds = patch.bounds();
     for scale in [1e-6, 1e6, -3.0] {
         let image = patch

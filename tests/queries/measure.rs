@@ -1,9 +1,10 @@
 //! Area and volume.
 
+use crate::queries::shapes::{odd_patches, teapot};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, graph};
 #[cfg(not(target_family = "wasm"))]
-use crate::listings::{gumbo, listing};
-use crate::nets::{Random, graph};
-use crate::shapes::{odd_patches, teapot};
+use crate::support::surfaces::{gumbo, listing};
 use casteljau::glam::{DAffine3, DMat3, DQuat, DVec3};
 use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -134,12 +135,12 @@ fn rays_go_in_and_out_of_gumbos_body() {
     };
     let body = closed_parts(&gumbo).swap_remove(0);
     let bounds = body.bounds().unwrap();
-    let mut random = Random(1);
+    let mut random = Rng(1);
     let mut hits = 0;
     for _ in 0..1000 {
         let share = DVec3::new(random.unit(), random.unit(), random.unit());
         let inside = bounds.min + (bounds.max - bounds.min) * share;
-        let along = random.point().normalize_or(DVec3::X);
+        let along = random.grid_point().normalize_or(DVec3::X);
         let found = body.intersect_ray(inside - along * 100.0, along).unwrap();
         assert_eq!(found.len() % 2, 0, "{found:?}");
         let depth = found.iter().fold(0.0, |depth, hit| {
@@ -241,7 +242,7 @@ fn area_and_volume_follow_the_map() {
         );
     }
     assert_close(with_swapped(&teapot, 5).area(), area, 1e-9);
-    let patch = Random(14).patch(3, 4);
+    let patch = Rng(14).patch(3, 4);
     let pieces: f64 = patch.split(0.3, 0.8).iter().map(Patch::area).sum();
     assert_close(pieces, patch.area(), 1e-8);
 }

@@ -1,7 +1,8 @@
 //! Nearest points on patches and surfaces.
 
-use crate::nets::{Random, assert_near, graph};
-use crate::shapes::{odd_patches, samples, teapot};
+use crate::queries::shapes::{odd_patches, samples, teapot};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near, graph};
 use casteljau::glam::{DAffine3, DQuat, DVec3};
 use casteljau::{Error, Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -68,16 +69,16 @@ fn check(patch: &Patch, p: DVec3, count: u32) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_sample_is_nearer() {
-    let mut random = Random(3);
+    let mut random = Rng(3);
     for patch in odd_patches() {
         for _ in 0..10 {
-            check(&patch, random.point() * 2.0, 50);
+            check(&patch, random.grid_point() * 2.0, 50);
         }
     }
     for (m, n) in [(3, 3), (2, 2), (4, 1), (5, 5)] {
         let patch = random.patch(m, n);
         for _ in 0..20 {
-            check(&patch, random.point(), 100);
+            check(&patch, random.grid_point(), 100);
         }
     }
 }
@@ -102,9 +103,9 @@ fn points_of_the_surface_are_their_own_nearest() {
 fn of_the_teapot() {
     let teapot = teapot();
     let patches: Vec<Patch> = teapot.patches().collect();
-    let mut random = Random(8);
+    let mut random = Rng(8);
     for _ in 0..20 {
-        let p = random.point() * 3.0 + DVec3::Z * 1.5;
+        let p = random.grid_point() * 3.0 + DVec3::Z * 1.5;
         let nearest = teapot.nearest(p).unwrap().unwrap();
         assert_eq!(
             nearest.point,
@@ -125,7 +126,7 @@ fn of_the_teapot() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn follows_rotation_and_scale() {
-    let mut random = Random(12);
+    let mut random = Rng(12);
     let patch = random.patch(3, 3);
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -2.0) / 3.0, 0.7);
     for scale in [1e-6, 1.0, 1e6] {
@@ -136,7 +137,7 @@ fn follows_rotation_and_scale() {
         );
         let image = patch.transform(&map).expect("a finite image");
         for _ in 0..10 {
-            let p = random.point();
+            let p = random.grid_point();
             let (a, b) = (
                 patch.nearest(p).unwrap(),
                 image.nearest(map.transform_point3(p)).unwrap(),

@@ -1,7 +1,8 @@
 //! Intersections of rays with patches and surfaces.
 
-use crate::nets::{Random, assert_near, graph};
-use crate::shapes::{odd_patches, samples, teapot};
+use crate::queries::shapes::{odd_patches, samples, teapot};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near, graph};
 use casteljau::glam::{DAffine3, DQuat, DVec3};
 use casteljau::patch::PatchPoint;
 use casteljau::{Error, Patch, Surface};
@@ -116,12 +117,12 @@ fn a_paraboloid_from_the_side_and_from_above() {
 /// Every hit lies on the ray and on the surface; points of the surface at which rays are aimed are among the hits.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_aimed_at_is_hit() {
-    let mut random = Random(4);
+    let mut random = Rng(4);
     let mut patches: Vec<Patch> = teapot().patches().collect();
     patches.extend([(3, 3), (5, 2), (3, 4), (1, 1)].map(|(m, n)| random.patch(m, n)));
     for patch in patches {
         for (u, v) in samples(4) {
-            let (origin, aim) = (random.point() * 5.0, patch.eval(u, v));
+            let (origin, aim) = (random.grid_point() * 5.0, patch.eval(u, v));
             let direction = (aim - origin) * (0.1 + random.unit());
             let hits = patch.intersect_ray(origin, direction).unwrap();
             let min = hits
@@ -190,7 +191,7 @@ fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn hits_follow_rotation_and_scale() {
-    let mut random = Random(21);
+    let mut random = Rng(21);
     let patch = random.patch(3, 3);
     let turn = DQuat::from_axis_angle(DVec3::new(2.0, -1.0, 2.0) / 3.0, 1.1);
     for scale in [1e-6, 1.0, 1e6] {
@@ -201,7 +202,7 @@ fn hits_follow_rotation_and_scale() {
         );
         let image = patch.transform(&map).expect("a finite image");
         for _ in 0..50 {
-            let (origin, direction) = (random.point() * 2.0, random.point());
+            let (origin, direction) = (random.grid_point() * 2.0, random.grid_point());
             if direction == DVec3::ZERO {
                 continue;
             }
@@ -221,7 +222,7 @@ fn hits_follow_rotation_and_scale() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn odd_patches_give_few_finite_hits() {
-    let mut random = Random(6);
+    let mut random = Rng(6);
     for patch in odd_patches() {
         let corner = patch.eval(0.0, 0.0);
         for target in [
@@ -230,7 +231,7 @@ fn odd_patches_give_few_finite_hits() {
             patch.eval(0.5, 0.5),
             patch.eval(0.3, 0.0),
         ] {
-            let origin = random.point() * 3.0 + DVec3::splat(0.1);
+            let origin = random.grid_point() * 3.0 + DVec3::splat(0.1);
             for direction in [target - origin, DVec3::X, DVec3::Y] {
                 let hits = patch.intersect_ray(origin, direction).unwrap();
                 assert!(hits.len() < 20);

@@ -1,6 +1,7 @@
 //! Shapes for the queries.
 
-use crate::nets::Random;
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface, TeapotOptions};
 
@@ -27,7 +28,7 @@ pub(crate) fn odd_patches() -> Vec<Patch> {
         patch(&|i, j| DVec3::new(i * (3.0 - i), j * (3.0 - j), 0.0)),
         patch(&|i, j| DVec3::new(i * j * (3.0 - i), j * (3.0 - j), i)),
     ];
-    let mut random = Random(77);
+    let mut random = Rng(77);
     all.extend([(1, 1), (3, 3), (2, 5), (3, 3), (7, 1)].map(|(m, n)| random.patch(m, n)));
     all
 }

@@ -1,8 +1,8 @@
 //! Rays that are tangent to a patch, that run within it, or that hit a collapsed edge.
 
-use crate::nets::{assert_near, graph};
-use crate::rays::{assert_hits, bowl, shoot};
-use crate::shapes::teapot;
+use crate::queries::rays::{assert_hits, bowl, shoot};
+use crate::queries::shapes::teapot;
+use crate::support::nets::{assert_near, graph};
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;

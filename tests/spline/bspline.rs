@@ -1,14 +1,13 @@
 //! B-splines, compared with the Cox–de Boor recursion: any degree, clamped and unclamped, repeated knots, closed; and
 //! conversion back.
 
-use crate::common::{Rng, Space, apart, largest, real};
+use crate::support::{Rng, Space, apart, largest, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Point, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn cases() -> usize {
-    let deep = std::env::var_os("CASTELJAU_DEEP").is_some();
-    if deep { 200_000 } else { 4_000 }
+    crate::support::cases(4_000, 200_000)
 }
 
 /// The basis functions by their definition; 0/0 is 0, and the last span includes its end.

@@ -1,7 +1,7 @@
 //! Construction of splines: valid and invalid input.
 
-use crate::common::{Rng, real};
-use crate::{STRUCTURES, control, plane, random};
+use crate::spline::{STRUCTURES, control, plane, random};
+use crate::support::{Rng, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -1,7 +1,7 @@
 //! Continuity at a joint: a table from closed forms.
 
-use crate::common::{Rng, curve, plane as bezier, to_3d};
-use crate::plane;
+use crate::spline::plane;
+use crate::support::{Rng, curve, plane as bezier, to_3d};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::{Continuity, JointMode};
 use casteljau::{Curve, Error, Spline};

@@ -1,7 +1,7 @@
 //! Insertion and removal of joints.
 
-use crate::common::{Rng, exact, real};
-use crate::{STRUCTURES, control, plane, random};
+use crate::spline::{STRUCTURES, control, plane, random};
+use crate::support::{Rng, exact, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;

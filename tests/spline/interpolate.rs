@@ -1,6 +1,6 @@
 //! Interpolating splines: the textbook equations, the joints, coincident points, huge coordinates, linear time.
 
-use crate::common::{Rng, Space, apart, largest, real};
+use crate::support::{Rng, Space, apart, largest, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::Interpolation::{self, CatmullRom, Natural};
 use casteljau::{Error, Point, Spline};
@@ -15,8 +15,7 @@ const KINDS: [Interpolation; 5] = [
 ];
 
 fn cases() -> usize {
-    let deep = std::env::var_os("CASTELJAU_DEEP").is_some();
-    if deep { 1_000_000 } else { 20_000 }
+    crate::support::cases(20_000, 1_000_000)
 }
 
 fn points<P: Space>(rng: &mut Rng, count: usize) -> Vec<P> {

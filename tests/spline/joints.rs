@@ -1,8 +1,8 @@
 //! Joint modes of second order and automatic handles on random splines: the point is where it was moved, and the joints
 //! that can follow hold.
 
-use crate::common::{Rng, Space, largest, real};
-use crate::plane;
+use crate::spline::plane;
+use crate::support::{Rng, Space, largest, real};
 use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};
 use casteljau::spline::JointMode::{self, Auto, C1, C2, Free, G1, G2};
 use casteljau::{Error, Point, Spline};
@@ -11,8 +11,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 const ALL: [JointMode; 6] = [Free, G1, C1, C2, G2, Auto];
 
 fn cases() -> usize {
-    let deep = std::env::var_os("CASTELJAU_DEEP").is_some();
-    if deep { 1_000_000 } else { 20_000 }
+    crate::support::cases(20_000, 1_000_000)
 }
 
 /// A random spline, often with coincident and collinear points.

@@ -1,8 +1,8 @@
 //! Points, samples, polylines, bounding boxes, and drawing of splines.
 
-use crate::common::measure::{Reference, farthest};
-use crate::common::{Rng, exact, real};
-use crate::{STRUCTURES, control, plane, random};
+use crate::spline::{STRUCTURES, control, plane, random};
+use crate::support::measure::{Reference, farthest};
+use crate::support::{Rng, exact, real};
 use casteljau::Error;
 use casteljau::curve::PathSink;
 use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};

@@ -1,7 +1,7 @@
 //! Moving points of splines: the point is where it was moved, the joints hold, nothing else moves.
 
-use crate::common::{Rng, real};
-use crate::plane;
+use crate::spline::plane;
+use crate::support::{Rng, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::JointMode;
 use casteljau::{Error, MAX_COORDINATE, Spline};
@@ -21,7 +21,7 @@ fn index_of(spline: &Spline<DVec3>, joint: usize) -> usize {
 
 /// A spline whose joints all hold C1 (if closed: all except the first, unless its last segment has handles of its own).
 fn smooth(rng: &mut Rng, degrees: &[usize], closed: bool) -> Spline<DVec3> {
-    let mut spline = crate::random(rng, degrees, closed);
+    let mut spline = crate::spline::random(rng, degrees, closed);
     for joint in (1..degrees.len()).chain(closed.then_some(0)) {
         spline = spline.set_joint(joint, JointMode::C1).expect("a joint");
     }

@@ -1,7 +1,7 @@
 //! Derivatives, tangents and curvature of splines, and their parts.
 
-use crate::common::{Rng, real};
-use crate::{STRUCTURES, plane, random};
+use crate::spline::{STRUCTURES, plane, random};
+use crate::support::{Rng, real};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -1,8 +1,8 @@
 //! Points in strokes, compared with the outlines of the strokes, and offsets of regions.
 
-use crate::cases::{HARD, path, size};
-use crate::common::Rng;
-use crate::round::{WIDTHS, samples};
+use crate::stroke::cases::{HARD, path, size};
+use crate::stroke::round::{WIDTHS, samples};
+use crate::support::Rng;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, StrokeCap, StrokeOptions};
 use casteljau::spline::OffsetJoin;

@@ -1,7 +1,7 @@
 //! Dashes: their lengths, and where they start.
 
-use crate::cases::{HARD, path, size};
-use crate::common::Rng;
+use crate::stroke::cases::{HARD, path, size};
+use crate::support::Rng;
 use casteljau::path::FillRule;
 use casteljau::{Error, Path};
 

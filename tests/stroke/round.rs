@@ -1,7 +1,7 @@
 //! Strokes with round joins and caps: the points within half the width of the path.
 
-use crate::cases::{HARD, curves, path, size};
-use crate::common::Rng;
+use crate::stroke::cases::{HARD, curves, path, size};
+use crate::support::Rng;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{StrokeCap, StrokeOptions};

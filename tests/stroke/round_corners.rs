@@ -1,6 +1,6 @@
 //! Rounded corners: closed forms, tangency, the distance of arcs from their centres, and degenerate input.
 
-use crate::common::Rng;
+use crate::support::Rng;
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Error, Path};
 use std::f64::consts::PI;

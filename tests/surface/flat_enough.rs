@@ -1,6 +1,7 @@
 //! Recursive subdivision into pieces that are flat enough.
 
-use crate::nets::{Random, assert_near};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::FlatPiece;
 use casteljau::models::Up;
@@ -14,7 +15,7 @@ fn single(net: &[DVec3], m: usize, n: usize) -> Surface {
 
 /// The paraboloid z = (x² + y²)·height over the unit square.
 fn bowl(height: f64) -> Surface {
-    let patch = crate::nets::graph(2, 2, &[(height, 2, 0), (height, 0, 2)]);
+    let patch = crate::support::nets::graph(2, 2, &[(height, 2, 0), (height, 0, 2)]);
     single(patch.control_points(), 2, 2)
 }
 
@@ -65,7 +66,7 @@ fn depth_of_a_paraboloid_is_known() {
 #[wasm_bindgen_test(unsupported = test)]
 fn plane_pieces_are_not_split() {
     // A plane patch is one leaf, whatever its parametrisation.
-    let mut random = Random(4);
+    let mut random = Rng(4);
     let turn = DAffine3::from_rotation_x(0.3) * DAffine3::from_rotation_z(1.1);
     for _ in 0..200 {
         let net: Vec<DVec3> = random
@@ -112,7 +113,7 @@ fn corners_without_a_plane() {
     let nothing = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
     assert!(nothing.subdivide(1.0).unwrap().is_empty());
     // Two neighbouring edges are collapsed: three corners remain.
-    let mut sliver = Random(2).net(3, 3);
+    let mut sliver = Rng(2).net(3, 3);
     sliver[..4].fill(DVec3::ZERO);
     assert!(single(&sliver, 3, 3).subdivide(0.01).unwrap().len() > 4);
 }
@@ -168,7 +169,7 @@ fn refused() {
         Err(Error::TooMany { limit: 262_208, .. })
     ));
     let huge = single(
-        &Random(1)
+        &Rng(1)
             .net(3, 3)
             .iter()
             .map(|&p| p * 1e150)

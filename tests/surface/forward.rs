@@ -1,6 +1,7 @@
 //! Grids by forward differencing: their accuracy, and what is exact.
 
-use crate::nets::Random;
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::{DVec3, Vec3};
 use casteljau::{Grid, GridMethod, Mesh, Patch, Surface, TeapotOptions};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -19,7 +20,7 @@ fn position(mesh: &Mesh, vertex: usize) -> DVec3 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn positions_drift_no_further_than_stated() {
-    let mut random = Random(31);
+    let mut random = Rng(31);
     for (m, n) in [(1, 1), (2, 3), (3, 3), (3, 1), (4, 2), (6, 3), (10, 2)] {
         for segments_u in [1, 2, 3, 16, 100, 1024] {
             let grid = Grid {
@@ -44,7 +45,7 @@ fn positions_drift_no_further_than_stated() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_last_sample_of_a_line_is_exact() {
-    let mut random = Random(32);
+    let mut random = Rng(32);
     for degree in [1, 2, 3, 5, 9, 64] {
         for n in [1, 2, 7, 333] {
             let patch = random.patch(degree, 2);
@@ -98,7 +99,7 @@ fn the_teapot_looks_the_same() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn any_finite_net_gives_numbers() {
-    let mut random = Random(33);
+    let mut random = Rng(33);
     for degree in [1, 3, 64] {
         for size in [1e-300, 1e-30, 1e30, 1e38, 1e40, 1e149] {
             let net: Vec<DVec3> = random.net(degree, 2).iter().map(|&p| p * size).collect();

@@ -1,6 +1,7 @@
 //! Grids: layout, positions and normals compared with the patch, shared edges, reuse of buffers, limits.
 
-use crate::nets::{Random, assert_near};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near};
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec3, Vec3};
 use casteljau::{Error, Grid, Indices, Mesh, Patch, Surface, TeapotOptions};
@@ -53,7 +54,7 @@ fn faces_run_counter_clockwise_and_cover_the_square_once() {
         segments_u: 5,
         segments_v: 3,
     };
-    let mesh = Random(1).patch(3, 3).grid(grid, true).unwrap();
+    let mesh = Rng(1).patch(3, 3).grid(grid, true).unwrap();
     let uv = |vertex: usize| [0, 1].map(|k| f64::from(mesh.uvs[2 * vertex + k]));
     let area = |face: &[usize]| -> f64 {
         let next = face.iter().cycle().skip(1);
@@ -101,7 +102,7 @@ fn triangles_face_where_the_normals_point() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn samples_are_points_and_normals_of_the_patch() {
-    let mut random = Random(2);
+    let mut random = Rng(2);
     for (m, n) in [(1, 1), (2, 3), (3, 3), (3, 2), (5, 4), (1, 64), (64, 1)] {
         for segments_u in [1, 2, 3, 4, 7, 8, 13] {
             let grid = Grid {
@@ -134,7 +135,7 @@ fn samples_are_points_and_normals_of_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn corners_are_exact() {
-    let mut random = Random(3);
+    let mut random = Rng(3);
     for _ in 0..100 {
         let patch = random.patch(3, 3);
         let mesh = patch.grid(Grid::from(5), false).unwrap();
@@ -159,7 +160,7 @@ fn sides(mesh: &Mesh, n: usize) -> [Vec<[u32; 3]>; 4] {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn shared_sides_are_bit_identical_from_both_patches() {
-    let mut random = Random(4);
+    let mut random = Rng(4);
     for degree in [1, 2, 3, 5, 8] {
         for other in [1, 3, 4] {
             let side = random.net(degree, 0);
@@ -187,7 +188,7 @@ fn shared_sides_are_bit_identical_from_both_patches() {
 fn shared_sides_are_bit_identical_where_everything_cancels() {
     // Edges that pass through 0 at one sample, where only the rounding of f64 remains: it must be equal for both
     // patches.
-    let mut random = Random(9);
+    let mut random = Rng(9);
     for degree in [2, 3, 4] {
         for n in [7, 16, 23, 49] {
             let grid = Grid::from(n);
@@ -211,14 +212,14 @@ fn shared_sides_are_bit_identical_where_everything_cancels() {
 }
 
 /// A random patch with these points along v = 0.
-fn along_v0(side: &[DVec3], random: &mut Random, degree_v: usize) -> Patch {
+fn along_v0(side: &[DVec3], random: &mut Rng, degree_v: usize) -> Patch {
     let mut net = random.net(side.len() - 1, degree_v);
     net[..side.len()].copy_from_slice(side);
     Patch::new(&net, side.len() - 1, degree_v).unwrap()
 }
 
 /// A random patch with these points along u = 1.
-fn along_u1(side: &[DVec3], random: &mut Random, degree_u: usize) -> Patch {
+fn along_u1(side: &[DVec3], random: &mut Rng, degree_u: usize) -> Patch {
     let mut net = random.net(degree_u, side.len() - 1);
     for (row, &point) in net.chunks_mut(degree_u + 1).zip(side) {
         row[degree_u] = point;
@@ -234,7 +235,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
         assert_eq!(position(&mesh, vertex), Vec3::ONE);
         assert_eq!(normal(&mesh, vertex), Vec3::ZERO);
     }
-    let net = Random(5).net(3, 3);
+    let net = Rng(5).net(3, 3);
     for size in [1e-300, 1e-30, 1e30, 1e149] {
         let scaled: Vec<DVec3> = net.iter().map(|&p| p * size).collect();
         let patch = Patch::new(&scaled, 3, 3).unwrap();
@@ -249,7 +250,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn sixteen_bits_up_to_65536_vertices() {
-    let patch = Random(6).patch(1, 1);
+    let patch = Rng(6).patch(1, 1);
     for (n, small) in [(255, true), (256, false)] {
         let mesh = patch.grid(Grid::from(n), false).unwrap();
         assert_eq!(matches!(mesh.indices, Indices::U16(_)), small);
@@ -273,14 +274,14 @@ fn an_earlier_mesh_is_reused() {
         teapot.grid_into(Grid::from(n), true, &mut mesh).unwrap();
         assert_eq!(mesh, teapot.grid(Grid::from(n), true).unwrap());
     }
-    let patch = Random(7).patch(2, 4);
+    let patch = Rng(7).patch(2, 4);
     patch.grid_into(Grid::from(4), false, &mut mesh).unwrap();
     assert_eq!(mesh, patch.grid(Grid::from(4), false).unwrap());
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn patches_of_different_degrees_in_one_surface() {
-    let mut random = Random(8);
+    let mut random = Rng(8);
     let degrees = [[3, 3], [2, 1], [3, 3], [1, 5]];
     let patches = degrees.map(|[m, n]| random.patch(m, n));
     let vertices: Vec<DVec3> = patches

@@ -1,6 +1,6 @@
 //! Normals where ∂u × ∂v vanishes, on the most difficult net: Gumbo's many degenerate corners and edges.
 
-use crate::listings::gumbo;
+use crate::support::surfaces::gumbo;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface, TeapotOptions};
 

@@ -1,6 +1,7 @@
 //! Patches: evaluation, derivatives, normals, isocurves, subdivision.
 
-use crate::nets::{Random, assert_near, graph};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near, graph};
 use casteljau::curve::bernstein;
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::{Error, Patch};
@@ -21,7 +22,7 @@ const TS: [f64; 6] = [0.0, 0.125, 1.0 / 3.0, 0.5, 0.9, 1.0];
 
 /// Runs a check on a random patch of each pair of degrees, at each pair of parameters.
 fn everywhere(seed: u64, check: impl Fn(&Patch, f64, f64)) {
-    let mut random = Random(seed);
+    let mut random = Rng(seed);
     for (m, n) in DEGREES {
         let patch = random.patch(m, n);
         for u in TS {
@@ -49,7 +50,7 @@ fn eval_is_the_double_bernstein_sum() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn corners_and_sides_are_exact() {
-    let mut random = Random(2);
+    let mut random = Rng(2);
     for (m, n) in DEGREES {
         let patch = random.patch(m, n);
         let net = patch.control_points();
@@ -124,7 +125,7 @@ fn pieces_join_and_lie_on_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn pieces_keep_the_outer_corners() {
-    let patch = Random(5).patch(3, 3);
+    let patch = Rng(5).patch(3, 3);
     let net = patch.control_points();
     let [p00, p10, p01, p11] = patch.split(0.3, 0.6);
     assert_eq!(p00.control_points()[0], net[0]);
@@ -224,7 +225,7 @@ fn normal_at_a_degenerate_corner_is_the_limit() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn normals_do_not_depend_on_size_or_position() {
-    let mut random = Random(7);
+    let mut random = Rng(7);
     for (m, n) in DEGREES {
         let net = random.net(m, n);
         for size in [1e-300, 1e-9, 1e9, 1e149] {
@@ -271,7 +272,7 @@ fn the_map_of_a_point_is_a_point_of_the_map() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn moving_a_point_moves_only_that() {
-    let patch = Random(9).patch(3, 3);
+    let patch = Rng(9).patch(3, 3);
     let moved = patch.move_point(5, DVec3::ONE).unwrap();
     for (index, (a, b)) in (0..).zip(patch.control_points().iter().zip(moved.control_points())) {
         assert_eq!(*b, if index == 5 { DVec3::ONE } else { *a });

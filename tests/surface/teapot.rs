@@ -24,7 +24,7 @@ const NOTHING: TeapotOptions = TeapotOptions {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn data_are_those_of_the_usual_listing_bit_for_bit() {
-    let data = crate::golden::golden("teapot");
+    let data = crate::support::golden::golden("teapot");
     let vertex = |index: &serde_json::Value| {
         let vertex = &data["vertices"][usize::try_from(index.as_u64().unwrap()).unwrap()];
         [0, 1, 2].map(|axis| vertex[axis].as_f64().unwrap().to_bits())

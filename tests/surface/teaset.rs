@@ -8,7 +8,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 /// A listing of tests/data, rotated and with v reversed: the control points of each patch as bits.
 #[cfg(not(target_family = "wasm"))]
 fn listed(name: &str, turn: fn([f64; 3]) -> [f64; 3]) -> Vec<Vec<[u64; 3]>> {
-    let data = crate::golden::golden(name);
+    let data = crate::support::golden::golden(name);
     let point = |index: &serde_json::Value| {
         let vertex = &data["vertices"][usize::try_from(index.as_u64().unwrap()).unwrap()];
         turn([0, 1, 2].map(|axis| vertex[axis].as_f64().unwrap())).map(f64::to_bits)

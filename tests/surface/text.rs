@@ -1,6 +1,6 @@
 //! Surfaces as text. The table of valid and invalid texts is also read by tests/js/surface-text.test.js.
 
-use crate::nets::Random;
+use crate::support::Rng;
 use casteljau::glam::DVec3;
 use casteljau::models::Up;
 use casteljau::{Surface, TeapotOptions};
@@ -60,7 +60,7 @@ fn text_of_known_surfaces_reads_back() {
 
 #[test]
 fn text_of_adversarial_numbers_reads_back() {
-    let mut random = Random(5);
+    let mut random = Rng(5);
     let edges = [
         0.0,
         -0.0,
@@ -79,9 +79,9 @@ fn text_of_adversarial_numbers_reads_back() {
     for case in 0..2000 {
         let (m, n) = (1 + case % 4, 1 + case % 3);
         let mut number = || {
-            let adversarial = f64::from_bits(random.bits());
-            let edge = edges[usize::try_from(random.bits() % 13).unwrap()];
-            if random.bits().is_multiple_of(3)
+            let adversarial = f64::from_bits(random.next());
+            let edge = edges[usize::try_from(random.next() % 13).unwrap()];
+            if random.next().is_multiple_of(3)
                 || !(..=casteljau::MAX_COORDINATE).contains(&adversarial.abs())
             {
                 edge

@@ -1,6 +1,7 @@
 //! Isocurves of surfaces, and their projected drawing.
 
-use crate::nets::{Random, assert_near};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, assert_near};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Error, Surface, TeapotOptions};
@@ -93,7 +94,7 @@ fn each_line_once() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn lines_are_isocurves_of_the_patch() {
-    let net = Random(1).net(2, 4);
+    let net = Rng(1).net(2, 4);
     let surface = single(net, 2, 4);
     let patch = surface.patch(0).unwrap();
     let curves = surface.isocurves(4).unwrap();
@@ -130,7 +131,7 @@ fn affine_maps_draw_the_mapped_control_points() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn perspective_keeps_the_tolerance() {
-    let mut random = Random(2);
+    let mut random = Rng(2);
     let mut surfaces = vec![teapot()];
     for (m, n) in [(1, 1), (2, 3), (5, 6)] {
         let net = random.net(m, n).iter().map(|&p| 2.0 * p).collect();
@@ -217,7 +218,7 @@ fn what_lies_behind_the_eye_is_left_out() {
 #[wasm_bindgen_test(unsupported = test)]
 fn extreme_surfaces_draw_numbers_or_nothing() {
     for size in [1e-300, 1e149] {
-        let net = Random(3).net(3, 3).iter().map(|&p| p * size).collect();
+        let net = Rng(3).net(3, 3).iter().map(|&p| p * size).collect();
         let surface = single(net, 3, 3);
         for matrix in [DMat4::IDENTITY, perspective(5.0), DMat4::ZERO] {
             for stroke in draw(&surface, &matrix, 2, 0.1).0 {

@@ -2,9 +2,9 @@
 //! distances, volumes.
 
 use super::distance::greatest;
-use super::listings::listing;
 use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_points, teapot};
 use super::soup::{Soup, vectors};
+use crate::support::surfaces::listing;
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{Indices, TessellationOptions, Weld};

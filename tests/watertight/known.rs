@@ -6,7 +6,7 @@ use super::checks::{
 use super::distance::greatest;
 use super::shapes::{all, diagonal, segments};
 use super::soup::Soup;
-use super::{deep, thorough};
+use crate::support::{cases, deep};
 use casteljau::Surface;
 use casteljau::mesh::TessellationOptions;
 
@@ -29,7 +29,7 @@ fn within_every_tolerance() {
             let sheets = if relative > COARSE { 2 } else { 1 };
             check(name, &surface, &three, sheets, f64::from);
             let soup = Soup::new(&three.position);
-            let samples = thorough(20_000, 4 * soup.triangles.len());
+            let samples = cases(20_000, 4 * soup.triangles.len());
             let (max, patch) = greatest(&surface, &soup, samples);
             println!(
                 "{name} {relative:.1e}: {} triangles, {:.2} of the tolerance",

@@ -1,6 +1,6 @@
 //! The limit of a patch's normal, in double the precision of f64 and without the normal net.
 
-use super::common::exact::{Double, exactly, two_sum};
+use crate::support::exact::{Double, exactly, two_sum};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 

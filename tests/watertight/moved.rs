@@ -1,10 +1,11 @@
 //! Moving points: joined vertices stay joined, and no others become joined.
 
-use super::common::Rng;
+use super::networks;
 use super::random::{check, options};
 use super::shapes::teapot;
 use super::soup::Soup;
-use super::{networks, thorough};
+use crate::support::Rng;
+use crate::support::cases;
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{TessellationOptions, Weld};
@@ -12,7 +13,7 @@ use casteljau::mesh::{TessellationOptions, Weld};
 #[test]
 fn topology_is_kept() {
     let mut rng = Rng(1975);
-    for case in 0..thorough(400, 4_000) {
+    for case in 0..cases(400, 4_000) {
         let surface = networks::random(&mut rng);
         let moved =
             (0..1 + rng.below(4)).fold(surface.clone(), |moved, _| move_one(&mut rng, &moved));

@@ -1,7 +1,7 @@
-//! Random networks of patches: mixed degrees, edges shared in all orientations, tubes, Möbius bands, collapsed edges,
+//! Rng networks of patches: mixed degrees, edges shared in all orientations, tubes, Möbius bands, collapsed edges,
 //! touching corners, three patches at an edge, patches that are curves or points, vertices listed twice.
 
-use super::common::Rng;
+use crate::support::Rng;
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 

@@ -1,13 +1,13 @@
-//! Random surfaces: joined patches have no cracks, and the mesh keeps its tolerance.
+//! Rng surfaces: joined patches have no cracks, and the mesh keeps its tolerance.
 
 use super::checks::Three;
-use super::common::Rng;
-use super::common::threads::on_all;
 use super::distance::greatest;
 use super::networks;
 use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, side_points};
 use super::soup::{Corners, Soup, add, vectors};
-use super::thorough;
+use crate::support::Rng;
+use crate::support::cases;
+use crate::support::threads::on_all;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{Detail, TessellationOptions, Weld};
 use casteljau::surface::{EdgeUse, PatchEdge};
@@ -19,7 +19,7 @@ const DEEP_CASES: usize = 200_000;
 #[test]
 fn random_networks_have_no_cracks() {
     let mut rng = Rng(1986);
-    let cases = (0..thorough(CASES, DEEP_CASES)).map(|case| {
+    let cases = (0..cases(CASES, DEEP_CASES)).map(|case| {
         let surface = networks::random(&mut rng);
         let options = options(&mut rng, &surface);
         (case, surface, options)

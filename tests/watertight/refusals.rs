@@ -1,8 +1,8 @@
 //! Invalid input: rejected with the figures, before anything is allocated; surfaces without area give an empty mesh.
 
-use super::allocations::allocated_by;
 use super::checks::assert_layout;
 use super::shapes::{diagonal, largest, segments, teapot};
+use crate::support::allocations::allocated_by;
 use casteljau::glam::{DAffine3, DMat3, DMat4, DVec2, DVec3};
 use casteljau::mesh::{TessellationOptions, View, Weld};
 use casteljau::{Error, Patch, Surface};

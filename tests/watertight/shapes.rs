@@ -1,6 +1,6 @@
 //! The surfaces of the tests.
 
-pub(crate) use crate::listings::gumbo;
+pub(crate) use crate::support::surfaces::gumbo;
 use casteljau::glam::DVec3;
 use casteljau::mesh::TessellationOptions;
 use casteljau::models::Up;

@@ -1,10 +1,10 @@
 //! Normals of shared vertices, and the part of the tolerance that rounding to f32 takes.
 
 use super::checks::degrees_between;
-use super::common::Rng;
 use super::distance::greatest;
 use super::shapes::{all, diagonal, segments};
 use super::soup::{Soup, vectors};
+use crate::support::Rng;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};

@@ -1,7 +1,8 @@
 //! Tubes and ribbons on degenerate surfaces, and rejected input.
 
-use super::nets::Random;
 use super::{euler, ribbons, single, teapot, triangles, tubes, vector, volume};
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::{Wire, WireframeOptions};
 use casteljau::models::Up;
@@ -104,7 +105,7 @@ fn check_ribbons(mesh: &Mesh) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn adversarial_nets() {
-    let mut random = Random(11);
+    let mut random = Rng(11);
     for case in 0..300 {
         let (m, n) = (1 + case % 5, 1 + case / 5 % 4);
         let scale = [1.0, 1e-30, 1e30][case % 3];
@@ -157,7 +158,7 @@ fn refused() {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn gumbo() {
-    let Some(surface) = crate::listings::gumbo() else {
+    let Some(surface) = crate::support::surfaces::gumbo() else {
         return;
     };
     // 247 edges are shared by two patches, 10 are a point.

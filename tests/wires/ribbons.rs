@@ -1,14 +1,15 @@
 //! Ribbons: bands in the tangent planes of a surface.
 
-use super::nets::Random;
 use super::{ribbons, single, triangles, vector};
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::DVec3;
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn ribbons_lie_in_the_tangent_planes() {
-    let surface = single(Random(8).net(3, 3), 3, 3);
+    let surface = single(Rng(8).net(3, 3), 3, 3);
     let width = 0.04;
     let mesh = ribbons(&surface, 1, width);
     let patch = surface.patch(0).unwrap();

@@ -1,7 +1,8 @@
 //! Tubes: closed bodies around the isocurves of a surface.
 
-use super::nets::Random;
 use super::{euler, single, teapot, tubes, vector, volume};
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -50,7 +51,7 @@ fn teapot_s_tubes_are_closed_bodies() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn centres_lie_on_the_lines() {
-    let surface = single(Random(3).net(3, 3), 3, 3);
+    let surface = single(Rng(3).net(3, 3), 3, 3);
     let (radius, sides) = (0.02, 8);
     let mesh = tubes(&surface, 2, radius, sides);
     euler(&mesh);

@@ -3,9 +3,8 @@
 use crate::shell;
 use anyhow::{Result, bail};
 use std::env;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 
 const BROWSERS: [&str; 4] = [
     "chromium",
@@ -107,9 +106,9 @@ fn install(packages: &[&str]) -> Option<()> {
     if !can_apt() {
         return None;
     }
-    // Steps for different browsers run at the same time, and apt-get refuses to run twice.
-    static APT: Mutex<()> = Mutex::new(());
-    let _only_one = APT.lock();
+    // Steps for different browsers run at the same time, each in a process of its own, and apt-get refuses to run twice.
+    let apt_lock = File::create(shell::target_dir().join("apt.lock")).ok()?;
+    apt_lock.lock().ok()?;
     println!("installing {} (apt-get)", packages.join(", "));
     let apt = |args: &[&str]| {
         let mut command = shell::command("apt-get", args);

@@ -53,7 +53,6 @@ fn dispatch(args: &[String]) -> Result<()> {
         test::RUN_STEP => test::run_step(rest),
         "bench" => bench::bench(rest),
         "size" => size::size(),
-        wasm_test::RUNNER => wasm_test::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");
             Ok(())

@@ -1,12 +1,12 @@
-//! Running the Rust tests as wasm: cargo builds them and starts this executable as the runner of each test binary.
+//! Running the Rust tests as wasm: cargo builds them and starts the package `wasm-test-runner` with each test binary.
 
-use crate::test::{Done, binaries, mentions, test_targets};
+use crate::test::{Binary, Done, select_tests, test_binaries};
 use crate::{browser, shell};
 use anyhow::Result;
 use std::process::Command;
 
-/// The hidden command with which cargo starts the driver as the runner of wasm tests.
-pub(crate) const RUNNER: &str = "run-wasm-test";
+/// The package of the runner.
+const RUNNER: &str = "wasm-test-runner";
 
 /// The environment variable that overrides the runner of .cargo/config.toml.
 const RUNNER_SETTING: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER";
@@ -40,46 +40,34 @@ pub(crate) fn in_chromium(filters: &[String]) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// The test binaries that contain tests that also run as wasm.
-fn wasm_targets() -> Vec<String> {
-    let targets = test_targets().into_iter();
-    targets
-        .filter(|(_, root)| mentions(root, "wasm_bindgen_test"))
-        .map(|(name, _)| name)
-        .collect()
-}
-
-/// The cargo options that select these binaries.
+/// The cargo options that select the test binaries with tests that also run as wasm.
 pub(crate) fn target_options() -> Vec<String> {
-    let options = wasm_targets().into_iter();
-    options
-        .flat_map(|name| ["--test".to_owned(), name])
+    let binaries = test_binaries().into_iter().filter(Binary::runs_in_wasm);
+    binaries
+        .flat_map(|binary| ["--test".to_owned(), binary.name])
         .collect()
 }
 
-/// `cargo test` for wasm32 with this executable as the runner.
+/// `cargo test` for wasm32 with the runner, which is built first: cargo must not start cargo.
 fn tests(filters: &[String]) -> Result<Command> {
-    let exe = std::env::current_exe()?;
+    shell::run(&mut shell::cargo(&[
+        "build",
+        "--quiet",
+        "--profile",
+        "xtask",
+        "--package",
+        RUNNER,
+    ]))?;
+    let exe = shell::target_dir().join("xtask").join(RUNNER);
+    let exe = exe.with_extension(std::env::consts::EXE_EXTENSION);
     // Cargo splits the setting at blanks and resolves a relative path from the root, so the root may contain blanks.
     let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
-    let chosen = binaries(filters, &wasm_targets());
-    let mut tests = shell::cargo(&["test", "--package", "casteljau", "--no-fail-fast"]);
-    if chosen.targets.is_empty() {
-        tests.args(target_options());
-    }
-    for target in &chosen.targets {
-        tests.args(["--test", target]);
-    }
-    tests.args(TARGET).env_remove("RUSTFLAGS"); // it would replace the flags of .cargo/config.toml
-    tests.env(RUNNER_SETTING, format!("{exe} {RUNNER}"));
+    let chosen = select_tests(filters, &test_binaries());
+    let mut tests = shell::cargo(&["test", "--package", "casteljau"]);
+    tests.args(target_options()).args(TARGET);
+    tests.env_remove("RUSTFLAGS"); // it would replace the flags of .cargo/config.toml
+    tests.env(RUNNER_SETTING, exe.to_string());
     tests.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIMEOUT_S);
     tests.arg("--").args(chosen.tests);
     Ok(tests)
-}
-
-/// Runs one test binary; cargo calls this by the command that [`tests`] sets.
-pub(crate) fn run(args: &[String]) -> Result<()> {
-    let name = String::from("wasm-bindgen-test-runner");
-    let all = std::iter::once(name).chain(args.iter().cloned());
-    wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(all)
 }

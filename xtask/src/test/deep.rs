@@ -10,73 +10,114 @@ use std::process::Command;
 const DEEP: &str = "CASTELJAU_DEEP";
 /// The environment variable with the number of calls per function in the generated tests.
 const CASES: &str = "CASTELJAU_CASES";
-/// The test binary of generated calls, which is a separate step.
-const GENERATED: &str = "generated";
-
-pub(crate) const STEPS: [Step; 5] = [
+/// The part of a step: a name for the command line, and what it covers.
+const fn part(name: &'static str, title: &'static str, act: fn(&Context) -> Result<Done>) -> Step {
     Step {
-        name: "sweeps",
-        title: "Rust tests with many more cases",
+        name,
+        title,
         needs: &[],
         selects: true,
         beside: None,
-        act: sweeps,
-    },
-    Step {
-        name: "generated",
-        title: "Generated calls of the Rust crate",
-        needs: &[],
-        selects: true,
-        beside: None,
-        act: generated,
-    },
-    Step {
-        name: "generated-js",
-        title: "Generated calls of the npm package",
-        needs: &[],
-        selects: false,
-        beside: None,
-        act: generated_js,
-    },
-    Step {
-        name: "wasm-chromium",
-        title: "Rust tests as wasm, in Chromium",
-        needs: &[],
-        selects: true,
-        beside: None,
-        act: |context| wasm_test::in_chromium(context.filters),
-    },
-    Step {
-        name: "page",
-        title: "Page tests that take long, in Chromium",
-        needs: &[],
-        selects: true,
-        beside: None,
-        act: |context| node::page(context, &["--deep"]),
-    },
-];
-
-/// Runs the test binaries that have more cases in deep mode.
-fn sweeps(context: &Context) -> Result<Done> {
-    let targets = select::test_targets().into_iter();
-    let known: Vec<String> = targets
-        .filter(|(name, root)| name != GENERATED && select::mentions(root, DEEP))
-        .map(|(name, _)| name)
-        .collect();
-    let chosen = select::binaries(context.filters, &known);
-    let targets = if chosen.targets.is_empty() {
-        &known
-    } else {
-        &chosen.targets
-    };
-    let tests = || with_variables(rust_tests(targets), context);
-    shell::run_tests(tests, &chosen.tests)?;
-    Ok(Done::Passed)
+        act,
+    }
 }
 
-fn generated(context: &Context) -> Result<Done> {
-    let tests = || with_variables(rust_tests(&[GENERATED.to_owned()]), context);
-    shell::run_tests(tests, context.filters)?;
+/// Each part runs alone, so that a change runs only those that it can affect.
+pub(crate) const STEPS: [Step; 10] = [
+    part(
+        "curves",
+        "Many more curves and splines: flattening, length, points, joints, timing functions",
+        |context| {
+            sweep(
+                context,
+                &["arc", "curve", "easing", "flatten", "points", "spline"],
+            )
+        },
+    ),
+    part(
+        "intersections",
+        "Many more intersections and offset curves",
+        |context| sweep(context, &["intersect", "offset"]),
+    ),
+    part(
+        "paths",
+        "Many more Boolean operations, strokes, large paths",
+        |context| sweep(context, &["path", "path_boolean", "stroke"]),
+    ),
+    part(
+        "surfaces",
+        "Many more patches, meshes and queries of surfaces",
+        |context| {
+            sweep(
+                context,
+                &["patch_work", "queries", "surface", "watertight", "wires"],
+            )
+        },
+    ),
+    part(
+        "generated-curves",
+        "Generated calls of curves and splines, and of parsers",
+        |context| generated(context, &["curves_", "splines", "parsers_", "chains_"]),
+    ),
+    part("generated-paths", "Generated calls of paths", |context| {
+        generated(context, &["paths"])
+    }),
+    part(
+        "generated-surfaces",
+        "Generated calls of patches, surfaces and meshes",
+        |context| generated(context, &["patches", "surfaces_"]),
+    ),
+    Step {
+        selects: false,
+        ..part(
+            "generated-js",
+            "Generated calls of the npm package",
+            generated_js,
+        )
+    },
+    part(
+        "wasm-chromium",
+        "Rust tests as wasm, in Chromium",
+        |context| wasm_test::in_chromium(context.filters),
+    ),
+    part(
+        "page",
+        "Page tests that take long, in Chromium",
+        |context| node::page(context, &["--deep"]),
+    ),
+];
+
+/// Runs modules of the test binaries, or the tests that the filters choose, with the numbers of cases of `CASTELJAU_DEEP`.
+fn sweep(context: &Context, modules: &[&str]) -> Result<Done> {
+    let modules: Vec<String> = modules.iter().map(|&name| name.to_owned()).collect();
+    rust_tests(context, &modules)
+}
+
+/// Runs groups of generated calls, or the tests that the filters choose.
+fn generated(context: &Context, groups: &[&str]) -> Result<Done> {
+    let names = ["generated"].iter().chain(groups);
+    let names: Vec<String> = names.map(|&name| name.to_owned()).collect();
+    rust_tests(context, &names)
+}
+
+fn rust_tests(context: &Context, names: &[String]) -> Result<Done> {
+    let binaries = select::test_binaries();
+    let of_part = select::tests(names, &binaries);
+    let chosen = select::tests(context.filters, &binaries);
+    let tests = || {
+        let mut tests = shell::cargo(&["test", "--profile", "deep", "--package", "casteljau"]);
+        tests.arg("--no-fail-fast");
+        for target in &of_part.targets {
+            tests.args(["--test", target]);
+        }
+        with_variables(tests, context)
+    };
+    let filters = if chosen.tests.is_empty() {
+        &of_part.tests
+    } else {
+        &chosen.tests
+    };
+    shell::run_tests(tests, filters)?;
     Ok(Done::Passed)
 }
 
@@ -90,15 +131,6 @@ fn generated_js(context: &Context) -> Result<Done> {
     tests.env_remove("CHROME_PATH");
     shell::run(&mut with_variables(tests, context))?;
     Ok(Done::Passed)
-}
-
-fn rust_tests(targets: &[String]) -> Command {
-    let mut tests = shell::cargo(&["test", "--profile", "deep", "--package", "casteljau"]);
-    tests.arg("--no-fail-fast");
-    for target in targets {
-        tests.args(["--test", target]);
-    }
-    tests
 }
 
 fn with_variables(mut command: Command, context: &Context) -> Command {

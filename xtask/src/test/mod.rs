@@ -14,7 +14,7 @@ use crate::setup;
 use anyhow::Result;
 use args::{Request, StepName};
 pub(crate) use beside::RUN_STEP;
-pub(crate) use select::{binaries, mentions, test_targets};
+pub(crate) use select::{Binary, test_binaries, tests as select_tests};
 pub(crate) use step::Done;
 use step::{Command, Step};
 

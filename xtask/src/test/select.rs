@@ -5,65 +5,77 @@ use anyhow::{Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// A test binary of the crate: `tests/NAME.rs`, or `tests/NAME/main.rs`.
+pub(crate) struct Binary {
+    pub(crate) name: String,
+    /// The text of its root file.
+    text: String,
+}
+
+impl Binary {
+    /// Whether it has tests that also run as wasm.
+    pub(crate) fn runs_in_wasm(&self) -> bool {
+        self.text.contains("wasm_bindgen_test")
+    }
+
+    /// Whether its root file declares a module, a folder of `tests/`.
+    fn has_module(&self, name: &str) -> bool {
+        let declaration = format!("mod {name};");
+        self.text.lines().any(|line| line == declaration)
+    }
+}
+
+/// The test binaries of the crate, by name.
+pub(crate) fn test_binaries() -> Vec<Binary> {
+    let entries = fs::read_dir(shell::root().join("tests"));
+    let paths = entries.into_iter().flatten().flatten();
+    let mut binaries: Vec<Binary> = paths.filter_map(|entry| binary(&entry.path())).collect();
+    binaries.sort_by(|a, b| a.name.cmp(&b.name));
+    binaries
+}
+
+fn binary(path: &Path) -> Option<Binary> {
+    let name = path.file_stem()?.to_string_lossy().into_owned();
+    let is_file = path.extension().is_some_and(|extension| extension == "rs");
+    let root = if is_file {
+        path.to_owned()
+    } else {
+        path.join("main.rs")
+    };
+    let text = fs::read_to_string(root).ok()?;
+    Some(Binary { name, text })
+}
+
 /// Names of test binaries, and substrings of test names.
 #[derive(Debug, Default, PartialEq)]
-pub(crate) struct Binaries {
+pub(crate) struct Choice {
     pub(crate) targets: Vec<String>,
     pub(crate) tests: Vec<String>,
 }
 
-/// A filter that names a binary (`curve`, `tests/curve`, `tests/curve/main.rs`, `tests/one.rs`) selects it; any other
-/// filter is a substring of a test name.
-pub(crate) fn binaries(filters: &[String], known: &[String]) -> Binaries {
-    let mut chosen = Binaries::default();
+/// A filter that names a binary (`generated`) selects it; one that names a module of a binary (`curve`, `tests/curve`,
+/// `tests/curve/eval.rs`) selects the binary and the tests of the module; any other filter is a substring of a test name.
+pub(crate) fn tests(filters: &[String], binaries: &[Binary]) -> Choice {
+    let mut chosen = Choice::default();
     for filter in filters {
-        let name = filter.strip_prefix("tests/").unwrap_or(filter);
-        let name = name.strip_suffix(".rs").unwrap_or(name);
-        let name = name.split('/').next().unwrap_or(name);
-        if known.iter().any(|target| target == name) {
-            chosen.targets.push(name.to_owned());
+        let path = filter.strip_prefix("tests/").unwrap_or(filter);
+        let path = path.strip_suffix(".rs").unwrap_or(path).replace('/', "::");
+        let first = path.split("::").next().unwrap_or(&path);
+        let of_module = binaries.iter().find(|binary| binary.has_module(first));
+        if let Some(binary) = binaries.iter().find(|binary| binary.name == first) {
+            chosen.targets.push(binary.name.clone());
+        } else if let Some(binary) = of_module.filter(|_| !filter.contains("::")) {
+            chosen.targets.push(binary.name.clone());
+            chosen
+                .tests
+                .push(format!("{}::", path.trim_end_matches("::mod")));
         } else {
             chosen.tests.push(filter.clone());
         }
     }
+    chosen.targets.sort();
+    chosen.targets.dedup();
     chosen
-}
-
-/// The names of the test binaries of the crate, each with its main file.
-pub(crate) fn test_targets() -> Vec<(String, PathBuf)> {
-    let entries = fs::read_dir(shell::root().join("tests"));
-    let paths = entries
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
-    let mut targets: Vec<(String, PathBuf)> = paths.filter_map(target).collect();
-    targets.sort();
-    targets
-}
-
-fn target(path: PathBuf) -> Option<(String, PathBuf)> {
-    let name = path.file_stem()?.to_string_lossy().into_owned();
-    let root = match path.extension() {
-        Some(extension) => Some(path.clone()).filter(|_| extension == "rs"),
-        None => Some(path.join("main.rs")),
-    };
-    root.filter(|root| root.is_file()).map(|root| (name, root))
-}
-
-/// Whether the main file of a test binary, or a file beside it, contains a text.
-pub(crate) fn mentions(root: &Path, text: &str) -> bool {
-    let has = |path: &Path| fs::read_to_string(path).is_ok_and(|source| source.contains(text));
-    if root.file_name().is_none_or(|name| name != "main.rs") {
-        return has(root);
-    }
-    let entries = root.parent().and_then(|folder| fs::read_dir(folder).ok());
-    let mut paths = entries
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path());
-    paths.any(|path| has(&path))
 }
 
 /// Files of JavaScript tests, and patterns of test names.
@@ -125,38 +137,53 @@ mod tests {
         words.iter().map(|&word| word.to_owned()).collect()
     }
 
+    fn named(name: &str, text: &str) -> Binary {
+        let (name, text) = (name.to_owned(), text.to_owned());
+        Binary { name, text }
+    }
+
     #[test]
-    fn binaries_are_chosen_by_name_or_path() {
-        let known = owned(&["curve", "one"]);
-        let read = |filters: &[&str]| binaries(&owned(filters), &known);
-        let expected = |targets: &[&str], tests: &[&str]| Binaries {
+    fn binaries_and_modules_are_chosen_by_name_or_path() {
+        let known = [
+            named("one", "mod curve;\nmod path;\n"),
+            named("two", "mod runner;\n"),
+        ];
+        let read = |filters: &[&str]| tests(&owned(filters), &known);
+        let expected = |targets: &[&str], tests: &[&str]| Choice {
             targets: owned(targets),
             tests: owned(tests),
         };
-        for filter in [
-            "curve",
-            "tests/curve",
-            "tests/curve/main.rs",
-            "tests/curve/eval.rs",
-        ] {
-            assert_eq!(read(&[filter]), expected(&["curve"], &[]), "{filter}");
+        for filter in ["curve", "tests/curve", "tests/curve/mod.rs"] {
+            assert_eq!(
+                read(&[filter]),
+                expected(&["one"], &["curve::"]),
+                "{filter}"
+            );
         }
-        assert_eq!(read(&["tests/one.rs"]), expected(&["one"], &[]));
-        assert_eq!(read(&["curve", "split"]), expected(&["curve"], &["split"]));
-        assert_eq!(read(&["curves"]), expected(&[], &["curves"]));
+        assert_eq!(
+            read(&["tests/curve/eval.rs"]),
+            expected(&["one"], &["curve::eval::"])
+        );
+        for filter in ["two", "tests/two", "tests/two/main.rs", "tests/two.rs"] {
+            assert_eq!(read(&[filter]), expected(&["two"], &[]), "{filter}");
+        }
+        assert_eq!(
+            read(&["curve", "path"]),
+            expected(&["one"], &["curve::", "path::"])
+        );
+        assert_eq!(
+            read(&["curves", "curve::eval"]),
+            expected(&[], &["curves", "curve::eval"])
+        );
     }
 
     #[test]
     fn the_binaries_are_found_in_the_folder_of_tests() {
-        let targets = test_targets();
-        let has = |name: &str| targets.iter().any(|(target, _)| target == name);
-        assert!(has("curve") && has("surface"), "{targets:?}");
-        assert!(!has("common") && !has("js") && !has("data"), "{targets:?}");
-        let in_wasm = |name: &str| {
-            let found = targets.iter().find(|(target, _)| target == name);
-            found.is_some_and(|(_, root)| mentions(root, "wasm_bindgen_test"))
-        };
-        assert!(in_wasm("curve") && in_wasm("surface") && !in_wasm("watertight"));
+        let found = test_binaries();
+        let names: Vec<&str> = found.iter().map(|binary| binary.name.as_str()).collect();
+        assert_eq!(names, ["generated", "native", "native_and_wasm"]);
+        let wasm: Vec<bool> = found.iter().map(Binary::runs_in_wasm).collect();
+        assert_eq!(wasm, [false, false, true]);
     }
 
     #[test]

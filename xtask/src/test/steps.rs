@@ -192,11 +192,7 @@ fn clippy_wasm(_: &Context) -> Result<Done> {
 }
 
 fn native(context: &Context) -> Result<Done> {
-    let known: Vec<String> = select::test_targets()
-        .into_iter()
-        .map(|(name, _)| name)
-        .collect();
-    let chosen = select::binaries(context.filters, &known);
+    let chosen = select::tests(context.filters, &select::test_binaries());
     let tests = || {
         let mut tests = shell::cargo(&[
             "test",

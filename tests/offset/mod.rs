@@ -1,8 +1,5 @@
 //! Offset curves: at the requested distance from the curve everywhere, without gaps.
-#![cfg(not(target_family = "wasm"))]
 
-#[path = "../common/mod.rs"]
-mod common;
 mod corners;
 mod lower;
 mod narrow;
@@ -11,11 +8,11 @@ mod splines;
 mod strokes;
 mod work;
 
+use crate::support::adversarial;
+use crate::support::threads::on_all;
+use crate::support::{Rng, largest, ulp};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
-use common::adversarial;
-use common::threads::on_all;
-use common::{Rng, largest, ulp};
 use reference::{DenseReference, dense};
 
 /// The maximum distance of chords from their curves, in tolerances: at first, and if the result is in doubt.
@@ -57,11 +54,7 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
 
 /// A few thousand, or a hundred thousand with CASTELJAU_DEEP.
 fn cases() -> usize {
-    if std::env::var_os("CASTELJAU_DEEP").is_some() {
-        100_000
-    } else {
-        8_000
-    }
+    crate::support::cases(8_000, 100_000)
 }
 
 #[test]

@@ -3,23 +3,17 @@
 
 mod apart;
 mod classes;
-#[path = "../common/mod.rs"]
-mod common;
 mod nearest;
 mod turns;
 mod work;
 
+use crate::support::adversarial::{self, Kind};
+use crate::support::{Rng, real};
 use casteljau::glam::DVec3;
-use common::adversarial::{self, Kind};
-use common::{Rng, real};
 
 /// The number of random cases for a property.
 fn cases() -> usize {
-    match std::env::var_os("CASTELJAU_DEEP") {
-        _ if cfg!(target_family = "wasm") => 400,
-        Some(_) => 1_000_000,
-        None => 20_000,
-    }
+    crate::support::cases(20_000, 1_000_000)
 }
 
 /// Hostile control points of degree 1 to 4, sometimes up to 16; z = 0 for plane curves.

@@ -1,13 +1,11 @@
 //! Timing functions: accuracy in double the precision of f64, monotonicity, values at and beyond the ends, no NaN.
 
-#[path = "../common/mod.rs"]
-mod common;
 #[cfg(not(target_family = "wasm"))]
 mod css;
 
+use crate::support::Rng;
+use crate::support::exact::{self, Double, exactly};
 use casteljau::{Easing, Error};
-use common::Rng;
-use common::exact::{self, Double, exactly};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Handles from CSS, at the limits of their range, and close to handles for which dx/dt vanishes.
@@ -31,8 +29,7 @@ const KNOWN: [[f64; 4]; 16] = [
 ];
 
 fn cases() -> usize {
-    let deep = std::env::var_os("CASTELJAU_DEEP").is_some();
-    if deep { 1_000_000 } else { 20_000 }
+    crate::support::cases(20_000, 1_000_000)
 }
 
 fn easing([x1, y1, x2, y2]: [f64; 4]) -> Easing {
@@ -56,7 +53,7 @@ fn location(rng: &mut Rng) -> f64 {
         0 => rng.magnitude(-320.0, 0.0),
         1 => 1.0 - rng.magnitude(-16.5, 0.0),
         2 => 0.5 + 0.25 * rng.signed() * rng.magnitude(-16.5, 0.0),
-        3 => common::real(rng.below(1025)) / 1024.0,
+        3 => crate::support::real(rng.below(1025)) / 1024.0,
         _ => rng.unit(),
     };
     x.clamp(5e-324, 1.0_f64.next_down())
@@ -279,7 +276,7 @@ fn the_same_bits_as_in_javascript() {
     for handles in KNOWN {
         let ease = easing(handles);
         for k in 0..64 {
-            sum = sum.rotate_left(7) ^ ease.eval(common::real(k) / 63.0).to_bits();
+            sum = sum.rotate_left(7) ^ ease.eval(crate::support::real(k) / 63.0).to_bits();
         }
     }
     assert_eq!(sum, 0x5611_b466_7573_a859, "{sum:#x}");

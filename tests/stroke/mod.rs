@@ -1,8 +1,4 @@
 //! Strokes: judged by the distance from the path, by closed forms, and by what a result promises.
-#![cfg(not(target_family = "wasm"))]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 mod cases;
 mod contains;

@@ -1,30 +1,25 @@
 //! Golden data on curves from closed forms (`tests/data/curve-records.json`) and from other libraries
 //! (`../shared/data/curve-records.json`).
-#![cfg(not(target_family = "wasm"))]
 
 mod along;
-#[path = "../common/mod.rs"]
-mod common;
 mod fact;
-#[path = "../golden/mod.rs"]
-mod golden;
 mod intersections;
 mod joined;
 mod locations;
 mod offsets;
 mod outlines;
 
+use crate::support::measure::{Reference, farthest, from_segment};
+use crate::support::{curve, real};
 use casteljau::Curve;
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
-use common::measure::{Reference, farthest, from_segment};
-use common::{curve, real};
 use fact::{Fact, number, numbers, points};
 use serde_json::Value;
 
 #[test]
 fn golden_values_hold() {
-    let records = golden::golden("curve-facts");
+    let records = crate::support::golden::golden("curve-facts");
     let records = records.as_array().expect("a list of facts");
     records.iter().for_each(check);
     assert_eq!(records.len(), 116);
@@ -33,7 +28,7 @@ fn golden_values_hold() {
 /// Golden data of other libraries, which are not part of the repository.
 #[test]
 fn golden_values_of_other_libraries_hold() {
-    let Some(records) = golden::shared("curve-facts") else {
+    let Some(records) = crate::support::golden::shared("curve-facts") else {
         return;
     };
     let records = records.as_array().expect("a list of facts").iter();

@@ -1,13 +1,6 @@
 //! Wireframe meshes: tubes and ribbons along isocurves.
 
-#[path = "../nets/mod.rs"]
-mod nets;
-
-#[path = "../golden/mod.rs"]
-mod golden;
 mod limits;
-#[path = "../listings/mod.rs"]
-mod listings;
 mod ribbons;
 mod tubes;
 

@@ -1,12 +1,7 @@
 //! Paths: reading and writing SVG path data, winding numbers, measurements.
-#![cfg(not(target_family = "wasm"))]
 
-#[path = "../allocations/mod.rs"]
-mod allocations;
 mod arcs;
 mod builder;
-#[path = "../common/mod.rs"]
-mod common;
 mod convert;
 mod inside;
 mod kurbo;

@@ -1,6 +1,5 @@
 //! Boolean operations of paths: judged by winding numbers of densely sampled outlines, by identities of areas, and by
 //! what a result promises.
-#![cfg(not(target_family = "wasm"))]
 
 mod check;
 mod families;

@@ -2,16 +2,15 @@
 
 mod beyond;
 mod generate;
-#[path = "../nets/mod.rs"]
-mod nets;
 mod worst;
 
+use crate::support::Rng;
+use crate::support::nets::RandomNet;
 use casteljau::mesh::{Grid, TessellationOptions, Weld};
 use casteljau::patch::PatchPoint;
 use casteljau::take_steps;
 use casteljau::{Error, Patch, Surface};
 use generate::{any_patch, any_point, any_ray, below};
-use nets::Random;
 
 /// The documented limit of one search in a patch of degree at most 24.
 const SEARCH: usize = 1 << 23;
@@ -22,18 +21,14 @@ const RAY: usize = 1 << 27;
 /// The steps of one piece or of one start of Newton's method: a search may exceed its limit by this number.
 const ONE_MORE: usize = 1 << 22;
 
-/// The number of calls of each function; many more with CASTELJAU_DEEP=1.
+/// The number of calls of each function.
 fn calls() -> u64 {
-    if std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0") {
-        100_000
-    } else {
-        200
-    }
+    crate::support::cases(200, 100_000) as u64
 }
 
 /// A patch of degrees up to 3 or up to 24, and the random number generator after its generation.
-fn generated(seed: u64) -> (Random, Patch) {
-    let mut random = Random(seed);
+fn generated(seed: u64) -> (Rng, Patch) {
+    let mut random = Rng(seed);
     let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
     let patch = any_patch(&mut random, max_degree);
     (random, patch)
@@ -41,7 +36,7 @@ fn generated(seed: u64) -> (Random, Patch) {
 
 /// Runs a query on generated patches, and checks the steps of each call.
 #[track_caller]
-fn never_takes_more(limit: usize, ask: impl Fn(&mut Random, &Patch)) {
+fn never_takes_more(limit: usize, ask: impl Fn(&mut Rng, &Patch)) {
     for seed in 0..calls() {
         let (mut random, patch) = generated(seed);
         take_steps();
@@ -180,7 +175,7 @@ fn of_points_of_patches() {
 }
 
 /// The distance of a patch from one of its own points, as a fraction of the size, and the steps of the query.
-fn distance_of_own_point(random: &mut Random, patch: &Patch) -> (f64, usize) {
+fn distance_of_own_point(random: &mut Rng, patch: &Patch) -> (f64, usize) {
     let p = patch.eval(random.unit(), random.unit());
     let nearest = patch.nearest(p).unwrap();
     let size = patch.control_points().iter().map(|q| q.abs().max_element());
@@ -274,7 +269,7 @@ fn of_elevated_flat_nets() {
 #[test]
 fn of_meshes_that_are_too_large() {
     for degree in [2, 3, 24] {
-        let mut patch = Random(5).patch(degree, degree);
+        let mut patch = Rng(5).patch(degree, degree);
         let size = patch.control_bounds().max.abs().max_element();
         patch = patch
             .transform(&casteljau::glam::DAffine3::from_scale(
@@ -292,7 +287,7 @@ fn of_meshes_that_are_too_large() {
     }
     let grid = TessellationOptions::segments(Grid::from(2));
     assert!(
-        Random(5)
+        Rng(5)
             .patch(24, 24)
             .tessellate(&grid.weld(Weld::None))
             .is_ok()

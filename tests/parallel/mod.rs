@@ -1,5 +1,4 @@
 //! The feature `rayon`: every number of threads gives the same bits and the same errors.
-#![cfg(not(target_family = "wasm"))]
 
 use casteljau::glam::{DAffine3, DMat4, DVec2, DVec3, DVec4};
 use casteljau::mesh::{Grid, GridMethod, TessellationOptions, View};

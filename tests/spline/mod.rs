@@ -2,8 +2,6 @@
 
 mod bspline;
 mod build;
-#[path = "../common/mod.rs"]
-mod common;
 mod continuity;
 mod cut;
 mod interpolate;
@@ -12,9 +10,9 @@ mod measure;
 mod move_point;
 mod queries;
 
+use crate::support::Rng;
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};
-use common::Rng;
 
 /// A plane spline from pairs of coordinates.
 fn plane(points: &[(f64, f64)], degree: usize, closed: bool) -> Spline<DVec2> {

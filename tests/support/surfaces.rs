@@ -1,8 +1,6 @@
 //! Surfaces of the test data: the tea set, which is part of the project, and Gumbo, which is not.
-#![cfg(not(target_family = "wasm"))]
-#![allow(dead_code, reason = "each test binary uses a part of it")]
 
-use crate::golden::{golden, shared};
+use super::golden::{golden, shared};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 use serde_json::Value;

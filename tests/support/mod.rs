@@ -1,14 +1,20 @@
-//! Shared code of the tests of curves and splines: random numbers, hostile curves, exact arithmetic as a reference.
+//! What the tests share: random numbers, hostile curves and nets, exact arithmetic and slow methods as references.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
+#[cfg(not(target_family = "wasm"))]
+pub(crate) mod allocations;
 pub(crate) mod exact;
+#[cfg(not(target_family = "wasm"))]
+pub(crate) mod golden;
 pub(crate) mod integral;
 pub(crate) mod measure;
+pub(crate) mod nets;
+#[cfg(not(target_family = "wasm"))]
+pub(crate) mod surfaces;
 pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
-#[allow(unused_imports, reason = "each test binary uses a part of it")]
 pub(crate) use casteljau_generator::{Rng, adversarial};
 
 /// The plane or space; points are made from three coordinates.
@@ -66,4 +72,14 @@ pub(crate) fn real(n: usize) -> f64 {
 pub(crate) fn parameters(steps: usize) -> impl Iterator<Item = f64> {
     let even = (0..=steps).map(move |i| real(i) / real(steps));
     even.chain([1e-300, f64::EPSILON, 1e-9, 1.0 - 1e-9, 1.0_f64.next_down()])
+}
+
+/// Whether the environment variable `CASTELJAU_DEEP` asks for many more cases.
+pub(crate) fn deep() -> bool {
+    std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0")
+}
+
+/// The number of cases: `usual`, or `many` if [`deep`].
+pub(crate) fn cases(usual: usize, many: usize) -> usize {
+    if deep() { many } else { usual }
 }

@@ -1,8 +1,6 @@
 //! Properties of every curve, natively and in wasm, compared with closed forms and exact arithmetic.
 
 mod basis;
-#[path = "../common/mod.rs"]
-mod common;
 mod convert;
 mod eval;
 mod limits;
@@ -15,9 +13,9 @@ mod slope;
 mod subdivide;
 mod trace;
 
+use crate::support::adversarial::{self, Kind};
+use crate::support::{Rng, real, ulp};
 use casteljau::glam::DVec3;
-use common::adversarial::{self, Kind};
-use common::{Rng, real, ulp};
 
 /// Hostile control points of each kind, in the plane and in space, at low degrees and some high ones.
 fn adversarial_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {

@@ -1,6 +1,4 @@
 //! Reads golden data from `tests/data`, or from `../shared/data`, which may be absent.
-#![cfg(not(target_family = "wasm"))]
-#![allow(dead_code, reason = "each test binary uses a part of it")]
 
 use serde_json::Value;
 use std::fs::{self, OpenOptions};

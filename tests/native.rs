@@ -1,0 +1,17 @@
+//! Tests that run natively only: they need threads, files or packages that do not build for wasm32, or they take long.
+#![cfg(not(target_family = "wasm"))]
+
+mod arc;
+mod facts;
+mod flatten;
+mod intersect;
+mod offset;
+mod parallel;
+mod patch_work;
+mod path;
+mod path_boolean;
+mod points;
+mod samples;
+mod stroke;
+mod support;
+mod watertight;
