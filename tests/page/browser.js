@@ -56,7 +56,7 @@ const kept = new Map();
  *
  * The tests of a file share a context. A page as text that differs from the last one only in the content of `<main>` is not
  * loaded again: the content is replaced, and global variables of the last test are deleted. After a failed test, and
- * with `fresh`, the page has a context of its own.
+ * with `fresh` (for a page that writes into its storage when it is closed), the page has a context of its own.
  *
  * When the test ends it fails if the console showed an error, unless `page.problems` was emptied by the test itself.
  *
@@ -85,7 +85,7 @@ export async function openPage(t, what, { fresh = false, warnings, ...options } 
     if (!fresh && !slot) kept.set(key, own);
     slot = own;
   } else if (!replaces) {
-    await slot.page.close();
+    await slot.page.close(); // again, if it is closed already
     slot.page = await newPage(slot.context);
   }
   const current = slot;
@@ -132,11 +132,16 @@ async function adjust(page, { viewport = VIEWPORT, colorScheme = "light", reduce
   await page.mouse.move(0, 0);
 }
 
-/** Runs in the page: replaces the content of `<main>`, and removes what the test before has left. */
-function replaceContent([content, globals]) {
-  for (const name of Object.getOwnPropertyNames(globalThis)) if (!globals.includes(name)) delete globalThis[name];
+/** Runs in the page at the end of a test: ends what moves, and empties what the pages of a context share. */
+function leave() {
+  document.querySelector("main")?.replaceChildren();
   localStorage.clear();
   sessionStorage.clear();
+}
+
+/** Runs in the page: replaces the content of `<main>`, and removes what the last test has left. */
+function replaceContent([content, globals]) {
+  for (const name of Object.getOwnPropertyNames(globalThis)) if (!globals.includes(name)) delete globalThis[name];
   history.replaceState(null, "", location.pathname);
   scrollTo(0, 0);
   getSelection()?.removeAllRanges();
