@@ -7,6 +7,7 @@ import { defineConfig } from "vite";
 import { referenceSamples } from "./api/build/vite-samples.js";
 import { mathFontLicense } from "./build/math-font.js";
 import { eleventyPages } from "./build/pages.js";
+import { rustDocs } from "./build/rust-docs.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
@@ -42,12 +43,14 @@ export default defineConfig({
   appType: "mpa", // an unknown address is a 404, not the first page
   publicDir: "public",
   resolve: {
+    // Lit as it is published, in the server too: its development build writes warnings to the console.
+    conditions: ["module", "browser", "production"],
     alias: [
       { find: /^casteljau$/, replacement: dist("index.js") },
       { find: /^casteljau\/(slim|surfaces|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects],
+  plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects, rustDocs()],
   worker: { format: "es" }, // the core is awaited when it is imported
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {

@@ -1,4 +1,5 @@
-// Every figure of the API reference: dragging an input changes the picture and what the sample prints.
+// Figures of the API reference: dragging a point, a slider or a choice changes the picture and what the sample prints.
+// tests/js/api-figures.test.js shows for every figure that its sample depends on its inputs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { entryFolders, readEntries } from "../../www/api/build/entries.js";
@@ -115,16 +116,17 @@ const showOnly = (/** @type {import("playwright-core").Page} */ page, /** @type 
 
 for (const folder of entryFolders()) {
   const live = [...readEntries(folder)].filter(([, entry]) => entry.draw);
-  test(`${folder}: every figure follows its inputs`, async (t) => {
+  /** The first figure with an input of one of these kinds. */
+  const firstWith = (/** @type {string[]} */ ...kinds) =>
+    live.find(([, entry]) => inputsOf(entry.js?.code ?? "").some(({ kind }) => kinds.includes(kind)))?.[0];
+  const names = new Set([firstWith("point", "points"), firstWith("number"), firstWith("choice")]);
+  test(`${folder}: figures follow a dragged point, a slider, a choice`, async (t) => {
     const page = await openPage(t, `/api/${folder}/`);
-    const still = [];
-    for (const [name, entry] of live) {
-      const section = page.locator(`[id="${name}"]`);
+    for (const name of names) {
+      if (!name) continue;
       await showOnly(page, name);
-      assert.ok(inputsOf(entry.js?.code ?? "").length > 0, `${entry.file}: expected an input`);
-      if (!(await anyChanges(section))) still.push(name);
+      assert.ok(await anyChanges(page.locator(`[id="${name}"]`)), name);
     }
-    assert.deepEqual(still, [], "no input of these changes both the picture and the printed lines");
   });
 }
 

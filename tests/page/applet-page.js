@@ -19,8 +19,7 @@ export const tutorialPage = (more = "") =>
  */
 export async function openTutorial(t, { more, ...options } = {}) {
   const viewport = { width: 800, height: 1000 };
-  const page = await openPage(t, { html: tutorialPage(more) }, { viewport, ...options });
-  page.on("console", (message) => message.type() === "warning" && page.problems.push(message.text()));
+  const page = await openPage(t, { html: tutorialPage(more) }, { viewport, warnings: /./, ...options });
   await handle(page, 0).waitFor();
   return page;
 }

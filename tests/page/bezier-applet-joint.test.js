@@ -99,6 +99,7 @@ test("near a smooth joint a point clicks into place; with Ctrl it does not", asy
     [[true, false]],
   );
   await ask(page, () => a.undo());
+  await settled(page);
   await page.keyboard.down("Control");
   await drag(page, 4, 2, 2);
   await page.keyboard.up("Control");

@@ -26,7 +26,8 @@ export async function openApplet(t, attributes = "", { inside, more, ...options 
   await page.evaluate(() => {
     globalThis.a = document.getElementById("a");
     globalThis.events = [];
-    for (const type of ["input", "change", "update"]) document.addEventListener(type, () => events.push(type), true);
+    for (const type of ["input", "change", "update"])
+      document.querySelector("main").addEventListener(type, () => events.push(type), true);
   });
   await settled(page);
   await page.evaluate(() => void events.splice(0));

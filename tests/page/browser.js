@@ -16,6 +16,7 @@ const LONGEST_WAIT_MS = 180_000;
 const shared = { count: 0 };
 
 after(async () => {
+  await Promise.all([...kept.values()].map(({ context }) => context.close()));
   await (await shared.browser)?.close();
   (await shared.site)?.close();
 });
@@ -27,31 +28,127 @@ export function launch() {
   return shared.browser;
 }
 
+/** Options of a context that a page can also change later. */
+const CHANGEABLE = ["viewport", "colorScheme", "reducedMotion", "forcedColors"];
+const VIEWPORT = { width: 1280, height: 720 };
+
 /**
- * Opens a page of the built site (site/, and dist/ under /dist/), and closes it when the test ends.
+ * A context that the tests of a file share, one after the other, and its page.
+ *
+ * @typedef {object} Kept
+ * @property {import("playwright-core").BrowserContext} context
+ * @property {import("playwright-core").Page & { problems: string[] }} page
+ * @property {string} [frame] the page's text around the content of `<main>`, if the content can be replaced
+ * @property {string[]} [globals] the names of the global variables after loading
+ * @property {import("node:test").TestContext} [test] the test that uses it, or the last one that did
+ * @property {boolean} busy whether a test uses it
+ */
+
+/** @type {Map<string, Kept>} by those options of the context that cannot be changed later */
+const kept = new Map();
+
+/**
+ * Opens a page of the built site (site/, and dist/ under /dist/).
  *
  *     test("…", async (t) => {
  *       const page = await openPage(t, "/applet/", { colorScheme: "dark", viewport: { width: 360, height: 640 } });
  *       const other = await openPage(t, { html: `<script src="bezier-app.js"></script>…` });   // at the site's root
  *
+ * The tests of a file share a context. A page as text that differs from the last one only in the content of `<main>` is not
+ * loaded again: the content is replaced, and global variables of the last test are deleted. After a failed test, and
+ * with `fresh` (for a page that writes into its storage when it is closed), the page has a context of its own.
+ *
  * When the test ends it fails if the console showed an error, unless `page.problems` was emptied by the test itself.
  *
  * @param {import("node:test").TestContext} t
  * @param {string | { html: string }} what a path of the site, or a page as text
- * @param {import("playwright-core").BrowserContextOptions & { baseURL?: string }} [options] baseURL: another server
+ * @param {import("playwright-core").BrowserContextOptions & { baseURL?: string, fresh?: boolean, warnings?: RegExp }} [options]
+ *   baseURL: another server; warnings: those that count as errors
  * @returns {Promise<import("playwright-core").Page & { problems: string[] }>}
  */
-export async function openPage(t, what, options = {}) {
+export async function openPage(t, what, { fresh = false, warnings, ...options } = {}) {
   const baseURL = options.baseURL ?? (await site()).url;
-  const context = await (await launch()).newContext({ ...options, baseURL });
-  context.setDefaultTimeout(LONGEST_WAIT_MS);
-  const page = Object.assign(await context.newPage(), { problems: watch(context) });
+  const fixed = Object.entries({ ...options, baseURL }).filter(([name]) => !CHANGEABLE.includes(name));
+  const key = JSON.stringify(fixed);
+  let slot = fresh ? undefined : kept.get(key);
+  if (slot && !slot.busy && !slot.test?.passed) {
+    await slot.context.close();
+    slot = undefined;
+  }
+  const parts = typeof what === "string" ? undefined : /^(.*<main>)(.*)(<\/main>.*)$/s.exec(what.html);
+  const [frame, content] = parts && !parts[2].includes("<script") ? [parts[1] + parts[3], parts[2]] : [];
+  const replaces = slot && !slot.busy && frame !== undefined && slot.frame === frame;
+  if (!slot || slot.busy) {
+    const context = await (await launch()).newContext({ ...options, baseURL });
+    context.setDefaultTimeout(LONGEST_WAIT_MS);
+    const own = { context, page: await newPage(context), busy: false };
+    if (!fresh && !slot) kept.set(key, own);
+    slot = own;
+  } else if (!replaces) {
+    await slot.page.close(); // again, if it is closed already
+    slot.page = await newPage(slot.context);
+  }
+  const current = slot;
+  const { page, context } = current;
+  Object.assign(current, { busy: true, test: t, frame });
+  page.problems = [];
+  /** @param {import("playwright-core").ConsoleMessage} message */
+  const listen = (message) => {
+    const counts = message.type() === "error" || (message.type() === "warning" && warnings?.test(message.text()));
+    if (counts) page.problems.push(message.text());
+  };
+  const fail = (error) => page.problems.push(String(error.error()));
+  context.on("console", listen).on("weberror", fail);
   t.after(async () => {
-    await context.close();
+    if (kept.get(key) === current) {
+      if (frame !== undefined)
+        await page.evaluate(() => document.querySelector("main")?.replaceChildren()).catch(() => {});
+      current.busy = false;
+    } else await context.close();
+    context.off("console", listen).off("weberror", fail);
     assert.deepEqual(page.problems, [], "the page's console is clean");
   });
-  await page.goto(typeof what === "string" ? what : await written(what.html));
+  await adjust(page, options);
+  if (replaces) await page.evaluate(replaceContent, /** @type {any} */ ([content, current.globals]));
+  else {
+    await page.goto(typeof what === "string" ? what : await written(what.html));
+    if (frame !== undefined) current.globals = await page.evaluate(() => Object.getOwnPropertyNames(globalThis));
+  }
   return page;
+}
+
+/** @param {import("playwright-core").BrowserContext} context */
+const newPage = async (context) => Object.assign(await context.newPage(), { problems: /** @type {string[]} */ ([]) });
+
+/** Sets those options of a context that can be changed, to their default values if they are absent. */
+async function adjust(page, { viewport = VIEWPORT, colorScheme = "light", reducedMotion, forcedColors }) {
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({
+    media: null,
+    colorScheme,
+    reducedMotion: reducedMotion ?? "no-preference",
+    forcedColors: forcedColors ?? "none",
+  });
+  await page.mouse.move(0, 0);
+}
+
+/** Runs in the page at the end of a test: ends what moves, and empties what the pages of a context share. */
+function leave() {
+  document.querySelector("main")?.replaceChildren();
+  localStorage.clear();
+  sessionStorage.clear();
+}
+
+/** Runs in the page: replaces the content of `<main>`, and removes what the last test has left. */
+function replaceContent([content, globals]) {
+  for (const name of Object.getOwnPropertyNames(globalThis)) if (!globals.includes(name)) delete globalThis[name];
+  history.replaceState(null, "", location.pathname);
+  scrollTo(0, 0);
+  getSelection()?.removeAllRanges();
+  const main = document.querySelector("main");
+  const empty = main.cloneNode(false); // without the listeners of the last test
+  main.replaceWith(empty);
+  empty.setHTMLUnsafe(content);
 }
 
 /**
@@ -172,14 +269,6 @@ export async function doubleTap(page, ...places) {
     await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }], timestamp });
     await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [], timestamp });
   }
-}
-
-/** Collects what goes wrong in any page of a context. */
-function watch(context) {
-  const problems = [];
-  context.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  context.on("weberror", (error) => problems.push(String(error.error())));
-  return problems;
 }
 
 function site() {

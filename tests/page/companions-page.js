@@ -22,6 +22,7 @@ export async function openCompanions(t, body, { script, ...options } = {}) {
     { viewport: { width: 800, height: 2000 }, reducedMotion: "reduce", ...options },
   );
   await shown(page);
+  await heard(page); // forgets the events of the test before
   return page;
 }
 

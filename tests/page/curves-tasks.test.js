@@ -5,7 +5,11 @@ import { openPage } from "./browser.js";
 
 /** @param {import("node:test").TestContext} t */
 async function open(t) {
-  const page = await openPage(t, "/curves/", { viewport: { width: 1100, height: 800 }, reducedMotion: "reduce" });
+  const page = await openPage(t, "/curves/", {
+    viewport: { width: 1100, height: 800 },
+    reducedMotion: "reduce",
+    fresh: true,
+  });
   await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("lesson-task"));
   return page;
 }

@@ -7,7 +7,7 @@ import { assertAccessible, openPage, root } from "./browser.js";
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
 /** A page of the site that the parts are on. */
 const open = (t, path, options = {}) =>
-  openPage(t, path, { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", ...options });
+  openPage(t, path, { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", fresh: true, ...options });
 
 test("a sample has two tabs: arrows, Home and End choose, and all samples follow", async (t) => {
   const page = await open(t, "/curves/");

@@ -21,7 +21,7 @@ test("the figure tells what is shown, and update follows every change", async (t
     const element = document.querySelector("bezier-surface");
     let count = 0;
     element.addEventListener("update", () => count++);
-    document.addEventListener("update", () => (count += 100));
+    document.querySelector("main").addEventListener("update", () => (count += 100));
     element.segments = 5;
     await element.updateComplete;
     return count;

@@ -20,10 +20,12 @@ const listen = (page) =>
   page.evaluate(() => {
     globalThis.heard = { input: 0, change: 0 };
     for (const type of ["input", "change"])
-      document.addEventListener(
-        type,
-        (/** @type {any} */ event) => event.target.localName === "bezier-surface" && heard[type]++,
-      );
+      document
+        .querySelector("main")
+        .addEventListener(
+          type,
+          (/** @type {any} */ event) => event.target.localName === "bezier-surface" && heard[type]++,
+        );
   });
 const heard = (page) => page.evaluate(() => ({ ...globalThis.heard }));
 

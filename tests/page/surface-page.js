@@ -10,8 +10,8 @@ export const surfacePage = (attributes = "", more = "") =>
 <body style="margin: 8px; background: Canvas"><main><h1>A surface</h1><bezier-surface style="max-width: 640px" ${attributes}></bezier-surface>${more}</main>
 <script type="module">import "./dist/elements.js"; import * as casteljau from "./dist/index.js"; globalThis.bezier = casteljau;</script></body></html>`;
 
-/** Software rendering has its own remarks on speed; they say nothing about the page. */
-const DRIVER = /GL Driver Message|ReadPixels/;
+/** All but those of software rendering on its speed, which say nothing about the page. */
+const WARNINGS = /^(?!.*(GL Driver Message|ReadPixels))/;
 
 /**
  * Opens such a page; warnings count as errors.
@@ -25,11 +25,7 @@ export async function openSurface(t, attributes = "", { more, ...options } = {})
   const page = await openPage(
     t,
     { html: surfacePage(attributes, more) },
-    { viewport, reducedMotion: "reduce", ...options },
-  );
-  page.on(
-    "console",
-    (message) => message.type() === "warning" && !DRIVER.test(message.text()) && page.problems.push(message.text()),
+    { viewport, reducedMotion: "reduce", warnings: WARNINGS, ...options },
   );
   await ready(page);
   return page;

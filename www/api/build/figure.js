@@ -10,9 +10,13 @@ import { runEntry } from "./run.js";
  * @import { Input } from "./sample.js"
  */
 
-/** @param {string} page @param {string} id @param {Entry} entry */
-export async function figureHtml(page, id, entry) {
-  const { inputs, drawing } = await runEntry(entry);
+/**
+ * What a figure shows at first.
+ *
+ * @param {Entry} entry
+ */
+export async function firstPicture(entry) {
+  const { inputs, drawing, printed } = await runEntry(entry);
   const values = Object.fromEntries(inputs.map((/** @type {Input} */ input) => [input.name, input.value]));
   const handles = handlesOf(inputs, values);
   const info = entry.draw?.info ?? "";
@@ -23,7 +27,13 @@ export async function figureHtml(page, id, entry) {
     ...handles.map(({ point }) => /** @type {any} */ ([point[0], point[1], point[2] ?? 0])),
   ];
   const view = viewOf(extent, { down: info.includes("down"), space });
-  const controls = inputs.map(controlHtml).join("") + (space ? turnHtml(view.turn) : "");
+  return { inputs, values, handles, view, drawing, printed };
+}
+
+/** @param {string} page @param {string} id @param {Entry} entry */
+export async function figureHtml(page, id, entry) {
+  const { inputs, view, drawing } = await firstPicture(entry);
+  const controls = inputs.map(controlHtml).join("") + (view.space ? turnHtml(view.turn) : "");
   const hint = entry.figure ? `<p class="hint">${escapeHtml(entry.figure)}</p>` : "";
   return `<live-figure data-page="${page}" data-entry="${id}" data-view="${escapeHtml(JSON.stringify(view))}" data-inputs="${escapeHtml(JSON.stringify(inputs))}">
 <div class="view" style="aspect-ratio: ${view.width} / ${view.height}">${drawing.toSVG(view)}</div>

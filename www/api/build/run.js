@@ -36,8 +36,9 @@ export const checksOf = (entry) =>
  *
  * @param {Entry} entry
  * @param {(value: unknown) => string} [show] how a value is printed
+ * @param {Record<string, unknown>} [values] of inputs, instead of those of the sample
  */
-export async function runEntry(entry, show = (value) => inspect(value)) {
+export async function runEntry(entry, show = (value) => inspect(value), values = {}) {
   const { inputs, run } = await compile(entry);
   const printed = /** @type {string[]} */ ([]);
   const log = (/** @type {unknown[]} */ ...values) =>
@@ -49,7 +50,7 @@ export async function runEntry(entry, show = (value) => inspect(value)) {
     );
   const drawing = new Drawing();
   const checks = run(
-    Object.fromEntries(inputs.map((/** @type {any} */ i) => [i.name, structuredClone(i.value)])),
+    Object.fromEntries(inputs.map((/** @type {any} */ i) => [i.name, structuredClone(values[i.name] ?? i.value)])),
     { log },
     drawing,
   );
