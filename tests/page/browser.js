@@ -101,8 +101,8 @@ export async function openPage(t, what, { fresh = false, warnings, ...options } 
   context.on("console", listen).on("weberror", fail);
   t.after(async () => {
     if (kept.get(key) === current) {
-      if (frame !== undefined)
-        await page.evaluate(() => document.querySelector("main")?.replaceChildren()).catch(() => {});
+      await page.evaluate(leave).catch(() => {}); // the page may be closed, or have no storage
+      if (frame === undefined) await page.close();
       current.busy = false;
     } else await context.close();
     context.off("console", listen).off("weberror", fail);
@@ -120,12 +120,17 @@ export async function openPage(t, what, { fresh = false, warnings, ...options } 
 /** @param {import("playwright-core").BrowserContext} context */
 const newPage = async (context) => Object.assign(await context.newPage(), { problems: /** @type {string[]} */ ([]) });
 
-/** Sets those options of a context that can be changed, to their default values if they are absent. */
-async function adjust(page, { viewport = VIEWPORT, colorScheme = "light", reducedMotion, forcedColors }) {
-  await page.setViewportSize(viewport);
+/**
+ * Sets those options of a context that can be changed, to their default values if they are absent.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+async function adjust(page, { viewport, colorScheme, reducedMotion, forcedColors }) {
+  await page.setViewportSize(viewport ?? VIEWPORT);
   await page.emulateMedia({
     media: null,
-    colorScheme,
+    colorScheme: colorScheme ?? "light",
     reducedMotion: reducedMotion ?? "no-preference",
     forcedColors: forcedColors ?? "none",
   });
