@@ -1,6 +1,6 @@
 //! The steps of `test-deep`, which would take too long in `test`.
 
-use super::step::{Context, Done, Step};
+use super::step::{Context, Done, Lane, Step};
 use super::{node, select};
 use crate::{build, shell, wasm_test};
 use anyhow::Result;
@@ -17,7 +17,7 @@ const fn part(name: &'static str, title: &'static str, act: fn(&Context) -> Resu
         title,
         needs: &[],
         selects: true,
-        beside: None,
+        lane: Lane::Rust,
         act,
     }
 }

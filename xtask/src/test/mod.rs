@@ -1,7 +1,7 @@
 //! `test` and `test-deep`: run all or selected steps, and print a summary with the failed and the skipped ones.
 
 mod args;
-mod beside;
+mod child;
 mod deep;
 mod node;
 mod runner;
@@ -13,7 +13,7 @@ mod summary;
 use crate::setup;
 use anyhow::Result;
 use args::{Request, StepName};
-pub(crate) use beside::RUN_STEP;
+pub(crate) use child::RUN_STEP;
 pub(crate) use select::{Binary, test_binaries, tests as select_tests};
 pub(crate) use step::Done;
 use step::{Command, Step};
@@ -30,16 +30,15 @@ pub(crate) fn deep(args: &[String]) -> Result<()> {
     run("test-deep", &deep::STEPS, &request)
 }
 
-/// Runs one step in the child process of a step that runs beside another one; only `test` has such steps.
+/// Runs one step in a process of its own; only `test` has steps in two lanes.
 pub(crate) fn run_step(args: &[String]) -> Result<()> {
     let request = args::parse(args, &names(&steps::STEPS))?;
-    beside::run_by_itself(&steps::STEPS, &request)
+    child::run_by_itself(&steps::STEPS, &request)
 }
 
 fn run(name: &'static str, steps: &[Step], request: &Request) -> Result<()> {
     setup::wasm_target()?;
     setup::components()?;
-    setup::node_modules()?;
     let cases = request.cases;
     runner::run(&Command { name, cases }, steps, &request.choices)
 }

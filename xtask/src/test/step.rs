@@ -16,9 +16,17 @@ pub(crate) struct Step {
     pub(crate) needs: &'static [&'static str],
     /// Whether names of files or tests may follow its name.
     pub(crate) selects: bool,
-    /// The step in parallel to which this one runs if both are selected; each of the two keeps one core busy.
-    pub(crate) beside: Option<&'static str>,
+    pub(crate) lane: Lane,
     pub(crate) act: fn(&Context) -> Result<Done>,
+}
+
+/// The steps of a lane run one after the other, and both lanes at the same time. A step needs only steps of its own lane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lane {
+    /// What compiles and runs Rust.
+    Rust,
+    /// What builds and runs JavaScript.
+    JavaScript,
 }
 
 /// The input of a step.
@@ -150,7 +158,7 @@ mod tests {
             title: "A title",
             needs,
             selects: true,
-            beside: None,
+            lane: Lane::Rust,
             act: |_| Ok(Done::Passed),
         }
     }

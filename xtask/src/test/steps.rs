@@ -1,6 +1,6 @@
 //! The steps of `test`.
 
-use super::step::{Context, Done, Step, run_all};
+use super::step::{Context, Done, Lane, Step, run_all};
 use super::{node, select};
 use crate::{build, setup, shell, wasm_test};
 use anyhow::Result;
@@ -12,7 +12,7 @@ const PLAIN: Step = Step {
     title: "",
     needs: &[],
     selects: false,
-    beside: None,
+    lane: Lane::Rust,
     act: |_| Ok(Done::Passed),
 };
 
@@ -27,6 +27,7 @@ pub(crate) const STEPS: [Step; 19] = [
         name: "lint-js",
         title: "JavaScript is formatted; lints",
         act: lint_js,
+        lane: Lane::JavaScript,
         ..PLAIN
     },
     Step {
@@ -63,7 +64,6 @@ pub(crate) const STEPS: [Step; 19] = [
     Step {
         name: "xtask",
         title: "Tests of the driver",
-        beside: Some("doc"),
         act: driver,
         ..PLAIN
     },
@@ -84,6 +84,7 @@ pub(crate) const STEPS: [Step; 19] = [
         name: "build",
         title: "The npm package",
         act: |_| build::build().map(|()| Done::Passed),
+        lane: Lane::JavaScript,
         ..PLAIN
     },
     Step {
@@ -91,6 +92,7 @@ pub(crate) const STEPS: [Step; 19] = [
         title: "JSDoc types of the package, the site, tests and benchmarks, and of a program that uses the package",
         needs: &["build"],
         act: types,
+        lane: Lane::JavaScript,
         ..PLAIN
     },
     Step {
@@ -98,6 +100,7 @@ pub(crate) const STEPS: [Step; 19] = [
         title: "Sizes of the package's parts",
         needs: &["build"],
         act: size,
+        lane: Lane::JavaScript,
         ..PLAIN
     },
     Step {
@@ -105,6 +108,7 @@ pub(crate) const STEPS: [Step; 19] = [
         title: "The static site",
         needs: &["build"],
         act: |_| build::site().map(|()| Done::Passed),
+        lane: Lane::JavaScript,
         ..PLAIN
     },
     Step {
@@ -113,15 +117,15 @@ pub(crate) const STEPS: [Step; 19] = [
         needs: &["build"],
         selects: true,
         act: node::js,
-        ..PLAIN
+        lane: Lane::JavaScript,
     },
     Step {
         name: "page",
         title: "Page tests, in Chromium",
         needs: &["build", "site"],
         selects: true,
-        beside: Some("js"), // a browser leaves one core idle for most of the time
         act: |context| node::page(context, &[]),
+        lane: Lane::JavaScript,
     },
     Step {
         name: "page-firefox",
@@ -129,15 +133,15 @@ pub(crate) const STEPS: [Step; 19] = [
         needs: &["build", "site"],
         selects: true,
         act: node::page_firefox,
-        ..PLAIN
+        lane: Lane::JavaScript,
     },
     Step {
         name: "page-webkit",
         title: "The main page tests, in WebKitGTK",
         needs: &["build", "site"],
         selects: true,
-        beside: Some("page-firefox"),
         act: node::page_webkit,
+        lane: Lane::JavaScript,
     },
     Step {
         name: "packaging",
@@ -145,7 +149,7 @@ pub(crate) const STEPS: [Step; 19] = [
         needs: &["build"],
         selects: true,
         act: node::packaging,
-        ..PLAIN
+        lane: Lane::JavaScript,
     },
 ];
 

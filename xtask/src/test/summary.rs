@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 /// The outcome of a step; the texts give the reason.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outcome {
     Passed,
     Failed(String),
@@ -11,7 +11,7 @@ pub(crate) enum Outcome {
 }
 
 /// The record of a finished step.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Record {
     pub(crate) name: String,
     pub(crate) title: &'static str,
