@@ -90,20 +90,20 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
     };
     let (polynomial, slack) = (Polynomial::new(&coefficients), slack / size);
     let slopes: Scalars = coefficients.windows(2).map(|p| p[1] - p[0]).collect();
-    let mut stops = roots_inside(&slopes);
-    stops.push(1.0);
-    // `off`: the last visited parameter with a non-zero value, and the value. `at`: the parameter with the smallest
-    // value since then that counts as zero, and the value.
-    let (mut off, mut at) = (None, None);
-    let mut stop = |t: f64, height: f64| {
+    let mut extrema = roots_inside(&slopes);
+    extrema.push(1.0);
+    // The last visited parameter with a non-zero value, and the value; the parameter with the smallest value since then
+    // that counts as zero, and the value.
+    let (mut last_nonzero, mut smallest) = (None, None);
+    let mut visit = |t: f64, height: f64| {
         if height.abs() <= slack {
-            let lowest = at.get_or_insert((t, height));
+            let lowest = smallest.get_or_insert((t, height));
             if height.abs() < lowest.1.abs() {
                 *lowest = (t, height);
             }
             return;
         }
-        match (off, at) {
+        match (last_nonzero, smallest) {
             (Some((before, old)), _) if (old < 0.0) != (height < 0.0) => {
                 report(ZeroCrossing::Cross(polynomial.close_in(before, t, old)));
             }
@@ -111,13 +111,13 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
             (None, Some(_)) => report(ZeroCrossing::Touch(0.0)),
             _ => {}
         }
-        (off, at) = (Some((t, height)), None);
+        (last_nonzero, smallest) = (Some((t, height)), None);
     };
-    stop(0.0, coefficients[0]);
-    for t in stops {
-        stop(t, polynomial.at(t));
+    visit(0.0, coefficients[0]);
+    for t in extrema {
+        visit(t, polynomial.at(t));
     }
-    match (off, at) {
+    match (last_nonzero, smallest) {
         (Some(_), Some(_)) => report(ZeroCrossing::Touch(1.0)),
         (None, _) => report(ZeroCrossing::Everywhere),
         _ => {}

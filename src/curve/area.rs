@@ -14,13 +14,13 @@ impl Curve<DVec2> {
     /// products of Bernstein polynomials; Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD
     /// 29 (2012), §3.3.
     pub fn area(&self) -> f64 {
-        self.swept_area()
+        self.area_xy()
     }
 }
 
 impl<P: Point> Curve<P> {
     /// [`area`](Curve::area) of the projection along z.
-    pub(crate) fn swept_area(&self) -> f64 {
+    pub(crate) fn area_xy(&self) -> f64 {
         let unit = self.max_abs();
         let (start, end) = (self.start(), self.end());
         let area = area_about(&self.points, start, unit) + triangle_area(start, end, unit);

@@ -60,7 +60,7 @@ impl Curve<DVec2> {
     /// ```
     pub fn tangents_from(&self, p: DVec2) -> Result<Vec<f64>, Error> {
         check_points("p", &[p])?;
-        Ok(self.tangents_through(p))
+        Ok(self.tangents_from_unchecked(p))
     }
 }
 
@@ -85,7 +85,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// [`tangents_from`](Curve::tangents_from) of the projection along z, for a finite point.
-    pub(crate) fn tangents_through(&self, p: P) -> Vec<f64> {
+    pub(crate) fn tangents_from_unchecked(&self, p: P) -> Vec<f64> {
         let size = self.max_abs().max(p.max_abs());
         let scale = unit_scale(size);
         let about: Points<P> = self.points.iter().map(|&q| q * scale - p * scale).collect();

@@ -7,7 +7,7 @@
 use super::Curve;
 use super::elevate::{elevate_once, unelevated};
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::list::{Points, Scalars};
 use crate::numeric::trigonometry::direction;
 use std::f64::consts::FRAC_PI_2;
@@ -43,7 +43,7 @@ impl<P: Point> Curve<P> {
                 error: 0.0,
             };
         }
-        let stretch = direction(FRAC_PI_2 / ratio(n, 1)).x;
+        let stretch = direction(FRAC_PI_2 / as_f64(n)).x;
         let excess = self.top_difference(stretch);
         let wave = stretched_chebyshev(n, stretch);
         let lower: Points<P> = self

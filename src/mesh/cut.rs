@@ -35,8 +35,8 @@ const MAX_CUT_CELLS: usize = if cfg!(target_pointer_width = "32") {
     MAX_CELLS
 };
 
-/// A forecast of too many cells is accepted if this fraction of it exceeds the limit and if it is at least this
-/// fraction of the previous forecast.
+/// The surface is refused if this fraction of an estimate of the number of cells exceeds the limit and the last two
+/// estimates agree to this fraction.
 const CLOSE_SHARE: f64 = 7.0 / 8.0;
 
 /// The cells of all patches.
@@ -77,7 +77,7 @@ impl Surface {
             second_differences: SecondDifferences::default(),
             size: 0.0,
         };
-        self.foresee(&mut subdivider)?;
+        self.check_cell_limit(&mut subdivider)?;
         let ends = self.cut_patches(&mut subdivider)?;
         Ok(SurfaceCells {
             cells: subdivider.cells,
@@ -130,7 +130,7 @@ impl Surface {
     }
 
     /// Returns an error if more cells than the limit are expected, before any are made.
-    fn foresee(&self, subdivider: &mut AdaptiveSubdivider) -> Result<(), Error> {
+    fn check_cell_limit(&self, subdivider: &mut AdaptiveSubdivider) -> Result<(), Error> {
         let limit = subdivider.limit as f64;
         for depth in FORECAST_DEPTHS {
             self.forecast(subdivider, depth)?;

@@ -1,6 +1,6 @@
 //! Forward differencing: a polynomial at equal steps by additions only.
 
-use crate::numeric::float::ratio;
+use crate::numeric::float::{as_f64, ratio};
 use crate::patch::normal::binomial;
 use glam::DVec3;
 
@@ -31,7 +31,7 @@ impl Stepper {
             }
             scale *= ratio(1, segments);
             for k in (1..=degree).rev() {
-                table[k] = ratio(k, 1) * (table[k] + table[k - 1]);
+                table[k] = as_f64(k) * (table[k] + table[k - 1]);
             }
             table[0] = 0.0;
         }

@@ -1,7 +1,7 @@
 //! Sweeps of a cross-section along a line: rows of vertices and the faces between them.
 
 use super::buffers::to_f32;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::order::to_u32;
 use glam::DVec3;
 
@@ -41,7 +41,7 @@ impl Section {
     pub(crate) fn tube(radius: f64, sides: usize) -> Self {
         let steps = ((sides + 2) / 4).max(1);
         let mut corners = Vec::with_capacity(sides);
-        let [step_c, step_s] = turned(TURN / ratio(sides, 1));
+        let [step_c, step_s] = turned(TURN / as_f64(sides));
         let mut corner = [1.0, 0.0];
         for _ in 0..sides {
             corners.push(corner);

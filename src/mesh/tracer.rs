@@ -7,7 +7,7 @@ use crate::curve::carried_frame::double_reflection;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::surface::network::Surface;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -53,7 +53,7 @@ impl Tracer {
             });
         }
         // 1 − cos 2α = 2 sin² α, without cancellation.
-        let [_, sine] = turned(0.5 * PI / ratio(sides, 1));
+        let [_, sine] = turned(0.5 * PI / as_f64(sides));
         let share = radii * 2.0 * sine * sine;
         let min = MIN_ULPS * f64::from(f32::EPSILON) * size / share;
         if got < min {
@@ -61,7 +61,7 @@ impl Tracer {
         }
         Ok(Self {
             tolerance: got * share,
-            turn: turned(2.0 * PI / ratio(sides, 1))[0],
+            turn: turned(2.0 * PI / as_f64(sides))[0],
             ribbon: matches!(wire, Wire::Ribbon { .. }),
         })
     }

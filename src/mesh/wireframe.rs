@@ -5,7 +5,7 @@ use super::tracer::Tracer;
 use super::wire::{Wire, WireframeOptions};
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::error::Error;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::surface::network::Surface;
 
 /// The maximum number of vertices in 1 GiB: each has three position and three normal coordinates and almost two
@@ -119,7 +119,7 @@ impl Wire {
             Self::Tube { sides, .. } if sides < 3 => Err(Error::Range {
                 what: "sides",
                 expected: "a whole number from 3",
-                got: ratio(sides, 1),
+                got: as_f64(sides),
             }),
             Self::Tube { sides, .. } if sides > MAX_VERTICES as usize => Err(too_many(sides)),
             Self::Tube { radius, sides } => Ok(Section::tube(radius, sides)),

@@ -1,4 +1,10 @@
-//! Ratios of integers, the spacing of f64, and scaling without rounding.
+//! Counts and ratios of integers as f64, the spacing of f64, and scaling without rounding.
+
+/// A count as f64; it is below 2⁵³.
+#[inline]
+pub(crate) fn as_f64(count: usize) -> f64 {
+    count as f64
+}
 
 /// i / n as f64; both are small counts.
 #[inline]

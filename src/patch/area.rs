@@ -2,7 +2,7 @@
 
 use super::Patch;
 use super::tile_area::TileArea;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::sort::sort_by;
 use crate::numeric::work_limit::WorkLimit;
 use crate::parallel::map_patches;
@@ -97,7 +97,7 @@ fn scaled_area(patch: &Patch) -> f64 {
         if is_last || error <= AREA_ERROR * area + NO_AREA {
             return area;
         }
-        let allowed = AREA_ERROR * area / (2.0 * ratio(split.len(), 1));
+        let allowed = AREA_ERROR * area / (2.0 * as_f64(split.len()));
         tiles.clear();
         for tile in split {
             if tile.error > allowed {

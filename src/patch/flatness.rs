@@ -3,7 +3,7 @@
 use super::Patch;
 use super::net::{differences_u, differences_v};
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::list::Net;
 use glam::DVec3;
 
@@ -19,7 +19,7 @@ impl Patch {
     pub fn flatness(&self) -> f64 {
         // The factor 1/8 is applied first, since second differences of ±1e308 would overflow.
         let eighths: Net = self.points.iter().map(|&p| p * 0.125).collect();
-        let (m, n) = (ratio(self.degree_u(), 1), ratio(self.degree_v(), 1));
+        let (m, n) = (as_f64(self.degree_u()), as_f64(self.degree_v()));
         let du = differences_u(&eighths, self.columns);
         let dv = differences_v(&eighths, self.columns);
         let fewer = self.columns - 1;

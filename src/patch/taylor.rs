@@ -2,7 +2,7 @@
 
 use crate::bernstein::polynomials::bernstein_into;
 use crate::geometry::error::MAX_DEGREE;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 
 /// The maximum number of coefficients of a row: the degree of a squared distance is twice that of a patch.
 pub(crate) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
@@ -41,7 +41,7 @@ pub(crate) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
     let mut row = [0.0; MAX_COUNT];
     let n = coefficients.len() - 1;
     row[..=n].copy_from_slice(coefficients);
-    let degree = ratio(n, 1);
+    let degree = as_f64(n);
     let (mut slope, mut bend) = (0.0, 0.0);
     for last in (1..=n).rev() {
         if last == 2 {
@@ -60,7 +60,7 @@ pub(crate) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
 /// Value, first and second derivative along each row of a net, given the Bernstein weights of the row's degree n and of
 /// the degrees n − 1 and n − 2 at the parameter. Rows have at least three coefficients.
 fn blend_row(row: &[f64], weights: [&[f64]; 3]) -> [f64; 3] {
-    let n = ratio(row.len() - 1, 1);
+    let n = as_f64(row.len() - 1);
     let [of_value, of_slope, of_bend] = weights;
     let value = row.iter().zip(of_value).map(|(c, w)| c * w).sum();
     let slope: f64 = row

@@ -6,7 +6,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, images};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::list::Net;
 use glam::{DAffine3, DVec3};
 
@@ -125,7 +125,7 @@ impl Patch {
     /// of control points, not finite differences of surface points. Second derivatives in a direction of degree 1 are
     /// zero. Source: Farin, *Curves and Surfaces for CAGD*, §14.6.
     pub fn partials(&self, u: f64, v: f64) -> Partials {
-        let (m, n) = (ratio(self.degree_u(), 1), ratio(self.degree_v(), 1));
+        let (m, n) = (as_f64(self.degree_u()), as_f64(self.degree_v()));
         let du = net::differences_u(&self.points, self.columns);
         let dv = net::differences_v(&self.points, self.columns);
         let (fewer, fewest) = (self.columns - 1, self.columns.max(3) - 2);
@@ -214,7 +214,7 @@ pub(crate) fn check_degree(what: &'static str, degree: usize) -> Result<(), Erro
     Err(Error::Range {
         what,
         expected: "a whole number from 1 to 64",
-        got: ratio(degree, 1),
+        got: as_f64(degree),
     })
 }
 

@@ -1,6 +1,6 @@
 //! The area of a tile of a Bézier patch.
 
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::gauss::GAUSS_8;
 
 /// The nodes of the rule with 8 points.
@@ -63,7 +63,7 @@ impl TileArea {
             self.of_v.move_to(v);
         }
         let rows = self.slopes.len();
-        let factor = ratio((self.columns - 1) * (rows - 1), 1);
+        let factor = as_f64((self.columns - 1) * (rows - 1));
         let mut sum = [0.0; NODES];
         for k in 0..NODES {
             let du = blend(&self.slopes, &self.of_v.weights, k);

@@ -12,13 +12,13 @@ impl Spline<DVec2> {
     /// Positive if the spline turns counter-clockwise (x right, y up). A region that a closed spline encloses twice
     /// counts twice. Exact up to rounding, also far from the origin. See [`Curve::area`](crate::Curve::area).
     pub fn area(&self) -> f64 {
-        self.swept_area()
+        self.area_xy()
     }
 }
 
 impl<P: Point> Spline<P> {
     /// [`area`](Spline::area) of the projection along z.
-    pub(crate) fn swept_area(&self) -> f64 {
+    pub(crate) fn area_xy(&self) -> f64 {
         let (start, unit) = (self.points[0], self.max_abs());
         let mut area: f64 = (0..self.segment_count())
             .map(|k| area_about(self.curve(k).control_points(), start, unit))

@@ -5,7 +5,7 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_points, clamp_to_limit, is_within_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 
 /// End points within this ratio of the largest coordinate count as equal; parsing and printing lose that much.
 const JOINT_GAP_RATIO: f64 = 1e-9;
@@ -91,7 +91,7 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// [`Error::Range`] for t outside 0 to the number of segments.
     pub fn insert(&self, t: f64) -> Result<Self, Error> {
-        if !(0.0..=ratio(self.segment_count(), 1)).contains(&t) {
+        if !(0.0..=as_f64(self.segment_count())).contains(&t) {
             return Err(Error::Range {
                 what: "t",
                 expected: "0 to the number of segments",

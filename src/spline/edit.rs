@@ -31,11 +31,11 @@ impl<P: Point> Spline<P> {
         if P::DIMENSION == 3 {
             self.joints().try_for_each(|k| check_plane(mode(k)))?;
         }
-        self.moved(index, to, mode)
+        self.move_point_unchecked(index, to, mode)
     }
 
     /// [`move_point`](Self::move_point) without the check of the dimension: the bindings store plane splines in space.
-    pub(crate) fn moved(
+    pub(crate) fn move_point_unchecked(
         &self,
         index: usize,
         to: P,
@@ -74,11 +74,11 @@ impl<P: Point> Spline<P> {
         if P::DIMENSION == 3 {
             check_plane(mode)?;
         }
-        self.joint_set(joint, mode)
+        self.set_joint_unchecked(joint, mode)
     }
 
     /// [`set_joint`](Self::set_joint) without the check of the dimension.
-    pub(crate) fn joint_set(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
+    pub(crate) fn set_joint_unchecked(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
         self.check_joint(joint)?;
         let of = |_| mode;
         let mut repair = JointRepair::new(self.clone(), &of);

@@ -44,11 +44,11 @@ pub(crate) struct SplineIntersection {
 impl SplineSet {
     pub(crate) fn new(splines: impl IntoIterator<Item: Borrow<Spline<DVec2>>>) -> Self {
         let (mut curves, mut segment_keys, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
-        for (chain, spline) in splines.into_iter().enumerate() {
+        for (spline_index, spline) in splines.into_iter().enumerate() {
             let spline = spline.borrow();
             let count = spline.segment_count();
             sizes.push((count, spline.is_closed()));
-            segment_keys.extend((0..count).map(|k| (chain, k)));
+            segment_keys.extend((0..count).map(|k| (spline_index, k)));
             curves.extend(spline.segments());
         }
         Self::with(curves, segment_keys, sizes)
@@ -75,12 +75,12 @@ impl SplineSet {
 
     /// The spline parameter of t on a curve; the end of a closed spline maps to its start.
     fn at(&self, curve: usize, t: f64) -> f64 {
-        let (chain, k) = self.segment_keys[curve];
-        self.start_at(chain, k as f64 + t)
+        let (spline_index, k) = self.segment_keys[curve];
+        self.start_at(spline_index, k as f64 + t)
     }
 
-    fn start_at(&self, chain: usize, t: f64) -> f64 {
-        let (count, closed) = self.sizes[chain];
+    fn start_at(&self, spline_index: usize, t: f64) -> f64 {
+        let (count, closed) = self.sizes[spline_index];
         if closed && t == count as f64 { 0.0 } else { t }
     }
 
@@ -158,8 +158,8 @@ impl SplineSet {
     }
 
     /// Whether two parameters of a spline denote the same joint.
-    fn one_joint(&self, chain: usize, t: f64, u: f64) -> bool {
-        let (count, closed) = self.sizes[chain];
+    fn one_joint(&self, spline_index: usize, t: f64, u: f64) -> bool {
+        let (count, closed) = self.sizes[spline_index];
         let around = if closed { count as f64 } else { f64::INFINITY };
         let apart = (u - t).abs();
         apart <= ONE_JOINT || around - apart <= ONE_JOINT

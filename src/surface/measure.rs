@@ -4,7 +4,7 @@ use super::network::Surface;
 use super::scaling::{Scaling, box_of};
 use super::topology::{EdgeUse, PatchEdge};
 use crate::bernstein::polynomials::bernstein_into;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{as_f64, ratio};
 use crate::parallel::map_patches;
 use crate::patch::Patch;
 use crate::patch::net::differences_u;
@@ -57,8 +57,8 @@ impl Patch {
             for at_v in &along_v {
                 let value = f(
                     blend(&curve, &at_v.weights),
-                    blend(&slopes, &at_v.weights) * ratio(m, 1),
-                    blend(&along, &at_v.lower) * ratio(n, 1),
+                    blend(&slopes, &at_v.weights) * as_f64(m),
+                    blend(&along, &at_v.lower) * as_f64(n),
                 );
                 sum += at_u.weight * at_v.weight * value;
             }

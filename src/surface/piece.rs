@@ -8,7 +8,7 @@
 //! (1980).
 
 use crate::bernstein::de_casteljau::halve_net;
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::work_limit::WorkLimit;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
 
@@ -139,7 +139,7 @@ impl PolynomialPiece {
         } else {
             (columns, plane.len(), self.rows - 1)
         };
-        let factor = ratio(degree, 1);
+        let factor = as_f64(degree);
         plane.chunks_exact(length).flat_map(move |part| {
             let pairs = part[..length - step].iter().zip(&part[step..]);
             pairs.map(move |(a, b)| (b - a) * factor)
@@ -154,9 +154,9 @@ impl PolynomialPiece {
             let step = |first: bool| if first { 1 } else { self.columns };
             let (a, b) = (step(du > 0), step(du > 1));
             let factor = match du {
-                0 => ratio(n * n.saturating_sub(1), 1),
-                1 => ratio(m * n, 1),
-                _ => ratio(m * m.saturating_sub(1), 1),
+                0 => as_f64(n * n.saturating_sub(1)),
+                1 => as_f64(m * n),
+                _ => as_f64(m * m.saturating_sub(1)),
             };
             let mut range = [0.0; 2];
             let mut first = true;

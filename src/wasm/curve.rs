@@ -271,7 +271,7 @@ pub fn points_transform(dimension: usize, count: usize) -> isize {
 /// The area that a plane curve sweeps.
 #[wasm_bindgen]
 pub fn curve_area(count: usize) -> f64 {
-    arena::with(|a| curve_in_space(a, 2, count).swept_area())
+    arena::with(|a| curve_in_space(a, 2, count).area_xy())
 }
 
 /// Writes the error, then the control points of the curve with the degree reduced by one.

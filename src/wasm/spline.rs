@@ -150,7 +150,7 @@ pub fn spline_append(dimension: usize) -> isize {
 pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     changed(dimension, |a, spline, end| {
         let to = a.point_in_space(end, dimension);
-        spline.moved(index, to, |joint| mode(a.count(end + dimension + joint)))
+        spline.move_point_unchecked(index, to, |joint| mode(a.count(end + dimension + joint)))
     })
 }
 
@@ -158,7 +158,7 @@ pub fn spline_move_point(dimension: usize, index: usize) -> isize {
 #[wasm_bindgen]
 pub fn spline_set_joint(dimension: usize, joint: usize, code: usize) -> isize {
     changed(dimension, |_, spline, _| {
-        spline.joint_set(joint, mode(code))
+        spline.set_joint_unchecked(joint, mode(code))
     })
 }
 
@@ -183,5 +183,5 @@ pub fn spline_reverse(dimension: usize) -> isize {
 /// The area that a plane spline sweeps; for a closed spline, the enclosed area.
 #[wasm_bindgen]
 pub fn spline_area() -> f64 {
-    arena::with(|a| spline(a, 2).0.swept_area())
+    arena::with(|a| spline(a, 2).0.area_xy())
 }

@@ -48,7 +48,7 @@ impl<P: Point> Curve<P> {
     pub(crate) fn arc_length(&self, tolerance: f64) -> f64 {
         if let Some(points) = self.plane_cubic() {
             let length = plane_cubic_length(&points);
-            if tolerance >= KERNEL_PART * length {
+            if tolerance >= PLANE_CUBIC_REL_ERROR * length {
                 return length;
             }
         }
@@ -66,7 +66,7 @@ impl<P: Point> Curve<P> {
 }
 
 /// Relative error bound of the kernel for plane cubics.
-const KERNEL_PART: f64 = 5e-13;
+const PLANE_CUBIC_REL_ERROR: f64 = 5e-13;
 
 impl<P: Point> Curve<P> {
     /// The points of a cubic in the plane, or in space with z = 0.

@@ -27,7 +27,7 @@ const CUT_RATIO: f64 = 5.0;
 
 /// If the projection of a root is at most this far from the middle, in half lengths, the interval is cut at the
 /// projection.
-const INNER: f64 = 0.75;
+const SPLIT_AT_PROJECTION_WITHIN: f64 = 0.75;
 
 /// The arc length of a plane cubic, with a relative error of some 10⁻¹³.
 ///
@@ -249,7 +249,7 @@ const MAX_CUTS: usize = 48;
 fn location_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let off = x - middle;
-    if off.abs() <= INNER * half {
+    if off.abs() <= SPLIT_AT_PROJECTION_WITHIN * half {
         return x;
     }
     let beyond = off.abs() - half;

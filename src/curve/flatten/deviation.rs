@@ -8,8 +8,8 @@ pub(crate) trait Deviation {
     fn squared(&mut self, h: f64) -> Fraction;
     /// An estimate of the step length, from a first guess (0 at the start).
     fn guess(&self, last: f64) -> f64;
-    /// The first step to try if a step of about `guess` is expected. It may be longer: a curve may bend away and return
-    /// to a chord that is much longer than the longest one that fails.
+    /// The first step to try if a step of about `guess` is expected. It may be longer, because the error is not monotone
+    /// in h: a curve may bend away and return, so that a long chord fits where shorter ones fail.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64;
 }
 

@@ -11,7 +11,7 @@ use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec3;
 
@@ -163,7 +163,7 @@ impl Deviation for PieceDeviation {
             return expected;
         }
         // The second differences of the whole curve, as an estimate for the start.
-        let n = ratio(self.points.len() - 1, 1);
+        let n = as_f64(self.points.len() - 1);
         let second = |w: &[DVec3]| Point::length((w[2] - w[1]) - (w[1] - w[0]));
         let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
         (8.0 * self.tolerance / bend).sqrt().min(1.0)

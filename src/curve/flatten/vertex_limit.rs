@@ -4,7 +4,7 @@ use super::chords::TARGET_USE;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
-use crate::numeric::float::ratio;
+use crate::numeric::float::as_f64;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -58,7 +58,7 @@ pub(super) fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
 ) -> Result<(), Error> {
     // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
     // large overestimate.
-    let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
+    let enough = |c: Curve<P>| as_f64(c.degree()) * (c.max_abs() / tolerance).sqrt();
     let max = limit as f64;
     if curves().map(enough).sum::<f64>() <= max
         || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < max

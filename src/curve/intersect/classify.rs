@@ -68,7 +68,7 @@ impl NormalizedPair {
             [Some((t, u)), _] | [None, Some((t, u))] => locations.push(self.with_kind(t, u)),
             // A contact of higher order, or a cusp, that Newton's method does not refine.
             [None, None] => {
-                let (t, u) = self.opposite(middle.0, middle.1);
+                let (t, u) = self.project_onto_b(middle.0, middle.1);
                 if self.coincide((t, u)) {
                     locations.push(self.with_kind(t, u));
                 }
@@ -152,12 +152,12 @@ impl NormalizedPair {
         let inside = |x: &f64, [from, to]: [f64; 2]| *x >= from && *x <= to;
         let mut locations = Vec::new();
         if t_ends.contains(&t) {
-            locations.extend([u, interval.u[0], interval.u[1]].map(|u| self.opposite(t, u)));
+            locations.extend([u, interval.u[0], interval.u[1]].map(|u| self.project_onto_b(t, u)));
             let stops = u_ends.iter().filter(|u| inside(u, interval.u));
             locations.extend(stops.map(|&u| (t, u)));
         }
         if u_ends.contains(&u) {
-            locations.extend([t, interval.t[0], interval.t[1]].map(|t| self.across(t, u)));
+            locations.extend([t, interval.t[0], interval.t[1]].map(|t| self.project_onto_a(t, u)));
             let stops = t_ends.iter().filter(|t| inside(t, interval.t));
             locations.extend(stops.map(|&t| (t, u)));
         }
@@ -166,7 +166,7 @@ impl NormalizedPair {
 
     /// The parameters of the start, the end and the stops of a curve.
     fn ends(&self, curve: usize) -> Scalars {
-        self.stops[curve]
+        self.derivative_zeros[curve]
             .iter()
             .copied()
             .chain([0.0, 1.0])
@@ -185,8 +185,8 @@ impl NormalizedPair {
             0.5 * (interval.u[0] + interval.u[1]),
         );
         let both = ts.iter().flat_map(|&t| us.iter().map(move |&u| (t, u)));
-        let on_b = ts.iter().map(|&t| self.opposite(t, middle.1));
-        let on_a = us.iter().map(|&u| self.across(middle.0, u));
+        let on_b = ts.iter().map(|&t| self.project_onto_b(t, middle.1));
+        let on_a = us.iter().map(|&u| self.project_onto_a(middle.0, u));
         both.chain(on_b)
             .chain(on_a)
             .find(|&location| self.coincide(location))

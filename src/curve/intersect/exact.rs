@@ -71,7 +71,7 @@ impl NormalizedPair {
             (from * to < 0.0).then(|| from / (from - to))
         };
         let (t, u) = (part(0)?, part(1)?);
-        let beside = self.opposite(t, u);
+        let beside = self.project_onto_b(t, u);
         [(t, u), beside]
             .into_iter()
             .find(|&location| self.coincide(location))
@@ -103,7 +103,7 @@ impl NormalizedPair {
             }
         }
         for curve in [0, 1] {
-            for &stop in &self.stops[curve] {
+            for &stop in &self.derivative_zeros[curve] {
                 self.merge_at_stop(&mut locations, curve, stop);
             }
         }
@@ -121,9 +121,9 @@ impl NormalizedPair {
         let all: Vec<ClassifiedPoint> = locations.iter().filter(near).copied().collect();
         for location in all {
             let tip = if curve == 0 {
-                self.opposite(stop, location.u)
+                self.project_onto_b(stop, location.u)
             } else {
-                self.across(location.t, stop)
+                self.project_onto_a(location.t, stop)
             };
             if locations.contains(&location) && self.coincide(tip) {
                 self.merge(locations, tip, false);
@@ -213,8 +213,8 @@ impl NormalizedPair {
             return middle;
         }
         [
-            self.opposite(middle.0, middle.1),
-            self.across(middle.0, middle.1),
+            self.project_onto_b(middle.0, middle.1),
+            self.project_onto_a(middle.0, middle.1),
         ]
         .into_iter()
         .find(|&location| self.coincide(location))
@@ -255,7 +255,7 @@ impl NormalizedPair {
             if !(0.0..=1.0).contains(&at) || step.abs() > LARGEST_GAP || step == 0.0 {
                 return 0.0;
             }
-            let (_, u) = self.opposite(at, u);
+            let (_, u) = self.project_onto_b(at, u);
             let [b, direction, _] = taylor(&self.curves[1], u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
             let height = Point::normalize_or_zero(direction).perp_dot(gap);

@@ -138,12 +138,12 @@ impl NormalizedPair {
     }
 
     /// The parameters of A(t) and of the nearest point on the second curve.
-    pub(crate) fn opposite(&self, t: f64, u: f64) -> (f64, f64) {
+    pub(crate) fn project_onto_b(&self, t: f64, u: f64) -> (f64, f64) {
         (t, self.nearest(1, evaluate(&self.curves[0], t), u))
     }
 
     /// The parameters of B(u) and of the nearest point on the first curve.
-    pub(crate) fn across(&self, t: f64, u: f64) -> (f64, f64) {
+    pub(crate) fn project_onto_a(&self, t: f64, u: f64) -> (f64, f64) {
         (self.nearest(0, evaluate(&self.curves[1], u), t), u)
     }
 

@@ -2,7 +2,7 @@
 
 use super::clipping::Contact;
 use super::intersection::IntersectionKind;
-use super::stationary::stops;
+use super::stationary::derivative_zeros;
 use crate::curve::elevate::elevate_once;
 use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
 use crate::numeric::float::unit_scale;
@@ -51,7 +51,7 @@ pub(crate) struct NormalizedPair {
     /// Points closer than this are equal.
     pub(crate) slack: f64,
     /// Parameters where the derivative vanishes: cusps, and reversals of a straight curve.
-    pub(crate) stops: [Scalars; 2],
+    pub(crate) derivative_zeros: [Scalars; 2],
 }
 
 impl NormalizedPair {
@@ -83,7 +83,7 @@ impl NormalizedPair {
             return None;
         }
         Some(Self {
-            stops: [stops(&a), stops(&b)],
+            derivative_zeros: [derivative_zeros(&a), derivative_zeros(&b)],
             curves: [a, b],
             slack: INPUT_ROUNDING * (largest * unit) * scale + STEP_ROUNDING * (1.0 + degree),
         })

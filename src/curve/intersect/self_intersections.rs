@@ -3,7 +3,7 @@
 use super::super::Curve;
 use super::intersection::SelfIntersection;
 use super::pair::{ClassifiedPoint, NormalizedPair};
-use super::stationary::{runs_forward, stops};
+use super::stationary::{derivative_zeros, is_monotone_along_chord};
 use crate::bernstein::de_casteljau::keep_between;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
@@ -31,7 +31,7 @@ impl Curve<DVec2> {
     /// π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut into segments without
     /// reversals, which are intersected with each other within the limit of [`intersections`](Self::intersections).
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
-        if self.degree() < 3 || runs_forward(&self.points) {
+        if self.degree() < 3 || is_monotone_along_chord(&self.points) {
             return Vec::new();
         }
         let Some(pair) = NormalizedPair::new(&self.points, &self.points) else {
@@ -90,7 +90,7 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
 fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
-    for to in stops(&pair.curves[0]).into_iter().chain([1.0]) {
+    for to in derivative_zeros(&pair.curves[0]).into_iter().chain([1.0]) {
         cut(pair, from, to, 0, &mut cuts);
         from = to;
     }
@@ -126,7 +126,7 @@ fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f
         .iter()
         .all(|p| (*p - piece[0]).max_abs() <= pair.slack);
     let is_last = depth == HALVINGS || cuts.len() >= MAX_SEGMENTS;
-    if is_last || small || runs_forward(&piece) {
+    if is_last || small || is_monotone_along_chord(&piece) {
         return cuts.push(to);
     }
     let middle = 0.5 * (from + to);

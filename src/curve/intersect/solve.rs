@@ -40,10 +40,13 @@ impl NormalizedPair {
 
     /// All contacts of the curves, and the number of steps of the search.
     fn contacts(&self) -> (Vec<Contact>, usize) {
-        if self.stops.iter().all(|stops| stops.is_empty()) {
+        if self.derivative_zeros.iter().all(|zeros| zeros.is_empty()) {
             self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
         } else {
-            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
+            let [cuts_a, cuts_b] = self
+                .derivative_zeros
+                .each_ref()
+                .map(|zeros| with_ends(zeros));
             let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
             let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
             self.search(&cuts_a, &cuts_b, pairs)

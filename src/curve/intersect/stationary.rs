@@ -21,9 +21,9 @@ const STRAIGHT: f64 = 4.0 * f64::EPSILON;
 const ONE_ROOT: f64 = 1e-7;
 
 /// The parameters inside (0, 1) where the derivative vanishes: cusps, and reversals of a straight curve.
-pub(crate) fn stops(points: &[DVec2]) -> Scalars {
+pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
     let mut found = Scalars::new();
-    if runs_forward(points) || never_stops(points) {
+    if is_monotone_along_chord(points) || has_no_derivative_zero(points) {
         return found;
     }
     let slopes: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
@@ -40,7 +40,7 @@ pub(crate) fn stops(points: &[DVec2]) -> Scalars {
 
 /// Whether the derivative of a quadratic or a cubic certainly vanishes nowhere: the resultant of its coordinates,
 /// computed from cross products of the control edges, is not 0.
-fn never_stops(points: &[DVec2]) -> bool {
+fn has_no_derivative_zero(points: &[DVec2]) -> bool {
     let edge = |i: usize| points[i + 1] - points[i];
     let (resultant, size) = match points.len() {
         3 => (edge(0).perp_dot(edge(1)), edge(0).perp_dot(edge(1).perp())),
@@ -57,7 +57,7 @@ fn never_stops(points: &[DVec2]) -> bool {
 }
 
 /// Whether no control edge points against the chord; then the curve passes no point twice.
-pub(crate) fn runs_forward(points: &[DVec2]) -> bool {
+pub(crate) fn is_monotone_along_chord(points: &[DVec2]) -> bool {
     let chord = points[points.len() - 1] - points[0];
     chord != DVec2::ZERO && points.windows(2).all(|p| (p[1] - p[0]).dot(chord) >= 0.0)
 }

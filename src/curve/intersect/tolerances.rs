@@ -1,7 +1,7 @@
 //! Tolerances that several steps of the intersection share.
 
-/// An overlap is longer than this many times the slack; a shorter one is a point. A gap between contacts in which a curve
-/// reverses is not bridged if the reversal is farther than this from both ends of the gap.
+/// An overlap is longer than this many times the slack; a shorter one is a point. Contacts are not
+/// joined across a reversal of a curve that is farther than this from both contacts.
 pub(super) const MIN_OVERLAP: f64 = 64.0;
 
 /// The largest gap, in either parameter, between contacts or crossings that may belong together.

@@ -205,7 +205,7 @@ impl<'a, P: Point> Search<'a, P> {
             if !self.within {
                 return;
             }
-            self.look_from(ratio(k, ALONG));
+            self.distance_at(ratio(k, ALONG));
         }
         let (mut lo, mut hi) = (self.t - ratio(1, ALONG), self.t + ratio(1, ALONG));
         for _ in 0..ALONG {
@@ -213,7 +213,7 @@ impl<'a, P: Point> Search<'a, P> {
                 return;
             }
             let third = (hi - lo) / 3.0;
-            if self.look_from(lo + third) < self.look_from(hi - third) {
+            if self.distance_at(lo + third) < self.distance_at(hi - third) {
                 hi -= third;
             } else {
                 lo += third;
@@ -222,7 +222,7 @@ impl<'a, P: Point> Search<'a, P> {
     }
 
     /// The distance of A(t) from the other curve.
-    fn look_from(&mut self, t: f64) -> f64 {
+    fn distance_at(&mut self, t: f64) -> f64 {
         let t = t.clamp(0.0, 1.0);
         let u = self.foot(self.b.points, self.a.at(t));
         self.consider(t, u);

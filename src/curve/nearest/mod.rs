@@ -151,7 +151,7 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
     let n = points.len() - 1;
     let mut search = Search {
-        chord: CurveWithDerivatives::new(points),
+        curve: CurveWithDerivatives::new(points),
         binomials: Binomials::new(n, n - 1),
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
@@ -166,7 +166,7 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
 
 /// The search for the point of a curve that is nearest to the origin.
 struct Search<'a, P: Point> {
-    chord: CurveWithDerivatives<'a, P>,
+    curve: CurveWithDerivatives<'a, P>,
     binomials: Binomials,
     /// Distances that differ by less than this are equal.
     slack: f64,
@@ -180,15 +180,15 @@ struct Search<'a, P: Point> {
 
 impl<P: Point> Search<'_, P> {
     fn consider(&mut self, t: f64) {
-        let (t, distance) = closer(&self.chord, t);
+        let (t, distance) = closer(&self.curve, t);
         if distance < self.min - self.slack {
             (self.t, self.min) = (t, distance);
         }
     }
 
-    /// Considers the parameters where B·B′ changes sign from − to +, from left to right. The control points are halved,
-    /// and not the coefficients of B·B′: where roots lie close together, the coefficients of the halves are small, and
-    /// so is their rounding.
+    /// Considers the parameters where B·B′ changes sign from − to +, from left to right. The control points of B are
+    /// subdivided, not the coefficients of B·B′: near multiple roots the coefficients of the parts are small, and so is
+    /// their rounding.
     fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
         let within = self.work.spend(1);
         let bound = distance_of_box(points);
@@ -235,15 +235,15 @@ fn max_of(numbers: &[f64]) -> f64 {
 /// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the
 /// origin. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
 /// moves.
-fn closer<P: Point>(chord: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
-    let mut p = chord.at(t);
+fn closer<P: Point>(curve: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
+    let mut p = curve.at(t);
     for _ in 0..MAX_STEPS {
-        let [first, second] = chord.derivatives(t);
+        let [first, second] = curve.derivatives(t);
         let next = t - p.dot(first) / (first.dot(first) + p.dot(second));
         if !(next > 0.0 && next < 1.0) {
             break;
         }
-        let q = chord.at(next);
+        let q = curve.at(next);
         if q.dot(q) >= p.dot(p) {
             break;
         }

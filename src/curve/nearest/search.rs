@@ -104,7 +104,7 @@ fn search_closely<const D: usize>(
 ) {
     let piece = Cubic::new(points);
     let force = halvings == 0 || !best.work.spend(1);
-    if piece.settles(&piece.quintic(), [0.0, 1.0], [lo, hi], force, best) {
+    if piece.try_finish(&piece.quintic(), [0.0, 1.0], [lo, hi], force, best) {
         return;
     }
     let (left, right) = halves(&piece.points);
@@ -156,7 +156,7 @@ impl<const D: usize> Cubic<D> {
     /// Halves a segment until each part has at most one sign change, from left to right.
     fn search(&self, quintic: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
         let force = !best.work.spend(1);
-        if self.settles(quintic, [lo, hi], [0.0, 1.0], force, best) {
+        if self.try_finish(quintic, [lo, hi], [0.0, 1.0], force, best) {
             return;
         }
         if halvings == 0 {
@@ -177,7 +177,7 @@ impl<const D: usize> Cubic<D> {
     /// it considers the minimum, which exists only if the first sign is negative. This curve is the part [from, to] of
     /// the whole one.
     #[inline(always)]
-    fn settles(
+    fn try_finish(
         &self,
         quintic: &Quintic,
         [lo, hi]: [f64; 2],

@@ -2,7 +2,7 @@
 //!
 //! Where the curvature κ exceeds 1/r, the points of the normal beyond the evolute B + N/κ move backwards, and the
 //! offset curve counts their region as −1. The outline keeps only the part of it that is next to the evolute
-//! ([`side_boundary`](super::side_boundary)); beyond it the count is larger by 1, and the following holds all the more.
+//! ([`side_boundary`](super::side_boundary)); beyond it the count is larger by 1, so the following argument still applies.
 //!
 //! Around a point take the distance to the path as a function of t: the offset curves count its minima up to r as +1
 //! and its maxima as −1. In an interval where the distance is below r, minima and maxima alternate, so the count is 1

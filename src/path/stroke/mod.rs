@@ -13,7 +13,7 @@ mod contours;
 mod corner_arc;
 mod dash;
 mod folds;
-mod grow;
+mod offset;
 mod options;
 mod outline;
 mod round_corners;
@@ -21,7 +21,7 @@ mod side;
 mod side_boundary;
 mod tangent_circle;
 
-pub use grow::OffsetOptions;
+pub use offset::OffsetOptions;
 pub use options::{StrokeCap, StrokeOptions};
 
 use super::Path;
@@ -133,7 +133,7 @@ const FURTHER_SEGMENTS: usize = 1 << 9;
 struct Strokes {
     /// The number of curves that are stroked.
     curve_count: usize,
-    /// The outlines, with winding numbers that are not negative but for the folds.
+    /// The outlines; their winding numbers are non-negative except in the folds.
     outlines: Path,
     /// The parts that are swept backwards, where the outlines alone can leave them out.
     folds: Path,

@@ -2,9 +2,9 @@
 //!
 //! It is the offset curve, except where that runs backwards. There the points of the normal beyond the evolute are
 //! counted as −1 (see [`folds`](super::folds)), and the boundary may be any line between the evolute and the offset
-//! curve: points beyond it are then not counted at all, and the others of the region are counted at least once more. A
-//! few lines midway are shorter than the offset curve, and stay away from the other boundaries, whose errors could
-//! otherwise leave slivers uncovered.
+//! curve: the winding number of points beyond it is then 0 instead of −1, and that of the other points of the region is
+//! larger by at least 1. A few lines midway are shorter than the offset curve, and stay away from the other
+//! boundaries, whose errors could otherwise leave slivers uncovered.
 
 use super::side::{Side, Turns};
 use crate::bernstein::product::product_of;

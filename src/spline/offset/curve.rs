@@ -152,7 +152,7 @@ impl SplineBuilder {
             (t, from) = (next, to);
         }
         if runs.is_empty() {
-            runs.push((curve.start(), curve.end(), 1.0)); // it stands still but for rounding
+            runs.push((curve.start(), curve.end(), 1.0)); // all signs of the derivative are rounding errors
         }
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
             let normal = direction.perp() * sign;

@@ -65,7 +65,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     /// Continues with the halves of the larger segment; two segments without an extent are a contact.
     fn halve(&mut self, a: &Piece<C>, b: &Piece<C>) {
         let (size_a, size_b) = (a.extent(), b.extent());
-        if a.is_off(b, self.slack) {
+        if a.boxes_are_disjoint(b, self.slack) {
             return;
         }
         let is_small = |size: f64| size <= self.slack || size.is_nan();

@@ -92,7 +92,7 @@ impl<C: Coefficients> Piece<C> {
     }
 
     /// Whether the bounding boxes of the control points are farther apart than the slack.
-    pub(super) fn is_off(&self, other: &Self, slack: f64) -> bool {
+    pub(super) fn boxes_are_disjoint(&self, other: &Self, slack: f64) -> bool {
         let apart = |a: &[f64], b: &[f64]| {
             let (a, b) = (range(a.iter().copied()), range(b.iter().copied()));
             a.0 > b.1 + slack || b.0 > a.1 + slack

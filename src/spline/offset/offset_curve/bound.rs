@@ -73,12 +73,13 @@ impl OffsetCurve<'_> {
         if chord > self.tolerance {
             return false;
         }
-        let there = chord + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
+        let cubic_length =
+            chord + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
         let (a, b) = (&from.foot, &to.foot);
-        let back = self.length_bound(a, b);
+        let offset_length = self.length_bound(a, b);
         let apart =
             |pair: &FootPair| (pair.point - pair.foot.point - pair.normal * self.distance).length();
-        a.t <= b.t && apart(from).max(apart(to)) + there + back <= self.tolerance
+        a.t <= b.t && apart(from).max(apart(to)) + cubic_length + offset_length <= self.tolerance
     }
 
     /// The bound between two pairs; infinite if there is none.
@@ -126,22 +127,22 @@ impl OffsetCurve<'_> {
     ) -> f64 {
         let distance = self.distance.abs();
         let (min, max) = range(products2(d, d).into_iter());
-        let (lean_min, lean_max) = range(products3(e, d).into_iter());
+        let (tangential_low, tangential_high) = range(products3(e, d).into_iter());
         let d_slopes = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
         let ahead = products2(&v, d);
         let curved = products31(e, &d_slopes);
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
-        let mut lean = lean_max.max(-lean_min);
+        let mut tangential_max = tangential_high.max(-tangential_low);
         let mut forward = f_min.max(-f_max);
         if rest > 0.0 {
             // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
             // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
             let fastest = max.sqrt();
-            lean += rest * (fastest + 20.0 * high);
+            tangential_max += rest * (fastest + 20.0 * high);
             forward -= rest * (40.0 * fastest + 160.0 * high);
         }
-        let squares = lean * lean;
-        if forward > lean && squares < 0.25 * low * low * min {
+        let squares = tangential_max * tangential_max;
+        if forward > tangential_max && squares < 0.25 * low * low * min {
             let off = (high - distance).max(distance - low);
             let found = off + FOOT_SAFETY * squares / (2.0 * low * forward);
             if found <= self.tolerance {

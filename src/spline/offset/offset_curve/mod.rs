@@ -16,7 +16,7 @@
 
 mod arc;
 mod bound;
-mod breaks;
+mod cusps;
 mod fit;
 mod local;
 mod source;
@@ -89,7 +89,7 @@ impl<'a> OffsetCurve<'a> {
     /// The end of a piece at t.
     fn end(&self, t: f64) -> End {
         let sample = self.source.at(t);
-        let sign = if self.forwardness(&sample) < 0.0 {
+        let sign = if self.cusp_function(&sample) < 0.0 {
             -1.0
         } else {
             1.0
@@ -104,7 +104,7 @@ impl<'a> OffsetCurve<'a> {
 
     /// |B′|³(1 − κd): positive where the offset curve has the direction of the tangent.
     #[inline]
-    fn forwardness(&self, at: &OffsetSample) -> f64 {
+    fn cusp_function(&self, at: &OffsetSample) -> f64 {
         let square = at.first.length_squared();
         square * square.sqrt() - self.distance * at.first.perp_dot(at.second)
     }
@@ -145,7 +145,7 @@ impl<'a> OffsetCurve<'a> {
             return;
         }
         let shortest = cuts == 0 || to.sample.t - from.sample.t <= SHORTEST;
-        if shortest || local.tiny(from, to) || local.pivots(from, to) {
+        if shortest || local.tiny(from, to) || local.is_rotation_about_point(from, to) {
             self.arc(from, to, out);
             return;
         }
@@ -164,7 +164,7 @@ impl<'a> OffsetCurve<'a> {
 
     /// Whether the source is a point within the tolerance, and the normal rotates about it without leaving the angle
     /// between its ends. If rounding moves the offset by more than the tolerance, the angle is not tested.
-    fn pivots(&self, from: &End, to: &End) -> bool {
+    fn is_rotation_about_point(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
         let distance_along =
             (b.point - a.point).length() + (b.t - a.t) * (a.first.length() + b.first.length());
@@ -204,7 +204,7 @@ impl<'a> OffsetCurve<'a> {
             return f64::INFINITY;
         }
         let change = 3.0 * fastest * fastest * max_second + self.distance.abs() * fastest * third;
-        let f = self.forwardness(a).abs().max(self.forwardness(b).abs()) + h * change;
+        let f = self.cusp_function(a).abs().max(self.cusp_function(b).abs()) + h * change;
         h * f / (slowest * slowest)
     }
 
@@ -227,7 +227,7 @@ impl<'a> OffsetCurve<'a> {
     /// is evaluated at some distance inside, the sign in between cannot be computed, since rounding exceeds the value.
     fn cusp(&self, from: &End, to: &End) -> Option<(End, End)> {
         let (t0, t1) = (from.sign_t, to.sign_t);
-        let t = self.zero(t0, t1, from.sign, |sample| self.forwardness(sample))?;
+        let t = self.zero(t0, t1, from.sign, |sample| self.cusp_function(sample))?;
         let before = End {
             sign: from.sign,
             ..self.end(t)

@@ -120,7 +120,7 @@ impl OffsetCurve<'_> {
         let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
         let to = self.outer_end(t1, tangents[1], -BESIDE * (t1 - t0));
         let mut last = from;
-        if !self.surely_forward((t0, t1)) {
+        if !self.has_no_cusp((t0, t1)) {
             for step in 1..CUSP_STEPS {
                 let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
                 last = self.pass(&mut from, &last, self.end(t), out, work);
@@ -159,7 +159,7 @@ impl OffsetCurve<'_> {
     }
 
     /// Whether a quick test of the control points proves that the offset curve has no cusp. Up to degree 3 only.
-    fn surely_forward(&self, (t0, t1): (f64, f64)) -> bool {
+    fn has_no_cusp(&self, (t0, t1): (f64, f64)) -> bool {
         if self.source.degree() > 3 || (t0, t1) != (0.0, 1.0) {
             return false;
         }
