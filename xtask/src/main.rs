@@ -3,6 +3,7 @@
 mod bench;
 mod browser;
 mod build;
+mod compare;
 mod encode;
 mod glue;
 mod liveness;
@@ -27,6 +28,8 @@ cargo xtask <command>
   serve            build, and serve the site on localhost
   test             all tests; [STEP [FILE_OR_NAME …] …] [--from STEP] [--only STEP[,STEP]]
   test-deep        the long sweeps and soak tests; the same options, and [--cases N]
+  compare          the generated calls with the library of another revision, and the results that differ: REVISION
+                   [FUNCTION] [--cases N] [--distance D]; D: the largest relative distance that counts as equal (0)
   bench            the benchmarks: JavaScript and native
   size             the gzip size of each part, against the limit";
 
@@ -51,6 +54,7 @@ fn dispatch(args: &[String]) -> Result<()> {
         "test" => test::test(rest),
         "test-deep" => test::deep(rest),
         test::RUN_STEP => test::run_step(rest),
+        "compare" => compare::compare(rest),
         "bench" => bench::bench(rest),
         "size" => size::size(),
         "help" | "--help" | "-h" => {
