@@ -8,6 +8,7 @@ import { figureOf } from "../../js/elements/applet/figure.js";
 import { jointsOf } from "../../js/elements/applet/joints.js";
 import { continuityOf } from "../../js/elements/applet/report.js";
 import { BASES, firstState, withPoints } from "../../js/elements/applet/state.js";
+import { pointsOf } from "./reference.js";
 
 const near = (got, expected, slack = 1e-9, words = "") =>
   expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${words} ${got}, not ${expected}`));
@@ -15,38 +16,10 @@ const stateWith = (points, changes = {}) => ({ ...withPoints(firstState(), point
 const flat = (curve) => [...curve.controlPoints()];
 
 /** Equal curvatures on both sides need points that turn one way. */
-const ROUND = [
-  [60, 300],
-  [60, 150],
-  [150, 60],
-  [300, 60],
-  [450, 60],
-  [540, 150],
-  [540, 300],
-  [540, 420],
-  [430, 440],
-  [300, 440],
-];
-const THREE = [
-  [60, 300],
-  [100, 100],
-  [200, 100],
-  [250, 250],
-  [300, 380],
-  [380, 400],
-  [430, 240],
-  [470, 100],
-  [560, 120],
-  [610, 300],
-];
+const ROUND = pointsOf("60,300 60,150 150,60 300,60 450,60 540,150 540,300 540,420 430,440 300,440");
+const THREE = pointsOf("60,300 100,100 200,100 250,250 300,380 380,400 430,240 470,100 560,120 610,300");
 /** Each point with a move in pixels. */
-const MOVES = [
-  [2, 30, 20],
-  [4, -20, 35],
-  [3, 25, 25],
-  [0, 10, 10],
-  [9, -20, 15],
-];
+const MOVES = pointsOf("2,30,20 4,-20,35 3,25,25 0,10,10 9,-20,15");
 
 for (const mode of /** @type {const} */ (["g1", "c1", "c2", "g2"])) {
   test(`${mode} holds at every joint after each move`, () => {
@@ -68,11 +41,7 @@ for (const mode of ["g1", "c1"]) {
   test(`the small applet: ${mode} moves the partner of a handle and nothing beyond it`, () => {
     const first = small.withJoint(small.firstState(small.DEFAULT_BOX), mode);
     const before = small.pointsOf(first);
-    for (const [index, dx, dy] of [
-      [2, 30, -70],
-      [3, 45, 25],
-      [4, -60, 40],
-    ]) {
+    for (const [index, dx, dy] of pointsOf("2,30,-70 3,45,25 4,-60,40")) {
       const [x, y] = before[index];
       const after = small.pointsOf(small.withPointAt(first, index, [x + dx, y + dy]));
       near(after[index], [x + dx, y + dy]);
@@ -113,62 +82,10 @@ test("one joint can be held and another be free", () => {
 
 /** Points, and what is true at P3: the verdict, the angle, the ratio of the tangents' lengths. */
 const JOINTS = [
-  [
-    [
-      [0, 200],
-      [50, 200],
-      [100, 200],
-      [200, 200],
-      [300, 200],
-      [350, 300],
-      [400, 400],
-    ],
-    "C1",
-    "0°",
-    "1 : 1",
-  ],
-  [
-    [
-      [0, 200],
-      [50, 200],
-      [100, 200],
-      [200, 200],
-      [250, 200],
-      [350, 300],
-      [400, 400],
-    ],
-    "G1",
-    "0°",
-    "1 : 0.5",
-  ],
-  [
-    [
-      [0, 200],
-      [50, 200],
-      [100, 200],
-      [200, 200],
-      [200, 300],
-      [350, 300],
-      [400, 400],
-    ],
-    "C0",
-    "90°",
-    "1 : 1",
-  ],
-  [
-    [
-      [0, 200],
-      [50, 200],
-      [200, 200],
-      [200, 200],
-      [200, 300],
-      [350, 300],
-      [400, 400],
-    ],
-    "C0",
-    null,
-    "no length on one side",
-  ],
+  [pointsOf("0,200 50,200 100,200 200,200 300,200 350,300 400,400"), "C1", "0°", "1 : 1"],
+  [pointsOf("0,200 50,200 100,200 200,200 250,200 350,300 400,400"), "G1", "0°", "1 : 0.5"],
+  [pointsOf("0,200 50,200 100,200 200,200 200,300 350,300 400,400"), "C0", "90°", "1 : 1"],
+  [pointsOf("0,200 50,200 200,200 200,200 200,300 350,300 400,400"), "C0", null, "no length on one side"],
 ];
 
 test("what is true at a joint: continuity, angle, ratio of the tangents", () => {
@@ -179,14 +96,7 @@ test("what is true at a joint: continuity, angle, ratio of the tangents", () => 
   }
 });
 
-const SIX = [
-  [100, 300],
-  [150, 100],
-  [300, 100],
-  [350, 300],
-  [450, 420],
-  [550, 300],
-];
+const SIX = pointsOf("100,300 150,100 300,100 350,300 450,420 550,300");
 /** What each basis makes of six points: the number of pieces, and where the first begins. */
 const PIECES = {
   bezier: [1, [100, 300]],
@@ -224,15 +134,7 @@ test("every basis on the same points: pieces, their start, and the matrix that g
 });
 
 test("Hermite: the tangents are P1 − P0 and P3 − P2, and a cut leaves the curve", () => {
-  const state = stateWith(
-    [
-      [100, 300],
-      [200, 100],
-      [400, 200],
-      [500, 300],
-    ],
-    { basis: "hermite" },
-  );
+  const state = stateWith(pointsOf("100,300 200,100 400,200 500,300"), { basis: "hermite" });
   const figure = figureOf(state);
   near(flat(figure.pieces[0].curve), [100, 300, 100 + 100 / 3, 300 - 200 / 3, 500 - 100 / 3, 300 - 100 / 3, 500, 300]);
   const cut = edits.inserted(state, 0.4);

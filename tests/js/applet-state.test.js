@@ -20,6 +20,7 @@ import {
   zoomed,
 } from "../../js/elements/applet/state.js";
 import { generator } from "../../js/applet/random.js";
+import { pointsOf } from "./reference.js";
 
 const near = (got, expected, slack = 1e-9) =>
   expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${got}, not ${expected}`));
@@ -86,10 +87,7 @@ test("refusals name the field and what came", () => {
   );
   assert.equal(
     refused({
-      points: [
-        [1, 2],
-        [3, 2e6],
-      ],
+      points: pointsOf("1,2 3,2e6"),
     }),
     "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000",
   );
@@ -187,15 +185,7 @@ test("enlarging keeps the place it is about, and the proportions", () => {
 });
 
 test("places to click into: the mirror image, the line; 15° about the anchor", () => {
-  const state = withPoints(firstState(), [
-    [0, 0],
-    [50, 0],
-    [100, 100],
-    [200, 100],
-    [300, 300],
-    [400, 0],
-    [500, 0],
-  ]);
+  const state = withPoints(firstState(), pointsOf("0,0 50,0 100,100 200,100 300,300 400,0 500,0"));
   assert.deepEqual(snapped(state, 4, [303, 101], 1), [300, 100]);
   assert.deepEqual(snapped(state, 4, [370, 103], 1), [370, 100]);
   assert.deepEqual(snapped(state, 4, [370, 110], 1), [370, 110], "not near enough");

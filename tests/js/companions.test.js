@@ -9,16 +9,12 @@ import { plotOf, tAt, xOf, yOf } from "../../js/elements/companions/plot.js";
 import { inPoints, subjectOf } from "../../js/elements/companions/subject.js";
 import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "../../js/elements/companions/timing.js";
 import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
+import { pointsOf } from "./reference.js";
 
 /** @typedef {import("../../js/elements/companions/subject.js").Subject} Subject */
 
 const near = (a, b, slack = 1e-12) => assert.ok(Math.abs(a - b) <= slack, `${a} and ${b}`);
-const POINTS = [
-  [70, 330],
-  [110, 90],
-  [235, 120],
-  [325, 230],
-];
+const POINTS = pointsOf("70,330 110,90 235,120 325,230");
 const TS = [-0.4, 0, 0.1, 0.5, 0.9, 1, 1.3];
 
 test("numbers are read as people write them, and nothing else is one", () => {
@@ -29,10 +25,7 @@ test("numbers are read as people write them, and nothing else is one", () => {
 });
 
 test("points are read from attributes and from tables; what is wrong is named with its line", () => {
-  const two = [
-    [1, 2],
-    [3, 4.5],
-  ];
+  const two = pointsOf("1,2 3,4.5");
   for (const text of [
     "1,2 3,4.5",
     "1 2 3 4.5",
@@ -118,28 +111,14 @@ test("weights times points is the point of the curve, whatever the basis", () =>
     figure("b-spline", Curve.fromBasis("b-spline", POINTS)),
     figure("catmull-rom", Curve.fromBasis("catmull-rom", POINTS)),
     figure("matrix", Curve.fromBasis(own, POINTS), { matrix: own }),
-    figure(
-      "natural",
-      new Curve([
-        [0, 0],
-        [1, 5],
-        [2, 5],
-        [9, 0],
-      ]),
-      {
-        pieces: [
-          {
-            curve: new Curve([
-              [0, 0],
-              [1, 5],
-              [2, 5],
-              [9, 0],
-            ]),
-            indices: [0, 1],
-          },
-        ],
-      },
-    ),
+    figure("natural", new Curve([0, 0, 1, 5, 2, 5, 9, 0]), {
+      pieces: [
+        {
+          curve: new Curve([0, 0, 1, 5, 2, 5, 9, 0]),
+          indices: [0, 1],
+        },
+      ],
+    }),
   ];
   for (const each of figures) {
     const { x, y } = each.pieces[0].curve.eval(0.3);

@@ -11,24 +11,16 @@ import { combOf, ways } from "../../js/elements/applet/layers/ways.js";
 import { weightsAt } from "../../js/elements/applet/layers/weights.js";
 import { BASES } from "../../js/elements/applet/state.js";
 import { derived, stateWith } from "./layers-page.js";
+import { pointsOf } from "./reference.js";
 
 const near = (got, wanted, tolerance, words) =>
   assert.ok(Math.abs(got - wanted) <= tolerance, `${words ?? ""} ${got} is not ${wanted}`);
 
 /** y = x² for x from −1 to 1. */
-const PARABOLA = new Curve([
-  [-1, 1],
-  [0, -1],
-  [1, 1],
-]);
+const PARABOLA = new Curve([-1, 1, 0, -1, 1, 1]);
 
 /** The curve's middle part turns back on itself and comes to a point at t = ½. */
-const CUSP = new Curve([
-  [100, 400],
-  [560, 100],
-  [100, 100],
-  [560, 400],
-]);
+const CUSP = new Curve([100, 400, 560, 100, 100, 100, 560, 400]);
 
 test("the weights of every basis put the point where the curve is", () => {
   for (const basis of BASES) {
@@ -80,13 +72,7 @@ test("at a cusp the teeth have an end", () => {
 });
 
 test("every string touches the curve: the point at t divides it as t does, and it has the tangent's direction", () => {
-  const curve = new Curve([
-    [70, 330],
-    [110, 90],
-    [235, 120],
-    [325, 230],
-    [400, 20],
-  ]);
+  const curve = new Curve([70, 330, 110, 90, 235, 120, 325, 230, 400, 20]);
   const strings = envelopeLines(curve, 16);
   for (let k = 0; k <= 16; k++) {
     const [ax, ay, bx, by] = strings.subarray(4 * k, 4 * k + 4);
@@ -110,19 +96,7 @@ test("points and unit tangents, also where the derivative vanishes", () => {
   const flat = ways(PARABOLA, [0.75]); // x = ½, slope 1
   near(flat[2], Math.SQRT1_2, 1e-12);
   near(flat[3], Math.SQRT1_2, 1e-12);
-  assert.deepEqual(
-    [
-      ...ways(
-        new Curve([
-          [5, 5],
-          [5, 5],
-          [5, 5],
-        ]),
-        [0.5],
-      ),
-    ],
-    [5, 5, 0, 0],
-  );
+  assert.deepEqual([...ways(new Curve([5, 5, 5, 5, 5, 5]), [0.5])], [5, 5, 0, 0]);
 });
 
 test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + slope²) of the flattest chord", () => {
@@ -140,11 +114,7 @@ test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + s
     );
   }
   const { data, words } = derived("segments", {
-    points: [
-      [0, 0],
-      [100, 200],
-      [200, 0],
-    ],
+    points: pointsOf("0,0 100,200 200,0"),
     degree: 2,
     segments: 2,
   });
@@ -153,12 +123,7 @@ test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + s
 });
 
 test("the error is that of the whole: no dense sample is farther, one is as far", () => {
-  const curve = new Curve([
-    [70, 330],
-    [600, 90],
-    [-200, 120],
-    [325, 230],
-  ]);
+  const curve = new Curve([70, 330, 600, 90, -200, 120, 325, 230]);
   const ts = [0, 0.2, 0.45, 0.8, 1];
   let farthest = 0;
   for (let k = 0; k + 1 < ts.length; k++) {
@@ -195,11 +160,7 @@ test("a tolerance that would take for ever is raised, and the raised one is told
 });
 
 test("extrema and boxes: y = x² has its least y at t = ½", () => {
-  const points = [
-    [100, 400],
-    [200, 200],
-    [300, 400],
-  ];
+  const points = pointsOf("100,400 200,200 300,400");
   const { data, words } = derived("extrema", { points, degree: 2 });
   assert.deepEqual(data.ts, [[0.5]]);
   assert.deepEqual(data.strokes, [200, 300, 1, 0]);
@@ -210,34 +171,20 @@ test("extrema and boxes: y = x² has its least y at t = ½", () => {
 
 test("inflections: an S has one in the middle, an arch none", () => {
   const { data, words } = derived("inflections", {
-    points: [
-      [100, 100],
-      [300, 100],
-      [100, 300],
-      [300, 300],
-    ],
+    points: pointsOf("100,100 300,100 100,300 300,300"),
   });
   near(data.ts[0][0], 0.5, 1e-12);
   assert.equal(words, "Inflections at t = 0.500 (serpentine)");
   assert.equal(
     derived("inflections", {
-      points: [
-        [100, 300],
-        [150, 100],
-        [250, 100],
-        [300, 300],
-      ],
+      points: pointsOf("100,300 150,100 250,100 300,300"),
     }).words,
     "Inflections: none inside (arch)",
   );
 });
 
 test("nearest: the foot of the perpendicular, on the right piece; nothing without a pointer", () => {
-  const points = [
-    [0, 0],
-    [100, 0],
-    [100, 100],
-  ];
+  const points = pointsOf("0,0 100,0 100,100");
   const { data, words } = derived("nearest", { points, degree: 1, pointer: [130, 25] });
   assert.deepEqual(data.found.point, { x: 100, y: 25 });
   assert.equal(words, "Nearest point: t = 0.250 on piece 2, 30 px away");
@@ -246,10 +193,7 @@ test("nearest: the foot of the perpendicular, on the right piece; nothing withou
 
 test("the parallel of a line is the line moved along its normal", () => {
   const { data } = derived("offset", {
-    points: [
-      [0, 50],
-      [100, 50],
-    ],
+    points: pointsOf("0,50 100,50"),
     degree: 1,
     offset: 30,
   });
@@ -261,11 +205,7 @@ test("the parallel of a line is the line moved along its normal", () => {
 
 test("ticks divide the length evenly across joints", () => {
   const { data, words } = derived("ticks", {
-    points: [
-      [0, 0],
-      [100, 0],
-      [100, 300],
-    ],
+    points: pointsOf("0,0 100,0 100,300"),
     degree: 1,
     ticks: 4,
   });
@@ -279,28 +219,17 @@ test("ticks divide the length evenly across joints", () => {
 
 test("beyond the ends: t from −½ to 0 and from 1 to 1½", () => {
   const { data } = derived("extrapolation", {
-    points: [
-      [0, 0],
-      [100, 0],
-    ],
+    points: pointsOf("0,0 100,0"),
     degree: 1,
   });
   assert.deepEqual(
     data.map((curve) => [...curve.controlPoints()]),
-    [
-      [-50, 0, 0, 0],
-      [100, 0, 150, 0],
-    ],
+    pointsOf("-50,0,0,0 100,0,150,0"),
   );
 });
 
 test("the hull of a B-spline is that of its own points, of other bases that of the Bézier form", () => {
-  const points = [
-    [0, 0],
-    [0, 300],
-    [300, 300],
-    [300, 0],
-  ];
+  const points = pointsOf("0,0 0,300 300,300 300,0");
   assert.equal(derived("hull", { points, basis: "b-spline" }).data[0].length, 8);
   assert.deepEqual(new Set(derived("hull", { points, basis: "b-spline" }).data[0]), new Set([0, 300]));
   const form = derived("hull", { points, basis: "catmull-rom" });

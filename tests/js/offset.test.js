@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "../../js/index.js";
+import { pointsOf } from "./reference.js";
 
 test("a parallel keeps its distance and its ends", () => {
   const curve = new Curve([0, 0, 0, 100, 200, 100, 200, 0]);
@@ -18,10 +19,7 @@ test("a parallel keeps its distance and its ends", () => {
 });
 
 test("lines stay lines, turn-backs are rounded, points come back", () => {
-  assert.deepEqual(new Curve([0, 0, 4, 3]).offset(5).toJSON().points, [
-    [-3, 4],
-    [1, 7],
-  ]);
+  assert.deepEqual(new Curve([0, 0, 4, 3]).offset(5).toJSON().points, pointsOf("-3,4 1,7"));
   const back = new Curve([0, 0, 2, 0, 0, 0]).offset(1);
   assert.deepEqual(
     [back.eval(0), back.eval(back.segmentCount)],
@@ -74,25 +72,13 @@ test("reduce gives the closest curve, and how close", () => {
 });
 
 test("a curve through points", () => {
-  const points = [
-    [0, 0],
-    [1, 2],
-    [3, 1],
-    [4, 4],
-  ];
+  const points = pointsOf("0,0 1,2 3,1 4,4");
   const curve = Curve.interpolate(points, [0, 0.25, 0.5, 1]);
   [0, 0.25, 0.5, 1].forEach((t, i) => {
     const { x, y } = curve.eval(t);
     assert.ok(Math.hypot(x - points[i][0], y - points[i][1]) < 1e-14);
   });
-  assert.equal(
-    Curve.interpolate([
-      [0, 0, 1],
-      [1, 2, 3],
-      [3, 1, 0],
-    ]).dimension,
-    3,
-  );
+  assert.equal(Curve.interpolate(pointsOf("0,0,1 1,2,3 3,1,0")).dimension, 3);
   assert.throws(() => Curve.interpolate(points, [0, 1, 1, 2]), {
     name: "RangeError",
     message: /^ts: expected parameters that differ/,
@@ -112,42 +98,17 @@ test("a spline along a stroke, and with fewer segments", () => {
       nearest = Math.min(nearest, fromSegment(x, y, [...line.subarray(i, i + 4)]));
     assert.ok(nearest < 1.2e-3, `${nearest}`);
   }
-  const corner = Spline.fit(
-    [
-      [0, 0],
-      [1, 0],
-      [2, 0],
-      [2, 1],
-      [2, 2],
-    ],
-    { tolerance: 0.01 },
-  );
+  const corner = Spline.fit(pointsOf("0,0 1,0 2,0 2,1 2,2"), { tolerance: 0.01 });
   assert.equal(corner.segmentCount, 2);
-  assert.ok(
-    Spline.fit(
-      [
-        [0, 0],
-        [1, 0],
-        [1, 1],
-      ],
-      { tolerance: 0.01, closed: true },
-    ).closed,
-  );
+  assert.ok(Spline.fit(pointsOf("0,0 1,0 1,1"), { tolerance: 0.01, closed: true }).closed);
   assert.equal(Spline.fit([0, 0, 0, 1, 1, 1], { tolerance: 0.1, dimension: 3 }).dimension, 3);
   const cut = fitted.insert(0.3).insert(0.5).insert(2.5);
   assert.ok(cut.simplify(1e-3).segmentCount < cut.segmentCount);
   assert.throws(() => Spline.fit([[0, 0]], { tolerance: 1 }), { name: "RangeError", message: /^points: / });
-  assert.throws(
-    () =>
-      Spline.fit(
-        [
-          [0, 0],
-          [1, 1],
-        ],
-        { tolerance: 0 },
-      ),
-    { name: "RangeError", message: /^tolerance: / },
-  );
+  assert.throws(() => Spline.fit(pointsOf("0,0 1,1"), { tolerance: 0 }), {
+    name: "RangeError",
+    message: /^tolerance: /,
+  });
   assert.throws(() => cut.simplify(-1), { name: "RangeError", message: /^tolerance: / });
 });
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Path } from "casteljau";
-import { near, pairs, refused } from "./reference.js";
+import { near, pairs, pointsOf, refused } from "./reference.js";
 
 /** A closed square of side 4, an open line, and a cubic with a quadratic after it. */
 const SVG = "M0 0H4V4H0Z M10 0H14 M0 10C0 12 2 12 2 10Q3 8 4 10";
@@ -49,11 +49,7 @@ test("many points: evalAt and sample", () => {
   assert.equal(path.evalAt(times, { into }), into);
   assert.deepEqual([...into], [...points, 9, 9, 9, 9]);
   refused(() => path.evalAt(times, { into: new Float64Array(3) }), RangeError, /^into: expected at least 16/);
-  assert.deepEqual(pairs(path.sample(2)[1]), [
-    [10, 0],
-    [12, 0],
-    [14, 0],
-  ]);
+  assert.deepEqual(pairs(path.sample(2)[1]), pointsOf("10,0 12,0 14,0"));
   assert.deepEqual([empty.sample(3), [...empty.evalAt([])]], [[], []]);
 });
 
@@ -151,13 +147,7 @@ test("extrema: inside segments and at joints, alternately maxima and minima", ()
   // A plateau between increasing and decreasing counts once, at its start; a step does not.
   assert.deepEqual(ts("M0 0L1 1H2L3 0", "y"), [1]);
   assert.deepEqual(ts("M0 0L1 1H2L3 2", "y"), []);
-  assert.deepEqual(
-    [ts("M0 0H4V4H0Z", "x"), ts("M0 0H4V4H0Z", "y")],
-    [
-      [1, 3],
-      [0, 2],
-    ],
-  );
+  assert.deepEqual([ts("M0 0H4V4H0Z", "x"), ts("M0 0H4V4H0Z", "y")], pointsOf("1,3 0,2"));
   assert.deepEqual(ts("M2 0L0 2L-2 0L0 -2Z", "x"), [0, 2]);
   assert.deepEqual(ts("M1 1Z", "x"), []);
   assert.deepEqual(empty.extrema(), { x: [], y: [] });

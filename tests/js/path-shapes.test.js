@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Path, Spline } from "casteljau";
-import { near, recorder, refused } from "./reference.js";
+import { near, pointsOf, recorder, refused } from "./reference.js";
 
 const TURN = 2 * Math.PI;
 
@@ -150,11 +150,7 @@ test("rect: radii that do not fit are reduced by one factor", () => {
 });
 
 test("polygon and polyline", () => {
-  const corners = [
-    [0, 0],
-    [4, 0],
-    [4, 3],
-  ];
+  const corners = pointsOf("0,0 4,0 4,3");
   const triangle = Path.polygon(corners);
   assert.equal(triangle.toSVG(), "M0,0 L4,0 L4,3 Z");
   assert.deepEqual([triangle.area(), triangle.length()], [6, 12]);
@@ -178,17 +174,7 @@ test("from: curves, splines, paths, and arrays of them", () => {
     refused(() => Path.from(bad), TypeError, /^shapes: expected a Path, a Spline or a Curve, got/);
     refused(() => Path.from([path, bad]), TypeError, /^shapes\[1\]: expected a Path/);
   }
-  refused(
-    () =>
-      Path.from(
-        new Curve([
-          [0, 0, 0],
-          [1, 1, 1],
-        ]),
-      ),
-    TypeError,
-    /^shapes: .*2D.*3D/,
-  );
+  refused(() => Path.from(new Curve(pointsOf("0,0,0 1,1,1"))), TypeError, /^shapes: .*2D.*3D/);
 });
 
 test("SVG arcs within the tolerance, by default 1e-5 of the radius", () => {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Spline } from "casteljau";
-import { refused } from "./reference.js";
+import { pointsOf, refused } from "./reference.js";
 
 const polyline = (points, closed = false) => new Spline(points, { degree: 1, closed });
 const K = (4 / 3) * (Math.SQRT2 - 1);
@@ -12,13 +12,7 @@ const CIRCLE = new Spline([1, 0, 1, K, K, 1, 0, 1, -K, 1, -1, K, -1, 0, -1, -K, 
 });
 
 test("extrema: joints and the inside of segments, not the ends of an open spline", () => {
-  const zigzag = polyline([
-    [0, 0],
-    [1, 2],
-    [2, -1],
-    [3, -2],
-    [2, 5],
-  ]);
+  const zigzag = polyline(pointsOf("0,0 1,2 2,-1 3,-2 2,5"));
   assert.deepEqual([[...zigzag.extrema().y], [...zigzag.extrema().x]], [[1, 3], [3]]);
   // y = 4t(1 − t) twice: up to 1 and back to 0
   const hills = new Spline([0, 0, 1, 2, 2, 0, 3, 2, 4, 0], { degree: 2 });
@@ -34,41 +28,15 @@ test("extrema: of a circle they are at its joints, the start as 0; of an open ar
 });
 
 test("extrema: the joints of a constant part between a rise and a fall, none between two rises", () => {
-  const plateau = polyline([
-    [0, 0],
-    [1, 1],
-    [2, 1],
-    [3, 0],
-  ]);
+  const plateau = polyline(pointsOf("0,0 1,1 2,1 3,0"));
   assert.deepEqual([...plateau.extrema().y], [1, 2]);
-  const terrace = polyline([
-    [0, 0],
-    [1, 1],
-    [2, 1],
-    [3, 2],
-  ]);
+  const terrace = polyline(pointsOf("0,0 1,1 2,1 3,2"));
   assert.deepEqual([...terrace.extrema().y], []);
-  const flat = polyline(
-    [
-      [0, 0],
-      [1, 0],
-      [2, 0],
-    ],
-    true,
-  );
+  const flat = polyline(pointsOf("0,0 1,0 2,0"), true);
   assert.deepEqual([...flat.extrema().y], []);
   assert.deepEqual([...flat.extrema().x], [0, 2]);
   // a closed trapezium whose constant side contains the start
-  const trapezium = polyline(
-    [
-      [1, 0],
-      [2, 0],
-      [2, 3],
-      [0, 3],
-      [0, 0],
-    ],
-    true,
-  );
+  const trapezium = polyline(pointsOf("1,0 2,0 2,3 0,3 0,0"), true);
   assert.deepEqual([...trapezium.extrema().y], [0, 1, 2, 3, 4]);
 });
 
@@ -79,12 +47,7 @@ test("extrema: z in 3D only", () => {
 });
 
 test("timesAtCoordinate: each time once, joints too, the start of a closed spline as 0", () => {
-  const zigzag = polyline([
-    [0, 0],
-    [1, 2],
-    [2, 0],
-    [3, 4],
-  ]);
+  const zigzag = polyline(pointsOf("0,0 1,2 2,0 3,4"));
   assert.deepEqual([...zigzag.timesAtCoordinate({ y: 1 })], [0.5, 1.5, 2.25]);
   assert.deepEqual([...zigzag.timesAtCoordinate({ y: 2 })], [1, 2.5]);
   assert.deepEqual([...zigzag.timesAtCoordinate({ y: 0 })], [0, 2]);
@@ -95,12 +58,7 @@ test("timesAtCoordinate: each time once, joints too, the start of a closed splin
 });
 
 test("timesAtCoordinate: both ends of a segment on which the coordinate is constant", () => {
-  const spline = polyline([
-    [0, 0],
-    [1, 1],
-    [2, 1],
-    [3, 0],
-  ]);
+  const spline = polyline(pointsOf("0,0 1,1 2,1 3,0"));
   assert.deepEqual([...spline.timesAtCoordinate({ y: 1 })], [1, 2]);
 });
 

@@ -2,25 +2,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, near, refused, SEVEN } from "./reference.js";
+import { coordinates, near, pointsOf, refused, SEVEN } from "./reference.js";
 
-const CORNER = [
-  [0, 0],
-  [2, 0],
-  [2, 2],
-];
+const CORNER = pointsOf("0,0 2,0 2,2");
 /** A cubic with the control points of x = t, y = t², then the line to (4, 1). */
-const PARABOLA_AND_LINE = Spline.fromCurves([
-  new Curve([
-    [0, 0],
-    [0.5, 0],
-    [1, 1],
-  ]).elevate(),
-  new Curve([
-    [1, 1],
-    [4, 1],
-  ]),
-]);
+const PARABOLA_AND_LINE = Spline.fromCurves([new Curve([0, 0, 0.5, 0, 1, 1]).elevate(), new Curve([1, 1, 4, 1])]);
 
 test("derivativeAt: closed forms on each segment, zero above the degree, the point for k = 0", () => {
   for (const t of [-0.5, 0, 0.25, 0.75]) {
@@ -36,14 +22,7 @@ test("derivativeAt: at a joint the segment that starts there counts, outside the
   const spline = new Spline(CORNER, { degree: 1 });
   assert.deepEqual(
     [-3, 0, 0.999, 1, 2, 7].map((t) => coordinates(spline.derivativeAt(t))),
-    [
-      [2, 0],
-      [2, 0],
-      [2, 0],
-      [0, 2],
-      [0, 2],
-      [0, 2],
-    ],
+    pointsOf("2,0 2,0 2,0 0,2 0,2 0,2"),
   );
   const closed = new Spline(CORNER, { degree: 1, closed: true });
   assert.deepEqual(coordinates(closed.derivativeAt(2)), [-2, -2]);
@@ -87,10 +66,7 @@ test("torsion and the principal normal: the twisted cubic (t, t², t³) as the s
     [2 / 3, 1 / 3, 0],
     [1, 1, 1],
   ]);
-  const line = new Curve([
-    [-1, 0, 0],
-    [0, 0, 0],
-  ]);
+  const line = new Curve(pointsOf("-1,0,0 0,0,0"));
   const spline = Spline.fromCurves([line, twisted]);
   for (const t of [0, 0.25, 0.5]) {
     near([spline.torsion(1 + t)], [12 / (4 + 36 * t * t + 36 * t ** 4)]);

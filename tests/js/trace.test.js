@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { CUBIC, near, recorder, refused, SEVEN, SPACE, untyped } from "./reference.js";
+import { CUBIC, near, pointsOf, recorder, refused, SEVEN, SPACE, untyped } from "./reference.js";
 
 const drawn = (shape, options) => {
   const target = recorder();
@@ -11,31 +11,14 @@ const drawn = (shape, options) => {
 };
 
 test("degrees 1 to 3 are drawn as they are", () => {
-  assert.deepEqual(
-    drawn(
-      new Curve([
-        [1, 2],
-        [3, 4],
-      ]),
-    ),
-    [
-      ["moveTo", 1, 2],
-      ["lineTo", 3, 4],
-    ],
-  );
-  assert.deepEqual(
-    drawn(
-      new Curve([
-        [1, 2],
-        [3, 4],
-        [5, 0],
-      ]),
-    ),
-    [
-      ["moveTo", 1, 2],
-      ["quadraticCurveTo", 3, 4, 5, 0],
-    ],
-  );
+  assert.deepEqual(drawn(new Curve([1, 2, 3, 4])), [
+    ["moveTo", 1, 2],
+    ["lineTo", 3, 4],
+  ]);
+  assert.deepEqual(drawn(new Curve([1, 2, 3, 4, 5, 0])), [
+    ["moveTo", 1, 2],
+    ["quadraticCurveTo", 3, 4, 5, 0],
+  ]);
   assert.deepEqual(drawn(new Curve(CUBIC)), [
     ["moveTo", 0, 0],
     ["bezierCurveTo", 0, 8, 8, 8, 8, 0],
@@ -43,14 +26,7 @@ test("degrees 1 to 3 are drawn as they are", () => {
 });
 
 test("higher degrees are drawn by cubics, more of them for a finer tolerance", () => {
-  const points = [
-    [0, 0],
-    [1, 9],
-    [8, -9],
-    [4, 7],
-    [3, -5],
-    [9, 2],
-  ];
+  const points = pointsOf("0,0 1,9 8,-9 4,7 3,-5 9,2");
   const curve = new Curve(points);
   const [coarse, fine] = [drawn(curve, { tolerance: 1 }), drawn(curve, { tolerance: 1e-6 })];
   assert.ok(coarse.length < fine.length);
@@ -70,14 +46,7 @@ test("a spline moves once; a closed one is closed", () => {
     ["bezierCurveTo", 0, 2, 2, 2, 2, 0],
     ["bezierCurveTo", 2, -4, 4, -2, 4, 0],
   ]);
-  const triangle = new Spline(
-    [
-      [0, 0],
-      [1, 0],
-      [0, 1],
-    ],
-    { degree: 1, closed: true },
-  );
+  const triangle = new Spline([0, 0, 1, 0, 0, 1], { degree: 1, closed: true });
   assert.deepEqual(drawn(triangle), [
     ["moveTo", 0, 0],
     ["lineTo", 1, 0],
@@ -117,10 +86,7 @@ test("a target that throws, or that calls back, does no harm", () => {
     const busy = recorder();
     const { bezierCurveTo } = busy;
     busy.bezierCurveTo = (...args) => {
-      new Curve([
-        [7, 7],
-        [8, 8],
-      ]).sample(20_000);
+      new Curve([7, 7, 8, 8]).sample(20_000);
       new Spline(SEVEN).trace(recorder());
       bezierCurveTo(...args);
     };
@@ -149,12 +115,6 @@ test("methods are called on their target", () => {
     }
   }
   const context = new Context();
-  new Curve([
-    [1, 2],
-    [3, 4],
-  ]).trace(untyped(context));
-  assert.deepEqual(context.calls, [
-    [1, 2],
-    [3, 4],
-  ]);
+  new Curve([1, 2, 3, 4]).trace(untyped(context));
+  assert.deepEqual(context.calls, pointsOf("1,2 3,4"));
 });
