@@ -15,13 +15,13 @@ export function coordinates(/** @type {any} */ p) {
 }
 
 /** Numbers agree to a small part of the larger one, or absolutely below 1. */
-export function near(got, expected, tolerance = 1e-12) {
+export function near(got, expected, tolerance = 1e-12, what = "") {
   const [a, b] = [coordinates(got), coordinates(expected)];
-  assert.equal(a.length, b.length, `${a} instead of ${b}`);
+  assert.equal(a.length, b.length, `${what} ${a} instead of ${b}`);
   const off = (x, i) => Math.abs(x - b[i]) / Math.max(1, Math.abs(b[i]));
   assert.ok(
     a.every((x, i) => x === b[i] || off(x, i) <= tolerance),
-    `${a} instead of ${b}`,
+    `${what} ${a} instead of ${b}`,
   );
 }
 

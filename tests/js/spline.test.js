@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, deCasteljau, near, owned, pairs, pointsOf, refused, SEVEN } from "./reference.js";
+import { coordinates, deCasteljau, near, owned, pairs, pointsOf, refusedAll, SEVEN } from "./reference.js";
 
 const seven = new Spline(SEVEN);
 const RING = pointsOf("1,0 1,1 0,1 -1,1 -1,0 -1,-1 0,-1 1,-1");
@@ -14,10 +14,8 @@ test("seven points are two cubics; a closed spline has n · degree points", () =
   assert.deepEqual([seven.segmentCount, seven.degrees, seven.closed, seven.dimension], [2, [3, 3], false, 2]);
   assert.deepEqual([ring.segmentCount, ring.degrees, ring.closed], [4, [2, 2, 2, 2], true]);
   assert.deepEqual(netOf(seven), SEVEN);
-  assert.deepEqual(
-    seven.segments().map((curve) => pairs(curve.controlPoints())),
-    [SEVEN.slice(0, 4), SEVEN.slice(3)],
-  );
+  const nets = seven.segments().map((curve) => pairs(curve.controlPoints()));
+  assert.deepEqual(nets, [SEVEN.slice(0, 4), SEVEN.slice(3)]);
   assert.deepEqual(pairs(ring.segments()[3].controlPoints()), pointsOf("0,-1 1,-1 1,0"));
   assert.deepEqual([mixed.degrees, mixed.dimension], [[1, 2], 3]);
 });
@@ -37,23 +35,15 @@ test("eval, evalAt and sample: segment k covers t from k to k + 1", () => {
   assert.deepEqual(seven.eval(1), { x: 2, y: 0 });
   assert.deepEqual(ring.eval(4), { x: 1, y: 0 });
   assert.deepEqual(mixed.eval(0.5), { x: 0.5, y: 0, z: 0 });
-  near(
-    seven.evalAt([0.5, 1.5]),
-    [0.5, 1.5].flatMap((t) => coordinates(seven.eval(t))),
-  );
-  near(
-    ring.sample(2),
-    [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4].flatMap((t) => coordinates(ring.eval(t))),
-  );
+  const all = (spline, ts) => ts.flatMap((t) => coordinates(spline.eval(t)));
+  near(seven.evalAt([0.5, 1.5]), all(seven, [0.5, 1.5]));
+  near(ring.sample(2), all(ring, [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4]));
 });
 
 test("flatten has a vertex at each joint", () => {
   const { points, ts } = ring.flatten(0.01);
   [points, ts].forEach(owned);
-  assert.deepEqual(
-    [0, 1, 2, 3, 4].map((t) => ts.includes(t)),
-    [true, true, true, true, true],
-  );
+  assert.ok([0, 1, 2, 3, 4].every((t) => ts.includes(t)));
   near(points, ring.evalAt(ts));
   // The ring is no farther than 1/√2 … 1 from the middle; so are its chords, but for the tolerance.
   for (const [x, y] of pairs(points)) assert.ok(Math.hypot(x, y) <= 1.0607 && Math.hypot(x, y) >= 0.99);
@@ -116,23 +106,19 @@ test("joints of second order and automatic ones", () => {
   near(netOf(seven.setJoint(1, "auto")).slice(2, 5).flat(), [4 / 3, 0, 2, 0, 8 / 3, 0]);
   const space = new Spline(SEVEN.map(([x, y]) => [x, y, 1]));
   assert.ok(space.movePoint(2, [1, 1, 5], { joints: { 1: "c2" } }).continuity(1).c2);
-  refused(() => space.setJoint(1, "g2"), RangeError, /^mode: expected a 2D spline for "g2", got a 3D one$/);
-  refused(
-    () => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }),
-    RangeError,
-    /^joints\[1\]: expected a 2D spline for "g2"/,
-  );
+  refusedAll(RangeError, [
+    [() => space.setJoint(1, "g2"), /^mode: expected a 2D spline for "g2", got a 3D one$/],
+    [() => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }), /^joints\[1\]: expected a 2D spline for "g2"/],
+  ]);
 });
 
 test("insert keeps the curve, remove undoes it", () => {
-  /** @type {[Spline, number][]} */
-  const cases = [
+  for (const [spline, t] of /** @type {const} */ ([
     [seven, 1.25],
     [ring, 3.5],
     [mixed, 0.5],
     [mixed, 1.75],
-  ];
-  for (const [spline, t] of cases) {
+  ])) {
     const more = spline.insert(t);
     const k = Math.floor(t);
     assert.equal(more.segmentCount, spline.segmentCount + 1);
@@ -158,10 +144,8 @@ test("reverse and transform", () => {
     for (const t of [0, 0.3, 1, 1.6]) near(back.eval(spline.segmentCount - t), spline.eval(t));
     assert.ok(back.reverse().equals(spline));
   }
-  assert.deepEqual(
-    netOf(seven.transform([2, 0, 0, -1, 10, 5])),
-    SEVEN.map(([x, y]) => [2 * x + 10, 5 - y]),
-  );
+  const image = SEVEN.map(([x, y]) => [2 * x + 10, 5 - y]);
+  assert.deepEqual(netOf(seven.transform([2, 0, 0, -1, 10, 5])), image);
   assert.deepEqual(mixed.transform([0, 1, -1, 0, 0, 0]).eval(2), { x: -1, y: 2, z: 1 });
 });
 
