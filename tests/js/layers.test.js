@@ -3,7 +3,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "../../js/index.js";
 import { figureOf } from "../../js/elements/applet/figure.js";
-
 import { nameAt, namesOf } from "../../js/elements/applet/layers/names.js";
 import { deviation, treeOf } from "../../js/elements/applet/layers/halving.js";
 import { envelopeLines } from "../../js/elements/applet/layers/envelope.js";

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "../../js/index.js";
-import { near, pointsOf, refusedAll, untyped } from "./reference.js";
+import { near, pointsOf, refusedAll, SPACE, untyped } from "./reference.js";
 
 const ARCH = new Curve([0, 0, 0, 100, 200, 100, 200, 0]);
 
@@ -29,12 +29,14 @@ test("lines stay lines, turn-backs are rounded, points come back", () => {
 test("corners of a spline are joined", () => {
   const square = new Spline([0, 0, 4, 0, 4, 4, 0, 4], { degree: 1, closed: true });
   const round = square.offset(-1, { tolerance: 1e-6 });
-  assert.ok(round.closed);
+  assert.ok(round.closed && square.offset(-1).equals(square.offset(-1, { join: "round" })));
   assert.deepEqual(round.bounds(), { min: { x: -1, y: -1 }, max: { x: 5, y: 5 } });
   const miter = square.offset(-1, { join: "miter" });
   assert.deepEqual(miter.degrees, new Array(12).fill(1));
   assert.ok(miter.toJSON().points.some(([x, y]) => x === 5 && y === 5));
   assert.deepEqual(square.offset(-1, { join: "bevel" }).degrees, new Array(8).fill(1));
+  const [coarse, fine] = [0.1, 1e-6].map((tolerance) => Spline.fromCurves([ARCH]).offset(10, { tolerance }));
+  assert.ok(coarse.segmentCount < fine.segmentCount);
 });
 
 test("reduce gives the closest curve, and how close", () => {
@@ -72,6 +74,7 @@ test("refusals", () => {
     [() => ARCH.offset(1, { tolerance: 1e-20 }), /^tolerance: expected at least /],
     [() => ARCH.offset(1e308), /^distance: /],
     [() => line.offset(1, { join: untyped("sharp") }), /^join: /],
+    [() => line.offset(1, { tolerance: 0 }), /^tolerance: /],
     [() => Curve.interpolate(points, [0, 1, 1, 2]), /^ts: expected parameters that differ/],
     [() => Curve.interpolate(points, [0, 1]), /^ts: /],
     [() => Curve.interpolate([[0, 0]]), /^points: /],
@@ -81,6 +84,7 @@ test("refusals", () => {
   ]);
   refusedAll(TypeError, [
     [() => ARCH.offset(untyped("1")), /^distance: /],
-    [() => new Curve(pointsOf("0,0,0 1,1,1")).offset(1), /^offset: expected a 2D curve/],
+    [() => new Curve(SPACE).offset(1), /^offset: expected a 2D curve/],
+    [() => new Spline(SPACE).offset(1), /^offset: expected a 2D spline/],
   ]);
 });

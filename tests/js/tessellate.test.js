@@ -44,6 +44,13 @@ test("uvs and patch numbers belong to patches of their own", () => {
   }
 });
 
+test("vertices are shared by normals by default, and weld decides how many there are", () => {
+  const meshes = ["none", "normal", "position"].map((weld) => tessellate({ segments: 4, weld }));
+  assert.deepEqual(tessellate({ segments: 4 }), meshes[1]);
+  const [none, normal, position] = meshes.map(({ positions }) => positions.length);
+  assert.ok(none > normal && normal > position, `${[none, normal, position]}`);
+});
+
 test("f64 on demand", () => {
   const precise = tessellate({ segments: 8, weld: "position", precision: "f64" });
   const plain = tessellate({ segments: 8, weld: "position" });
@@ -100,6 +107,13 @@ test("an earlier mesh of any kind will do", () => {
   assert.equal(empty.positions.length + empty.indices.length + empty.patchRanges.length, 0);
   const again = teapot.grid({ segments: 4, quads: true, into: mesh });
   assert.deepEqual({ ...again }, { ...teapot.grid({ segments: 4, quads: true }) });
+});
+
+test("two meshes do not share memory", () => {
+  const one = tessellate({ segments: 2 });
+  const copy = one.positions.slice();
+  tessellate({ segments: 3 });
+  assert.deepEqual(one.positions, copy);
 });
 
 test("topology of the teapot", () => {
