@@ -58,7 +58,9 @@ test("a spline along a stroke, and with fewer segments", () => {
   assert.ok(fitted.segmentCount < 12);
   for (const point of points) assert.ok(fitted.nearest(point).distance < 1.1e-3);
   const corner = pointsOf("0,0 1,0 2,0 2,1 2,2");
-  assert.equal(Spline.fit(corner, { tolerance: 0.01 }).segmentCount, 2);
+  const [sharp, smooth] = [undefined, 3].map((cornerAngle) => Spline.fit(corner, { tolerance: 0.01, cornerAngle }));
+  assert.deepEqual([sharp.segmentCount, sharp.continuity(1).g1], [2, false]);
+  for (let k = 1; k < smooth.segmentCount; k++) assert.ok(smooth.continuity(k).g1);
   assert.ok(Spline.fit([0, 0, 1, 0, 1, 1], { tolerance: 0.01, closed: true }).closed);
   assert.equal(Spline.fit([0, 0, 0, 1, 1, 1], { tolerance: 0.1, dimension: 3 }).dimension, 3);
   const cut = fitted.insert(0.3).insert(0.5).insert(2.5);
@@ -76,7 +78,7 @@ test("refusals", () => {
     [() => line.offset(1, { join: untyped("sharp") }), /^join: /],
     [() => line.offset(1, { tolerance: 0 }), /^tolerance: /],
     [() => Curve.interpolate(points, [0, 1, 1, 2]), /^ts: expected parameters that differ/],
-    [() => Curve.interpolate(points, [0, 1]), /^ts: /],
+    [() => Curve.interpolate(points, [0, 1]), /^ts: expected 4 numbers, one for each point, got 2$/],
     [() => Curve.interpolate([[0, 0]]), /^points: /],
     [() => Spline.fit([[0, 0]], { tolerance: 1 }), /^points: /],
     [() => Spline.fit(points, { tolerance: 0 }), /^tolerance: /],

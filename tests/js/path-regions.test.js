@@ -69,6 +69,24 @@ test("the fill rule decides what a path that crosses itself contains", () => {
   near([twice.reverse().moments({ fillRule: "nonzero" }).x], [0.5]);
 });
 
+test("every operation takes the fill rule", () => {
+  const twice = Path.fromSVG("M0 0H3V3H0Z M1 1H2V2H1Z"); // the square in the middle has the winding number 2
+  const far = Path.rect([5, 5], 1, 1);
+  for (const [fillRule, area] of /** @type {const} */ ([
+    ["nonzero", 9],
+    ["evenodd", 8],
+  ])) {
+    const regions = [twice.union(far, { fillRule }), twice.exclude(far, { fillRule })].map((path) => path.area() - 1);
+    regions.push(twice.subtract(far, { fillRule }).area(), twice.intersect(SQUARE, { fillRule }).area());
+    regions.push(Path.combine([twice], "union", { fillRule }).area());
+    const inside = Path.faces([twice], { fillRule }).filter((face) => face.inside[0]);
+    for (const parts of [inside.map(({ path }) => path), twice.divide(line(-1, 0.5, 4, 0.5), { fillRule })])
+      regions.push(parts.reduce((sum, part) => sum + part.area(), 0));
+    regions.push(line(-1, 1.5, 4, 1.5).clip(twice, { fillRule }).length() + 6);
+    near(regions, new Array(8).fill(area));
+  }
+});
+
 test("faces: the parts of two circles, and the hole of a ring", () => {
   const [a, b] = [circle(0, 0, 1), circle(1, 0, 1)];
   const faces = Path.faces([a, b]);
