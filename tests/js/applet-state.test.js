@@ -20,18 +20,13 @@ import {
   zoomed,
 } from "../../js/elements/applet/state.js";
 import { generator } from "../../js/applet/random.js";
+import { near, pointsOf } from "./reference.js";
 
-const near = (got, expected, slack = 1e-9) =>
-  expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${got}, not ${expected}`));
 /** A chain of so many random cubics, some points waiting. */
-const randomState = (seed, segments, rest = 0) =>
-  edits.randomized(
-    withPoints(
-      firstState(),
-      Array.from({ length: 3 * segments + 1 + rest }, () => [0, 0]),
-    ),
-    seed,
-  );
+function randomState(seed, segments, rest = 0) {
+  const points = Array.from({ length: 3 * segments + 1 + rest }, () => [0, 0]);
+  return edits.randomized(withPoints(firstState(), points), seed);
+}
 
 test("every field: written, parsed and put it is the same, through attributes and through JSON", () => {
   for (let seed = 0; seed < 50; seed++) {
@@ -75,48 +70,30 @@ test("refusals name the field and what came", () => {
       return `${error.name} ${error.message}`;
     }
   };
-  assert.equal(
-    refused({
-      points: [
-        [1, 2],
-        [3, NaN],
-      ],
-    }),
-    "RangeError y of points[1]: expected a finite number, got NaN",
-  );
-  assert.equal(
-    refused({
-      points: [
-        [1, 2],
-        [3, 2e6],
-      ],
-    }),
-    "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000",
-  );
-  assert.equal(
-    refused({ points: Array(MOST_POINTS + 1).fill([0, 0]) }),
-    "RangeError points: expected 2 to 500 points, got 501",
-  );
-  assert.equal(refused({ t: 1.5 }), "RangeError t: expected a number from 0 to 1, got 1.5");
-  assert.equal(refused({ t: 1.5, show: ["extrapolation"] }), "nothing", "there t goes on");
-  assert.equal(
-    refused({ t: 1.6, show: ["extrapolation"] }),
-    "RangeError t: expected a number from -0.5 to 1.5, got 1.6",
-  );
-  assert.equal(refused({ mode: 8 }), "RangeError mode: expected a number from 2 to 7, got 8");
-  assert.equal(refused({ matrix: [1] }), "RangeError matrix: expected 16 numbers, got 1");
-  assert.equal(refused({ joints: { 0: "g1" } }), "TypeError joints: expected an array, got Object");
-  assert.equal(refused([]), "TypeError state: expected an object with points, got an array of 0");
+  const refusals = [
+    [{ points: pointsOf("1,2 3,NaN") }, "RangeError y of points[1]: expected a finite number, got NaN"],
+    [
+      { points: pointsOf("1,2 3,2e6") },
+      "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000",
+    ],
+    [{ points: Array(MOST_POINTS + 1).fill([0, 0]) }, "RangeError points: expected 2 to 500 points, got 501"],
+    [{ t: 1.5 }, "RangeError t: expected a number from 0 to 1, got 1.5"],
+    [{ t: 1.5, show: ["extrapolation"] }, "nothing"], // there t goes on
+    [{ t: 1.6, show: ["extrapolation"] }, "RangeError t: expected a number from -0.5 to 1.5, got 1.6"],
+    [{ mode: 8 }, "RangeError mode: expected a number from 2 to 7, got 8"],
+    [{ matrix: [1] }, "RangeError matrix: expected 16 numbers, got 1"],
+    [{ joints: { 0: "g1" } }, "TypeError joints: expected an array, got Object"],
+    [[], "TypeError state: expected an object with points, got an array of 0"],
+  ];
+  for (const [json, words] of /** @type {[object, string][]} */ (refusals)) assert.equal(refused(json), words);
 });
 
 test("a cut leaves the curve and healing it gives the points back, in every chain", () => {
   for (let seed = 0; seed < 60; seed++) {
     const [segments, degree] = [1 + (seed % 4), 1 + (seed % 5)];
     const random = generator(seed);
-    const points = Array.from({ length: segments * degree + 1 + (seed % degree) }, () => [
-      600 * random(),
-      400 * random(),
-    ]);
+    const count = segments * degree + 1 + (seed % degree);
+    const points = Array.from({ length: count }, () => [600 * random(), 400 * random()]);
     const state = { ...withPoints(firstState(), points), degree, segment: seed % segments, t: 0.1 + 0.8 * random() };
     const cut = edits.inserted(state);
     assert.equal(cut.points.length, points.length + degree);
@@ -187,15 +164,7 @@ test("enlarging keeps the place it is about, and the proportions", () => {
 });
 
 test("places to click into: the mirror image, the line; 15° about the anchor", () => {
-  const state = withPoints(firstState(), [
-    [0, 0],
-    [50, 0],
-    [100, 100],
-    [200, 100],
-    [300, 300],
-    [400, 0],
-    [500, 0],
-  ]);
+  const state = withPoints(firstState(), pointsOf("0,0 50,0 100,100 200,100 300,300 400,0 500,0"));
   assert.deepEqual(snapped(state, 4, [303, 101], 1), [300, 100]);
   assert.deepEqual(snapped(state, 4, [370, 103], 1), [370, 100]);
   assert.deepEqual(snapped(state, 4, [370, 110], 1), [370, 110], "not near enough");
@@ -217,18 +186,14 @@ test("a path of lines, quadratics and arcs becomes cubics that meet", () => {
   const state = withText(firstState(), "M10 10 L100 10 Q200 10 200 100 A50 50 0 0 1 100 200 Z M0 0 L5 5");
   const { spline, pieces } = figureOf(state);
   assert.equal(spline?.segmentCount, pieces.length);
-  near(state.points[0], [10, 10]);
-  near(state.points[3], [100, 10]);
-  near(state.points[6], [200, 100]);
-  near(state.points.at(-1), [10, 10]);
+  const joints = [0, 3, 6, state.points.length - 1].flatMap((index) => state.points[index]);
+  near(joints, [10, 10, 100, 10, 200, 100, 10, 10]);
   assert.throws(() => withText(firstState(), "nonsense"), /^RangeError: This is no figure: points: expected pairs/);
 });
 
 test("no edit makes more points than can be read back", () => {
-  const full = withPoints(
-    firstState(),
-    Array.from({ length: MOST_POINTS }, (_, i) => [i, i]),
-  );
+  const points = Array.from({ length: MOST_POINTS }, (_, i) => [i, i]);
+  const full = withPoints(firstState(), points);
   const refusal = { name: "RangeError", message: /^points: expected at most 500, got 50[13]$/ };
   assert.throws(() => edits.appended(full, [1, 2]), refusal);
   assert.throws(() => edits.inserted(full, 0.5), refusal);

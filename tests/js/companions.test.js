@@ -9,16 +9,11 @@ import { plotOf, tAt, xOf, yOf } from "../../js/elements/companions/plot.js";
 import { inPoints, subjectOf } from "../../js/elements/companions/subject.js";
 import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "../../js/elements/companions/timing.js";
 import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
+import { near, pointsOf } from "./reference.js";
 
 /** @typedef {import("../../js/elements/companions/subject.js").Subject} Subject */
 
-const near = (a, b, slack = 1e-12) => assert.ok(Math.abs(a - b) <= slack, `${a} and ${b}`);
-const POINTS = [
-  [70, 330],
-  [110, 90],
-  [235, 120],
-  [325, 230],
-];
+const POINTS = pointsOf("70,330 110,90 235,120 325,230");
 const TS = [-0.4, 0, 0.1, 0.5, 0.9, 1, 1.3];
 
 test("numbers are read as people write them, and nothing else is one", () => {
@@ -29,10 +24,7 @@ test("numbers are read as people write them, and nothing else is one", () => {
 });
 
 test("points are read from attributes and from tables; what is wrong is named with its line", () => {
-  const two = [
-    [1, 2],
-    [3, 4.5],
-  ];
+  const two = pointsOf("1,2 3,4.5");
   for (const text of [
     "1,2 3,4.5",
     "1 2 3 4.5",
@@ -61,7 +53,7 @@ test("numbers are shown short, with a real minus, never as −0", () => {
 test("matrices and recursions give the weights that the core has", () => {
   for (const degree of [1, 2, 3, 7]) {
     const matrix = /** @type {number[]} */ (matrixOf("bezier", degree, null));
-    for (const t of TS) throughMatrix(matrix, t).forEach((w, i) => near(w, Curve.bernstein(degree, t)[i], 1e-9));
+    for (const t of TS) near(throughMatrix(matrix, t), Curve.bernstein(degree, t), 1e-9);
   }
   assert.equal(binomial(30, 15), 155117520);
   // Each weight of a B-spline is what its curve does with a point at 1 and the others at 0.
@@ -118,34 +110,17 @@ test("weights times points is the point of the curve, whatever the basis", () =>
     figure("b-spline", Curve.fromBasis("b-spline", POINTS)),
     figure("catmull-rom", Curve.fromBasis("catmull-rom", POINTS)),
     figure("matrix", Curve.fromBasis(own, POINTS), { matrix: own }),
-    figure(
-      "natural",
-      new Curve([
-        [0, 0],
-        [1, 5],
-        [2, 5],
-        [9, 0],
-      ]),
-      {
-        pieces: [
-          {
-            curve: new Curve([
-              [0, 0],
-              [1, 5],
-              [2, 5],
-              [9, 0],
-            ]),
-            indices: [0, 1],
-          },
-        ],
-      },
-    ),
+    figure("natural", new Curve([0, 0, 1, 5, 2, 5, 9, 0]), {
+      pieces: [
+        {
+          curve: new Curve([0, 0, 1, 5, 2, 5, 9, 0]),
+          indices: [0, 1],
+        },
+      ],
+    }),
   ];
   for (const each of figures) {
-    const { x, y } = each.pieces[0].curve.eval(0.3);
-    const [bx, by] = blended(subjectOf(each));
-    near(bx, x, 1e-9);
-    near(by, y, 1e-9);
+    near(blended(subjectOf(each)), each.pieces[0].curve.eval(0.3));
   }
   const hermite = /** @type {Subject} */ (subjectOf(figures[1]));
   assert.deepEqual(hermite.names, ["P0", "P3", "P1−P0", "P3−P2"]);
@@ -227,8 +202,8 @@ test("the plot: every line inside, the peaks labelled apart, t back from its pla
     for (const t of [0, 0.123, 1]) near(tAt(frame, xOf(frame, t)), t);
   }
   const cubic = plotOf({ basis: "bezier", degree: 3, matrix: null, t: 0.5 });
-  near(cubic.lines[1].peak.x, xOf(cubic.frame, 1 / 3), 2);
-  near(cubic.lines[1].peak.y, yOf(cubic.frame, 4 / 9), 0.1);
+  near(cubic.lines[1].peak.x, xOf(cubic.frame, 1 / 3), 0.01);
+  near(cubic.lines[1].peak.y, yOf(cubic.frame, 4 / 9), 0.001);
   assert.deepEqual(plotOf({ basis: "bezier", degree: 3, matrix: null, t: 1.2 }).frame.x, [0, 1.25]);
 });
 

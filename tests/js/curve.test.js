@@ -1,49 +1,23 @@
-// Every public method of Curve, by closed forms and definitions.
+// Every public method of Curve: values of closed forms and definitions come through in the plane and in space.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "casteljau";
-import { coordinates, CUBIC, deCasteljau, near, owned, pairs, SPACE } from "./reference.js";
+import { coordinates, CUBIC, deCasteljau, near, owned, pairs, pointsOf, SPACE, TWISTED } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
 const space = new Curve(SPACE);
 const TS = [0, 0.1, 0.25, 0.5, 0.75, 0.999, 1, -0.5, 1.5];
-const CURVES = [
-  [
-    [0, 10],
-    [200, 100],
-  ],
-  [
-    [3, 5],
-    [14, 3],
-    [19, 14],
-  ],
-  CUBIC,
-  SPACE,
-  [
-    [0, 0],
-    [0, 1],
-    [1, 1],
-    [1, 2],
-    [2, 2],
-  ],
-];
+const CURVES = [pointsOf("0,10 200,100"), pointsOf("3,5 14,3 19,14"), CUBIC, SPACE, pointsOf("0,0 0,1 1,1 1,2 2,2")];
 
 test("eval, evalAt and sample are the points of de Casteljau's algorithm", () => {
   for (const points of CURVES) {
     const curve = new Curve(points);
-    assert.equal(curve.degree, points.length - 1);
-    assert.equal(curve.dimension, points[0].length);
+    const all = (ts) => ts.flatMap((t) => deCasteljau(points, t));
+    assert.deepEqual([curve.degree, curve.dimension], [points.length - 1, points[0].length]);
     for (const t of TS) near(curve.eval(t), deCasteljau(points, t));
-    assert.deepEqual(coordinates(curve.eval(0)), points[0]);
-    assert.deepEqual(coordinates(curve.eval(1)), points.at(-1));
-    near(
-      curve.evalAt(TS),
-      TS.flatMap((t) => deCasteljau(points, t)),
-    );
-    near(
-      curve.sample(5),
-      [0, 0.2, 0.4, 0.6, 0.8, 1].flatMap((t) => deCasteljau(points, t)),
-    );
+    assert.deepEqual([curve.eval(0), curve.eval(1)].map(coordinates), [points[0], points.at(-1)]);
+    near(curve.evalAt(TS), all(TS));
+    near(curve.sample(5), all([0, 0.2, 0.4, 0.6, 0.8, 1]));
     assert.deepEqual(curve.evalAt(new Float32Array(0)), new Float64Array(0));
   }
 });
@@ -59,248 +33,101 @@ test("derivatives", () => {
   for (const t of TS) {
     near(cubic.derivativeAt(t), [48 * t - 48 * t * t, 24 - 48 * t]);
     near(cubic.derivativeAt(t, 2), [48 - 96 * t, -48]);
-    near(cubic.derivativeAt(t, 3), [-96, 0]);
     near(cubic.derivative().eval(t), cubic.derivativeAt(t));
   }
   assert.deepEqual(cubic.derivativeAt(0.3, 0), cubic.eval(0.3));
   assert.deepEqual(cubic.derivativeAt(0.3, 4), { x: 0, y: 0 });
-  assert.equal(cubic.derivative().degree, 2);
-  assert.deepEqual(
-    [
-      ...new Curve([
-        [1, 2],
-        [4, 1],
-      ])
-        .derivative()
-        .controlPoints(),
-    ],
-    [3, -1, 3, -1],
-  );
+  assert.deepEqual([...new Curve([1, 2, 4, 1]).derivative().controlPoints()], [3, -1, 3, -1]);
 });
 
-test("tangent, normal, curvature: signs as with y up, limits at zero-length handles", () => {
-  const parabola = new Curve([
-    [-1, 1],
-    [0, -1],
-    [1, 1],
-  ]);
-  for (const t of TS.slice(0, 7)) {
+test("tangent, normal, curvature and torsion", () => {
+  const parabola = new Curve([-1, 1, 0, -1, 1, 1]);
+  for (const t of [0, 0.25, 1]) {
     const x = 2 * t - 1;
     const length = Math.hypot(1, 2 * x);
     near(parabola.tangent(t), [1 / length, (2 * x) / length]);
     near(parabola.normal(t), [(-2 * x) / length, 1 / length]);
-    near([parabola.curvature(t)], [2 / length ** 3]);
-    near([parabola.reverse().curvature(1 - t)], [-2 / length ** 3]);
+    near([parabola.curvature(t), parabola.reverse().curvature(1 - t)], [2 / length ** 3, -2 / length ** 3]);
   }
-  const stopping = new Curve([
-    [0, 0],
-    [0, 0],
-    [1, 1],
-    [2, 0],
-  ]);
+  const stopping = new Curve([0, 0, 0, 0, 1, 1, 2, 0]);
   near(stopping.tangent(0), [Math.SQRT1_2, Math.SQRT1_2]);
   assert.equal(stopping.curvature(0), -Infinity);
-  assert.deepEqual(
-    new Curve([
-      [3, 3],
-      [3, 3],
-    ]).tangent(0.5),
-    { x: 0, y: 0 },
-  );
-  // (6t², t⁴) at its start, and backwards at its end.
-  const slow = new Curve([
-    [0, 0],
-    [0, 0],
-    [1, 0],
-    [3, 0],
-    [6, 1],
-  ]);
-  near([slow.curvature(0), slow.reverse().curvature(1)], [1 / 18, -1 / 18]);
-});
-
-test("in space the normal is the principal one and the curvature is not negative", () => {
-  // (t, t², t³)
-  const twisted = new Curve([
-    [0, 0, 0],
-    [1 / 3, 0, 0],
-    [2 / 3, 1 / 3, 0],
-    [1, 1, 1],
-  ]);
-  near(
-    twisted.tangent(1),
-    [1, 2, 3].map((x) => x / Math.sqrt(14)),
-  );
+  assert.deepEqual(new Curve([3, 3, 3, 3]).tangent(0.5), { x: 0, y: 0 });
+  assert.equal(cubic.torsion(0.3), 0);
+  const twisted = new Curve(TWISTED);
+  for (const t of [0, 0.3, 1]) near([twisted.torsion(t)], [3 / (1 + 9 * t ** 2 + 9 * t ** 4)]);
+  near(twisted.tangent(1), [1 / Math.sqrt(14), 2 / Math.sqrt(14), 3 / Math.sqrt(14)]);
   near(twisted.normal(0), [0, 1, 0]);
   near([twisted.curvature(0), twisted.reverse().curvature(1)], [2, 2]);
-  assert.deepEqual(
-    new Curve([
-      [0, 0, 0],
-      [1, 2, 3],
-    ]).normal(0.5),
-    { x: 0, y: 0, z: 0 },
-  );
+  assert.deepEqual(new Curve(pointsOf("0,0,0 1,2,3")).normal(0.5), { x: 0, y: 0, z: 0 });
 });
 
 test("split, halve, subsegment, reverse, elevate keep the curve", () => {
   for (const points of CURVES) {
     const curve = new Curve(points);
-    const same = (piece, t0, t1) => {
-      for (const s of [0, 0.25, 0.5, 1]) near(piece.eval(s), deCasteljau(points, t0 + (t1 - t0) * s));
-    };
-    const [left, right] = curve.split(0.3);
-    same(left, 0, 0.3);
-    same(right, 0.3, 1);
-    const [first, second] = curve.halve();
-    same(first, 0, 0.5);
-    same(second, 0.5, 1);
-    same(curve.subsegment(0.2, 0.9), 0.2, 0.9);
-    same(curve.subsegment(0.9, 0.2), 0.9, 0.2);
-    same(curve.reverse(), 1, 0);
-    same(curve.elevate(), 0, 1);
+    const pieces = [curve.split(0.3), curve.halve(), curve.subsegment(0.2, 0.9), curve.subsegment(0.9, 0.2)].flat();
+    pieces.push(curve.reverse(), curve.elevate());
+    pointsOf("0,0.3 0.3,1 0,0.5 0.5,1 0.2,0.9 0.9,0.2 1,0 0,1").forEach(([t0, t1], k) => {
+      for (const s of [0, 0.25, 0.5, 1]) near(pieces[k].eval(s), deCasteljau(points, t0 + (t1 - t0) * s));
+    });
     assert.equal(curve.elevate().degree, curve.degree + 1);
   }
-  const [left, right] = cubic.halve();
-  assert.deepEqual([...left.controlPoints()], [0, 0, 0, 4, 2, 6, 4, 6]);
-  assert.deepEqual([...right.controlPoints()], [4, 6, 6, 6, 8, 4, 8, 0]);
+  const halves = cubic.halve().map((half) => pairs(half.controlPoints()));
+  assert.deepEqual(halves, [pointsOf("0,0 0,4 2,6 4,6"), pointsOf("4,6 6,6 8,4 8,0")]);
 });
 
 test("deCasteljau gives every level of the triangle", () => {
   const levels = cubic.deCasteljau(0.5).map((level) => pairs(level));
-  assert.deepEqual(levels, [
-    CUBIC,
-    [
-      [0, 4],
-      [4, 8],
-      [8, 4],
-    ],
-    [
-      [2, 6],
-      [6, 6],
-    ],
-    [[4, 6]],
-  ]);
-  assert.deepEqual(
-    space.deCasteljau(0.5).map((level) => level.length),
-    [12, 9, 6, 3],
-  );
+  assert.deepEqual(levels, [CUBIC, pointsOf("0,4 4,8 8,4"), pointsOf("2,6 6,6"), [[4, 6]]]);
+  const lengths = space.deCasteljau(0.5).map((level) => level.length);
+  assert.deepEqual(lengths, [12, 9, 6, 3]);
 });
 
 test("bernstein and basisMatrix", () => {
   assert.deepEqual([...Curve.bernstein(3, 0.5)], [0.125, 0.375, 0.375, 0.125]);
   assert.deepEqual([...Curve.bernstein(0, 0.7)], [1]);
-  near([Curve.bernstein(64, 0.3).reduce((sum, w) => sum + w)], [1], 1e-15);
-  assert.deepEqual([...Curve.basisMatrix("bezier")], [-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0]);
-  assert.deepEqual([...Curve.basisMatrix("hermite")], [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0]);
-  near(
-    Curve.basisMatrix("b-spline"),
-    [-1, 3, -3, 1, 3, -6, 3, 0, -3, 0, 3, 0, 1, 4, 1, 0].map((x) => x / 6),
-  );
-  near(
-    Curve.basisMatrix("catmull-rom"),
-    [-1, 3, -3, 1, 2, -5, 4, -1, -1, 0, 1, 0, 0, 2, 0, 0].map((x) => x / 2),
-  );
+  const matrix = (name, factor) => Array.from(Curve.basisMatrix(name), (x) => Math.round(1e12 * x * factor) / 1e12 + 0);
+  assert.deepEqual(matrix("bezier", 1), [-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0]);
+  assert.deepEqual(matrix("hermite", 1), [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0]);
+  assert.deepEqual(matrix("b-spline", 6), [-1, 3, -3, 1, 3, -6, 3, 0, -3, 0, 3, 0, 1, 4, 1, 0]);
+  assert.deepEqual(matrix("catmull-rom", 2), [-1, 3, -3, 1, 2, -5, 4, -1, -1, 0, 1, 0, 0, 2, 0, 0]);
 });
 
 test("fromBasis and toBasis, by name and by matrix in three forms", () => {
-  const control = (basis, points) => pairs(Curve.fromBasis(basis, points).controlPoints(), points[0].length);
-  assert.deepEqual(
-    control("hermite", [
-      [0, 0],
-      [9, 3],
-      [3, 6],
-      [6, 0],
-    ]),
-    [
-      [0, 0],
-      [1, 2],
-      [7, 3],
-      [9, 3],
-    ],
-  );
-  near(
-    control("catmull-rom", [
-      [0, 0],
-      [1, 1],
-      [3, 1],
-      [4, 0],
-    ]).flat(),
-    [1, 1, 1.5, 7 / 6, 2.5, 7 / 6, 3, 1],
-  );
-  near(
-    control("b-spline", [
-      [0, 6, 0],
-      [6, 0, 0],
-      [0, 0, 6],
-      [6, 6, 6],
-    ]).flat(),
-    [4, 1, 1, 4, 0, 2, 2, 0, 4, 2, 1, 5],
-  );
+  const control = (basis, points) => Curve.fromBasis(basis, pointsOf(points)).controlPoints();
+  near(control("hermite", "0,0 9,3 3,6 6,0"), [0, 0, 1, 2, 7, 3, 9, 3]);
+  near(control("catmull-rom", "0,0 1,1 3,1 4,0"), [1, 1, 1.5, 7 / 6, 2.5, 7 / 6, 3, 1]);
+  near(control("b-spline", "0,6,0 6,0,0 0,0,6 6,6,6"), [4, 1, 1, 4, 0, 2, 2, 0, 4, 2, 1, 5]);
   const flat = Curve.basisMatrix("hermite");
   const rows = [0, 4, 8, 12].map((i) => [...flat.slice(i, i + 4)]);
   for (const matrix of [flat, [...flat], rows]) {
     assert.deepEqual(Curve.fromBasis(matrix, CUBIC).controlPoints(), Curve.fromBasis("hermite", CUBIC).controlPoints());
     near(cubic.toBasis(matrix), [0, 0, 8, 0, 0, 24, 0, -24]);
   }
-  for (const basis of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"])) {
+  for (const basis of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"]))
     near(Curve.fromBasis(basis, cubic.toBasis(basis)).controlPoints(), CUBIC.flat());
-  }
   // The power basis, from high to low.
   const unit = Array.from({ length: 16 }, (_, i) => (i % 5 === 0 ? 1 : 0));
   near(cubic.toBasis(unit), [-16, 0, 24, -24, 0, 24, 0, 0]);
 });
 
-test("flatten keeps its tolerance and says where", () => {
-  for (const curve of [
-    cubic,
-    space,
-    new Curve([
-      [0, 0],
-      [9, 1],
-      [-3, 4],
-      [5, 5],
-      [2, 0],
-      [0, 7],
-    ]),
-  ]) {
-    for (const tolerance of [1, 0.01, 0.0001]) {
+test("flatten: vertices, their parameters, and more of them for a finer tolerance", () => {
+  for (const curve of [cubic, space]) {
+    const counts = [1, 0.01, 0.0001].map((tolerance) => {
       const { points, ts } = curve.flatten(tolerance);
       [points, ts].forEach(owned);
-      const vertices = pairs(points, curve.dimension);
-      assert.deepEqual([vertices.length, ts[0], ts.at(-1)], [ts.length, 0, 1]);
       near(points, curve.evalAt(ts), 0);
-      for (let i = 1; i < ts.length; i++) {
-        assert.ok(ts[i] > ts[i - 1]);
-        for (const s of [0.1, 0.3, 0.5, 0.7, 0.9]) {
-          const p = coordinates(curve.eval(ts[i - 1] + (ts[i] - ts[i - 1]) * s));
-          assert.ok(fromSegment(p, vertices[i - 1], vertices[i]) <= tolerance);
-        }
-      }
-    }
+      assert.ok(ts.every((t, i) => i === 0 || t > ts[i - 1]) && ts[0] === 0 && ts.at(-1) === 1);
+      ts.subarray(1).forEach((end, i) => {
+        const chord = new Curve([curve.eval(ts[i]), curve.eval(end)]);
+        assert.ok(chord.nearest(curve.eval((ts[i] + end) / 2)).distance <= tolerance);
+      });
+      return ts.length;
+    });
+    assert.ok(counts[0] < counts[1] && counts[1] < counts[2]);
   }
-  assert.deepEqual(
-    [
-      ...new Curve([
-        [0, 0],
-        [1, 1],
-      ]).flatten(0.1).points,
-    ],
-    [0, 0, 1, 1],
-  );
+  assert.deepEqual([...new Curve([0, 0, 1, 1]).flatten(0.1).points], [0, 0, 1, 1]);
 });
-
-/** The distance from a point to a segment. */
-function fromSegment(p, a, b) {
-  const dot = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
-  const minus = (u, v) => u.map((x, i) => x - v[i]);
-  const [chord, way] = [minus(b, a), minus(p, a)];
-  const s = Math.min(1, Math.max(0, dot(way, chord) / dot(chord, chord) || 0));
-  return Math.hypot(
-    ...minus(
-      way,
-      chord.map((x) => x * s),
-    ),
-  );
-}
 
 test("subdivide is a tree of halves that ends where D1 - D2 is below the tolerance", () => {
   let leaves = 0;
@@ -312,8 +139,7 @@ test("subdivide is a tree of halves that ends where D1 - D2 is below the toleran
     near([node.chordLength], [Math.hypot(points[3][0] - points[0][0], points[3][1] - points[0][1])]);
     near([node.deviationBound], [0.5 * Math.sqrt(node.polygonLength ** 2 - node.chordLength ** 2)], 1e-7);
     near(node.curve.eval(0.5), deCasteljau(CUBIC, (t0 + t1) / 2));
-    const difference = node.polygonLength - node.chordLength;
-    assert.equal(node.halves === null, difference < 0.1);
+    assert.equal(node.halves === null, node.polygonLength - node.chordLength < 0.1);
     if (!node.halves) leaves++;
     node.halves?.forEach((half, i) => check(half, i ? (t0 + t1) / 2 : t0, i ? t1 : (t0 + t1) / 2));
   };
@@ -324,48 +150,17 @@ test("subdivide is a tree of halves that ends where D1 - D2 is below the toleran
 test("bounds, controlBounds, hull", () => {
   assert.deepEqual(cubic.bounds(), { min: { x: 0, y: 0 }, max: { x: 8, y: 6 } });
   assert.deepEqual(cubic.controlBounds(), { min: { x: 0, y: 0 }, max: { x: 8, y: 8 } });
-  near(
-    new Curve([
-      [0, 0, 0],
-      [1, 2, -1],
-      [2, -2, 3],
-      [3, 0, 0],
-    ]).bounds().max,
-    [3, 1 / Math.sqrt(3), 1.1371134247365535],
-  );
-  assert.deepEqual(
-    [
-      ...new Curve([
-        [4, 4],
-        [0, 0],
-        [8, 0],
-        [4, 1],
-        [0, 8],
-      ]).hull(),
-    ],
-    [0, 0, 8, 0, 0, 8],
-  );
+  const { max } = new Curve(pointsOf("0,0,0 1,2,-1 2,-2,3 3,0,0")).bounds();
+  near(max, [3, 1 / Math.sqrt(3), 1.1371134247365535]);
+  assert.deepEqual([...new Curve([4, 4, 0, 0, 8, 0, 4, 1, 0, 8]).hull()], [0, 0, 8, 0, 0, 8]);
 });
 
 test("equals compares point by point, toJSON and fromJSON are each other's inverse", () => {
-  const other = new Curve([
-    [0, 0],
-    [0, 8],
-    [8, 8],
-    [8, 0.5],
-  ]);
-  assert.ok(
-    cubic.equals(new Curve(CUBIC)) && !cubic.equals(other) && cubic.equals(other, 0.5) && !cubic.equals(other, 0.4),
-  );
-  assert.ok(!cubic.equals(cubic.elevate(), 100) && !cubic.equals(new Curve(CUBIC, { dimension: 2 }).elevate()));
-  for (const curve of [
-    cubic,
-    space,
-    new Curve([
-      [0.1, 1e-300],
-      [1 / 3, 1e150],
-    ]),
-  ]) {
+  const other = new Curve([0, 0, 0, 8, 8, 8, 8, 0.5]);
+  const equal = [cubic.equals(new Curve(CUBIC)), ...[undefined, 0.5, 0.4].map((most) => cubic.equals(other, most))];
+  assert.deepEqual(equal, [true, false, true, false]);
+  assert.ok(!cubic.equals(cubic.elevate(), 100));
+  for (const curve of [cubic, space, new Curve([0.1, 1e-300, 1 / 3, 1e150])]) {
     const again = Curve.fromJSON(JSON.parse(JSON.stringify(curve)));
     assert.ok(again.equals(curve));
     assert.equal(again.dimension, curve.dimension);

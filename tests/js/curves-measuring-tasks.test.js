@@ -5,32 +5,13 @@ import { Curve } from "casteljau";
 import { arcOf, maxRadialError, standardHandle } from "../../www/figures/lib/circle.js";
 import { feet } from "../../www/figures/lib/nearest.js";
 import { applet, load, testTasks } from "./task-cases.js";
+import { pointsOf } from "./reference.js";
 
-const UNEVEN = new Curve([
-  [12, 66],
-  [12, 52],
-  [36, 8],
-  [118, 28],
-]);
-const ARCH = [
-  [80, 400],
-  [250, 20],
-  [420, 20],
-  [590, 400],
-];
-const LEVEL = [
-  [90, 400],
-  [150, 90],
-  [460, 90],
-  [590, 400],
-];
+const UNEVEN = new Curve([12, 66, 12, 52, 36, 8, 118, 28]);
+const ARCH = pointsOf("80,400 250,20 420,20 590,400");
+const LEVEL = pointsOf("90,400 150,90 460,90 590,400");
 /** A symmetric arch around x = 50. */
-const BOW = new Curve([
-  [0, 100],
-  [20, 0],
-  [80, 0],
-  [100, 100],
-]);
+const BOW = new Curve([0, 100, 20, 0, 80, 0, 100, 100]);
 /** y = T(x) for x from −1 to 1, where T is the Chebyshev polynomial 4x³ − 3x. */
 const WAVE = [-1, 5, -5, 1].map((y, i) => [(2 * i) / 3 - 1, y]);
 /** What the task sees of the site's figure: the wave, and a curve of these coordinates. */
@@ -47,11 +28,7 @@ testTasks({
     // The parabola y = x² for x from −1 to 3: sharpest at its vertex, t = ¼.
     start: () => ({
       t: 0,
-      curve: new Curve([
-        [-1, 1],
-        [1, -3],
-        [3, 9],
-      ]),
+      curve: new Curve([-1, 1, 1, -3, 3, 9]),
     }),
     vain: [(e) => (e.t = 0.5), (e) => (e.t = 0.22), (e) => (e.t = 1)],
     right: (e) => (e.t = 0.25),
@@ -114,10 +91,7 @@ testTasks({
 });
 
 test("the feet of perpendiculars: nearest first, ends included", () => {
-  const line = new Curve([
-    [0, 0],
-    [10, 0],
-  ]);
+  const line = new Curve([0, 0, 10, 0]);
   assert.deepEqual(
     feet(line, [4, 3]).map(({ distance }) => distance),
     [3],

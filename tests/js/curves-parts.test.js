@@ -9,17 +9,10 @@ import { apart, polylineError } from "../../www/tasks/utils/curves.js";
 import { formatNumber, matrixSummary, parseNumber } from "../../www/figures/lib/matrix.js";
 import { hermiteSummary, treeSummary } from "../../www/figures/lib/summaries.js";
 import { viewAt } from "../../www/figures/lib/zoom.js";
+import { pointsOf, untyped } from "./reference.js";
 
 test("speed and curvature along a chain jump where the joint says so", () => {
-  const chain = new Spline([
-    [70, 330],
-    [90, 120],
-    [250, 110],
-    [330, 200],
-    [430, 300],
-    [560, 380],
-    [600, 160],
-  ]);
+  const chain = new Spline([70, 330, 90, 120, 250, 110, 330, 200, 430, 300, 560, 380, 600, 160]);
   const told = (mode, what) => {
     const { lines, joints } = along((mode ? chain.setJoint(1, mode) : chain).segments(), what);
     const values = lines.flat().map(([, y]) => y);
@@ -40,15 +33,7 @@ test("speed and curvature along a chain jump where the joint says so", () => {
     [lasting.joints[0].at, lasting.joints[0].before, lasting.joints[0].after].map((value) => Number(value.toFixed(9))),
     [1, 3 * Math.hypot(80, 90), (3 * Math.hypot(100, 100)) / 2].map((value) => Number(value.toFixed(9))),
   );
-  const [line] = along(
-    [
-      new Curve([
-        [0, 0],
-        [30, 40],
-      ]),
-    ],
-    "speed",
-  ).lines;
+  const [line] = along([new Curve([0, 0, 30, 40])], "speed").lines;
   assert.ok(line.every(([, speed]) => Math.abs(speed - 50) < 1e-12));
 });
 
@@ -88,21 +73,10 @@ test("numbers of the matrix are read and written as people do", () => {
 
 test("words and views", () => {
   assert.equal(
-    hermiteSummary([
-      [90, 370],
-      [180, 120],
-      [440, 80],
-      [590, 330],
-    ]),
+    hermiteSummary(untyped(pointsOf("90,370 180,120 440,80 590,330"))),
     "From (90, 370) with the velocity (270, −750), to (590, 330) with (450, 750).",
   );
-  assert.equal(
-    hermiteSummary([
-      [0, 0],
-      [1, 1],
-    ]),
-    "",
-  );
+  assert.equal(hermiteSummary([]), "");
   assert.equal(treeSummary({ segments: 1, error: 26.456 }), "1 piece, measured error 26.46 px.");
   assert.equal(treeSummary({ segments: 64, error: 0.0012 }), "64 pieces, measured error 1.2e-3 px.");
   assert.equal(treeSummary(null), "");
@@ -111,25 +85,11 @@ test("words and views", () => {
 });
 
 test("distances: a polyline's from its curve, and between curves", () => {
-  const arch = new Curve([
-    [0, 0],
-    [50, 100],
-    [100, 0],
-  ]);
+  const arch = new Curve([0, 0, 50, 100, 100, 0]);
   assert.equal(polylineError(arch, 1), 50); // the vertex of the parabola over its chord
   assert.ok(Math.abs(polylineError(arch, 2) - 12.5 * Math.SQRT1_2) < 1e-12); // a quarter, at right angles to a chord that climbs by 1
   assert.equal(apart(arch, arch.elevate()) < 1e-12, true);
-  assert.equal(
-    apart(
-      arch,
-      new Curve([
-        [0, 0],
-        [50, 0],
-        [100, 0],
-      ]),
-    ),
-    50,
-  );
+  assert.equal(apart(arch, new Curve([0, 0, 50, 0, 100, 0])), 50);
 });
 
 test("the build draws an applet as its attributes say", () => {

@@ -3,38 +3,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "casteljau";
 import { applet, load, testTasks } from "./task-cases.js";
+import { pointsOf } from "./reference.js";
 
-const ARCH = [
-  [60, 400],
-  [160, 40],
-  [480, 40],
-  [600, 400],
-];
-const HILL = [
-  [70, 300],
-  [160, 40],
-  [400, 60],
-  [610, 430],
-];
+const ARCH = pointsOf("60,400 160,40 480,40 600,400");
+const HILL = pointsOf("70,300 160,40 400,60 610,430");
 /** The places of the site's figure, and the orders that it offers. */
-const PLACES = [
-  [16, 62],
-  [30, 14],
-  [80, 24],
-  [68, 68],
-];
+const PLACES = pointsOf("16,62 30,14 80,24 68,68");
 const ORDERS = [0, 1, 2, 3]
   .flatMap((a) => [0, 1, 2, 3].flatMap((b) => [0, 1, 2, 3].flatMap((c) => [0, 1, 2, 3].map((d) => [a, b, c, d]))))
   .filter((order) => new Set(order).size === 4);
-const SEVEN = [
-  [70, 330],
-  [90, 120],
-  [250, 110],
-  [330, 200],
-  [430, 300],
-  [560, 380],
-  [600, 160],
-];
+const SEVEN = pointsOf("70,330 90,120 250,110 330,200 430,300 560,380 600,160");
 
 /** Each task: its start, what one may try in vain, and what does it. The answer that it reveals must count too. */
 const TASKS = {
@@ -51,32 +29,13 @@ const TASKS = {
   "top-180": {
     start: () =>
       applet({
-        points: [
-          [80, 420],
-          [335, 200],
-          [590, 420],
-        ],
+        points: pointsOf("80,420 335,200 590,420"),
       }),
     vain: [
-      (e) =>
-        (e.points = [
-          [80, 420],
-          [335, 240],
-          [590, 420],
-        ]),
-      (e) =>
-        (e.points = [
-          [80, 420],
-          [335, 60],
-          [590, 300],
-        ]),
+      (e) => (e.points = pointsOf("80,420 335,240 590,420")),
+      (e) => (e.points = pointsOf("80,420 335,60 590,300")),
     ],
-    right: (e) =>
-      (e.points = [
-        [80, 420],
-        [200, 61],
-        [590, 420],
-      ]),
+    right: (e) => (e.points = pointsOf("80,420 200,61 590,420")),
   },
   "equal-weights": {
     start: () => applet({ points: ARCH }),
@@ -104,65 +63,23 @@ const TASKS = {
   "make-s": {
     start: () => applet({ points: ARCH }),
     vain: [
-      (e) =>
-        (e.points = [
-          [60, 400],
-          [300, 60],
-          [600, 400],
-        ]),
-      (e) =>
-        (e.points = [
-          [60, 300],
-          [540, 60],
-          [180, 60],
-          [600, 300],
-        ]),
+      (e) => (e.points = pointsOf("60,400 300,60 600,400")),
+      (e) => (e.points = pointsOf("60,300 540,60 180,60 600,300")),
     ],
-    right: (e) =>
-      (e.points = [
-        [60, 400],
-        [600, 400],
-        [60, 60],
-        [600, 60],
-      ]),
+    right: (e) => (e.points = pointsOf("60,400 600,400 60,60 600,60")),
   },
   "match-shape": {
     start: () => applet({ points: ARCH }),
-    vain: [
-      (e) =>
-        (e.points = [
-          [110, 370],
-          [30, 60],
-          [520, 30],
-          [560, 330],
-        ]),
-    ],
-    right: (e) =>
-      (e.points = [
-        [111, 369],
-        [32, 42],
-        [519, 29],
-        [560, 331],
-      ]),
+    vain: [(e) => (e.points = pointsOf("110,370 30,60 520,30 560,330"))],
+    right: (e) => (e.points = pointsOf("111,369 32,42 519,29 560,331")),
   },
   "inflection-amid": {
     start: () =>
       applet({
-        points: [
-          [80, 380],
-          [420, 440],
-          [160, 20],
-          [590, 300],
-        ],
+        points: pointsOf("80,380 420,440 160,20 590,300"),
       }),
     vain: [(e) => (e.points = ARCH)],
-    right: (e) =>
-      (e.points = [
-        [60, 400],
-        [600, 400],
-        [60, 60],
-        [600, 60],
-      ]),
+    right: (e) => (e.points = pointsOf("60,400 600,400 60,60 600,60")),
   },
   "cut-at-top": {
     start: () => applet({ points: HILL }),
@@ -196,40 +113,15 @@ const TASKS = {
   "raise-degree": {
     start: () =>
       applet({
-        points: [
-          [80, 390],
-          [335, 30],
-          [335, 30],
-          [590, 390],
-        ],
+        points: pointsOf("80,390 335,30 335,30 590,390"),
       }),
-    vain: [
-      (e) =>
-        (e.points = [
-          [80, 390],
-          [207, 210],
-          [463, 210],
-          [590, 390],
-        ]),
-    ],
-    right: (e) =>
-      (e.points = [
-        [80, 390],
-        [250, 150],
-        [420, 150],
-        [590, 390],
-      ]),
+    vain: [(e) => (e.points = pointsOf("80,390 207,210 463,210 590,390"))],
+    right: (e) => (e.points = pointsOf("80,390 250,150 420,150 590,390")),
   },
   "touch-with-spline": {
     start: () =>
       applet({
-        points: [
-          [60, 380],
-          [170, 110],
-          [300, 330],
-          [420, 90],
-          [610, 300],
-        ],
+        points: pointsOf("60,380 170,110 300,330 420,90 610,300"),
         basis: "b-spline",
         whole: true,
       }),
@@ -252,14 +144,7 @@ test("task enough-pieces", async () => {
   assert.equal(check({ tree: null }).done, false);
   const element = { tolerance: "8" };
   reveal(element);
-  const pieces = leaves(
-    new Curve([
-      [60, 300],
-      [60, 20],
-      [620, 20],
-      [600, 300],
-    ]).subdivide(Number(element.tolerance)),
-  );
+  const pieces = leaves(new Curve([60, 300, 60, 20, 620, 20, 600, 300]).subdivide(Number(element.tolerance)));
   const error = Math.max(...pieces.map(({ curve }) => curve.hausdorff(new Curve([curve.eval(0), curve.eval(1)]))));
   assert.equal(tree(pieces.length, error), true);
 });

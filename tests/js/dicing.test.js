@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Patch, Surface } from "casteljau";
 import { dice, gridSize, MAX_GRID, screenBounds, splitPatch } from "../../www/figures/lib/dicing.js";
+import { pointsOf } from "./reference.js";
 
 const SCALE = 80;
 /** Seen along y. @type {import("../../www/figures/lib/dicing.js").Projection} */
@@ -10,15 +11,7 @@ const project = (p) => [SCALE * p[0], -SCALE * p[2], p[1]];
 const teapot = Surface.teapot();
 const patches = teapot.patches.map((_, k) => teapot.patch(k));
 /** A square with sides of 1, in the plane of the picture. */
-const square = new Patch(
-  [
-    [0, 0, 0],
-    [1, 0, 0],
-    [0, 0, 1],
-    [1, 0, 1],
-  ],
-  { degreeU: 1, degreeV: 1 },
-);
+const square = new Patch(pointsOf("0,0,0 1,0,0 0,0,1 1,0,1"), { degreeU: 1, degreeV: 1 });
 
 test("a flat square is diced into as many micropolygons as fit", () => {
   assert.deepEqual(gridSize(square, project, 10), [8, 8]);
@@ -28,14 +21,7 @@ test("a flat square is diced into as many micropolygons as fit", () => {
   assert.equal(splitPatch(square, project, 4).length, 4, "20 × 20 is too many for one grid");
   assert.deepEqual(
     dice(square, project, 80).map(({ corners }) => corners),
-    [
-      [
-        [0, -0, 0],
-        [80, -0, 0],
-        [80, -80, 0],
-        [0, -80, 0],
-      ],
-    ],
+    [pointsOf("0,-0,0 80,-0,0 80,-80,0 0,-80,0")],
   );
   const [{ normal }] = dice(square, project, 80);
   assert.ok(normal[0] === 0 && normal[2] === 0 && normal[1] < 0, `${normal} is at right angles to the square`);

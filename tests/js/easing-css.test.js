@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { easing } from "casteljau/easing";
-import { refused } from "./reference.js";
+import { pointsOf, refused } from "./reference.js";
 
 // tests/easing/css.rs reads the same table.
 const table = JSON.parse(readFileSync(new URL("../texts/easing.json", import.meta.url), "utf8"));
@@ -78,14 +78,7 @@ test("toLinear keeps the tolerance and the ends", () => {
     const ease = easing(css);
     for (const tolerance of [0.3, 0.1, 0.01, 0.001]) {
       const stops = stopsOf(ease.toLinear(tolerance));
-      assert.deepEqual(
-        [stops[0], stops.at(-1)],
-        [
-          [0, 0],
-          [1, 1],
-        ],
-        css,
-      );
+      assert.deepEqual([stops[0], stops.at(-1)], pointsOf("0,0 1,1"), css);
       const error = distance(ease, stops);
       assert.ok(error <= tolerance * (1 + 1e-9), `${css}, ${tolerance}: ${error}`);
     }

@@ -5,14 +5,11 @@ import { createRequire } from "node:module";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { serve } from "../page/server.js";
+import { pointsOf } from "./reference.js";
 
 const dist = new URL("../../dist/", import.meta.url);
 const wasm = await readFile(new URL("casteljau.wasm", dist));
-const TRIANGLE = [
-  [0, 0],
-  [1, 2],
-  [2, 0],
-];
+const TRIANGLE = pointsOf("0,0 1,2 2,0");
 
 /** A copy of the package with no state yet. */
 const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);

@@ -11,11 +11,7 @@ import { build } from "esbuild";
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
 
 test("console.log shows the points", () => {
-  const curve = new Curve([
-    [0, 0],
-    [1, 2.5],
-    [2, 0],
-  ]);
+  const curve = new Curve([0, 0, 1, 2.5, 2, 0]);
   assert.equal(inspect(curve), "Curve { points: [ [ 0, 0 ], [ 1, 2.5 ], [ 2, 0 ] ] }");
   const spline = new Spline([0, 0, 1, 1, 2, 0], { degree: 1, closed: true });
   const text = "Spline { points: [ [ 0, 0 ], [ 1, 1 ], [ 2, 0 ] ], degrees: [ 1, 1, 1 ], closed: true }";

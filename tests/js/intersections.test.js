@@ -1,123 +1,141 @@
-// Intersections of curves and splines.
+// Intersections between any two of curve, spline and path: the same points, and each position in its own form.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "casteljau";
+import { Curve, Path, Spline } from "casteljau";
+import { near, pointsOf, refused, refusedAll, SPACE, untyped } from "./reference.js";
 
-const line = new Curve([
-  [0, 0],
-  [4, 0],
-]);
+const line = new Curve([0, 0, 4, 0]);
+const arch = new Curve([0, 0, 0, 4, 4, 4, 4, 0]);
+/** Two lines, the second one of two segments; both cross the arch. */
+const lines = Path.fromSVG("M0 1H4 M0 0.5H2H4");
+const square = new Spline([0, 0, 2, 0, 2, 2, 0, 2], { degree: 1, closed: true });
 
-test("intersections are sorted and have a kind", () => {
-  const wave = new Curve([
-    [0, -1],
-    [0, 3],
-    [4, -3],
-    [4, 1],
-  ]);
-  const places = wave.intersections(line);
+test("curves: sorted, with a kind, and with both ends of a shared piece", () => {
+  const places = new Curve([0, -1, 0, 3, 4, -3, 4, 1]).intersections(line);
   assert.equal(places.length, 3);
   assert.deepEqual(places[1], { t: 0.5, u: 0.5, point: { x: 2, y: 0 }, kind: "cross" });
-  const arch = new Curve([
-    [0, 1],
-    [2, -1],
-    [4, 1],
-  ]);
-  assert.deepEqual(arch.intersections(line), [{ t: 0.5, u: 0.5, point: { x: 2, y: 0 }, kind: "tangent" }]);
-});
-
-test("a shared piece is one overlap with both ends", () => {
-  const piece = line.subsegment(0.75, 0.25);
-  assert.deepEqual(line.intersections(piece), [
-    { t: 0.25, u: 1, point: { x: 1, y: 0 }, kind: "overlap", tEnd: 0.75, uEnd: 0 },
-  ]);
+  const touching = new Curve([0, 1, 2, -1, 4, 1]).intersections(line);
+  assert.deepEqual(touching, [{ t: 0.5, u: 0.5, point: { x: 2, y: 0 }, kind: "tangent" }]);
+  const shared = line.intersections(line.subsegment(0.75, 0.25));
+  assert.deepEqual(shared, [{ t: 0.25, u: 1, point: { x: 1, y: 0 }, kind: "overlap", tEnd: 0.75, uEnd: 0 }]);
 });
 
 test("splines: t and u count segments, a joint is one intersection, a shared piece across joints is one", () => {
-  const square = new Spline(
-    [
-      [0, 0],
-      [2, 0],
-      [2, 2],
-      [0, 2],
-    ],
-    { degree: 1, closed: true },
-  );
-  const diagonal = new Curve([
-    [-1, -1],
-    [3, 3],
-  ]);
+  const diagonal = new Curve([-1, -1, 3, 3]);
   assert.deepEqual(square.intersections(diagonal), [
     { t: 0, u: 0.25, point: { x: 0, y: 0 }, kind: "cross" },
     { t: 2, u: 0.75, point: { x: 2, y: 2 }, kind: "cross" },
   ]);
-  assert.deepEqual(
-    diagonal.intersections(square).map(({ t, u }) => [t, u]),
-    [
-      [0.25, 0],
-      [0.75, 2],
-    ],
-  );
-  const long = new Spline(
-    [
-      [-1, 0],
-      [1, 0],
-      [1.5, 0],
-      [3, 0],
-    ],
-    { degree: 1 },
-  );
-  assert.deepEqual(square.intersections(long), [
-    { t: 0, u: 0.5, point: { x: 0, y: 0 }, kind: "overlap", tEnd: 1, uEnd: 2 + 1 / 3 },
-  ]);
+  const opposite = diagonal.intersections(square).map(({ t, u }) => [t, u]);
+  assert.deepEqual(opposite, pointsOf("0.25,0 0.75,2"));
+  const overlaps = square.intersections(new Spline([-1, 0, 1, 0, 1.5, 0, 3, 0], { degree: 1 }));
+  assert.deepEqual(overlaps, [{ t: 0, u: 0.5, point: { x: 0, y: 0 }, kind: "overlap", tEnd: 1, uEnd: 2 + 1 / 3 }]);
 });
 
 test("self-intersections of curves and splines", () => {
-  const loop = new Curve([
-    [0, 0],
-    [3, 2],
-    [-2, 2],
-    [1, 0],
-  ]);
-  const [place] = loop.selfIntersections();
+  const [place] = new Curve([0, 0, 3, 2, -2, 2, 1, 0]).selfIntersections();
   assert.ok(place.t < place.u && Math.abs(place.point.x - 0.5) < 1e-15);
-  const bow = new Spline(
-    [
-      [0, 0],
-      [2, 2],
-      [2, 0],
-      [0, 2],
-    ],
-    { degree: 1, closed: true },
-  );
+  const bow = new Spline([0, 0, 2, 2, 2, 0, 0, 2], { degree: 1, closed: true });
   assert.deepEqual(bow.selfIntersections(), [{ t: 0.5, u: 2.5, point: { x: 1, y: 1 } }]);
 });
 
-test("only curves of the plane", () => {
-  const space = new Curve([
-    [0, 0, 0],
-    [1, 1, 1],
-  ]);
-  assert.throws(() => space.intersections(line), {
-    name: "TypeError",
-    message: "intersections: expected a 2D curve, got a 3D one",
-  });
-  assert.throws(() => line.intersections(space), TypeError);
-  const message = "other: expected a Curve, a Spline or a Path, got an array of 2";
-  assert.throws(() => line.intersections(/** @type {any} */ ([0, 0])), { name: "TypeError", message });
-  assert.throws(() => line.intersections(/** @type {any} */ (null)), TypeError);
-  assert.throws(() => space.selfIntersections(), TypeError);
-  const chain = new Spline(
-    [
-      [0, 0, 0],
-      [1, 1, 1],
-    ],
-    { degree: 1 },
+test("each of curve, spline and path with a path: numbers and locations", () => {
+  // The arch has the height y at these times, first on the upper line, then on the lower one.
+  const expected = [1, 0.5].flatMap((y, subpath) =>
+    [...arch.timesAtCoordinate({ y })].map((t) => [t, subpath, (arch.eval(t).x * [1, 2][subpath]) / 4]),
   );
-  assert.throws(() => chain.intersections(line), {
-    name: "TypeError",
-    message: "intersections: expected a 2D spline, got a 3D one",
-  });
-  assert.throws(() => line.intersections(chain), TypeError);
-  assert.throws(() => chain.selfIntersections(), TypeError);
+  for (const shape of [arch, Spline.fromCurves([arch])]) {
+    const found = /** @type {any[]} */ (shape.intersections(lines));
+    assert.ok(found.every(({ kind }) => kind === "cross"));
+    near(
+      found.flatMap(({ u }) => Object.values(lines.eval(u))),
+      found.flatMap(({ point }) => [point.x, point.y]),
+      1e-10,
+    );
+    near(
+      found.flatMap(({ t, u }) => [t, u.subpath, u.t]),
+      expected.flat(),
+      1e-10,
+    );
+    const opposite = /** @type {any[]} */ (lines.intersections(shape));
+    near(
+      opposite.flatMap(({ t, u }) => [u, t.subpath, t.t]),
+      expected.flat(),
+      1e-10,
+    );
+  }
+  const both = lines.intersections(new Path([arch])).map(({ t, u }) => [t.subpath, u.subpath]);
+  assert.deepEqual(both, pointsOf("0,0 0,0 1,0 1,0"));
+});
+
+test("a shared end point and a joint are reported once", () => {
+  const corner = Path.fromSVG("M0 0L2 2L4 0");
+  for (const other of [new Curve([2, 2, 2, 5]), new Spline([2, 2, 2, 5], { degree: 1 }), Path.fromSVG("M2 2V5")]) {
+    const [found, ...more] = corner.intersections(other);
+    assert.deepEqual([found.t, found.point, more], [{ subpath: 0, t: 1 }, { x: 2, y: 2 }, []]);
+  }
+  const places = (points, path) =>
+    untyped(new Curve(points).intersections(path)).map(({ t, u }) => [t, u.subpath, u.t]);
+  assert.deepEqual(places([4, 0, 9, 1], corner), [[0, 0, 2]]);
+  assert.deepEqual(places([-1, -1, 0, 0], Path.fromSVG("M0 0H4V4H0Z")), [[1, 0, 0]]);
+  // A point on two subpaths is one intersection with each.
+  assert.deepEqual(places([1, -1, 1, 3], Path.fromSVG("M0 0L1 1 M1 1L2 0")), pointsOf("0.5,0,1 0.5,1,0"));
+});
+
+test("overlaps with a path have an end in the same form as their start", () => {
+  const [piece, path] = [new Curve([1, 4, 3, 4]), Path.fromSVG("M9 9H8 M0 0H4V4H0Z")];
+  const [overlap, ...more] = /** @type {any[]} */ (piece.intersections(path));
+  assert.deepEqual([overlap.kind, more, overlap.u.subpath, overlap.uEnd.subpath], ["overlap", [], 1, 1]);
+  near([overlap.t, overlap.tEnd, overlap.u.t, overlap.uEnd.t], [0, 1, 2.75, 2.25]);
+  const [opposite] = /** @type {any[]} */ (path.intersections(piece));
+  assert.deepEqual([opposite.point, opposite.t.subpath, opposite.tEnd.subpath], [{ x: 3, y: 4 }, 1, 1]);
+  near([opposite.t.t, opposite.tEnd.t, opposite.u, opposite.uEnd], [2.25, 2.75, 1, 0]);
+});
+
+test("self-intersections of a path, within and between its subpaths", () => {
+  const found = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3").selfIntersections();
+  near(
+    found.flatMap(({ t, u, point }) => [t.subpath, t.t, u.subpath, u.t, point.x, point.y]),
+    [0, 0.5, 0, 2.5, 1, 1, 0, 0.5, 1, 1 / 3, 1, 1, 0, 1.5, 1, 2 / 3, 1, 2, 0, 2.5, 1, 1 / 3, 1, 1],
+  );
+});
+
+test("long paths: 4,000 segments each cross where they should", () => {
+  // Two zigzags along the x-axis whose teeth cross exactly twice per tooth; all pairs of segments would be 16 million.
+  const count = 4000;
+  const points = (shift) => Array.from({ length: count + 1 }, (_, k) => [k, (k % 2) + shift]);
+  const zigzag = (shift) => Path.polygon(points(shift), { closed: false });
+  const found = zigzag(0).intersections(zigzag(0.5).transform([1, 0, 0, -1, 0, 1.5]));
+  assert.equal(found.length, count);
+  for (const [k, { t, u }] of found.entries())
+    assert.ok(t.subpath === 0 && Math.floor(t.t) === k && Math.floor(u.t) === k, `${t.t} ${u.t}`);
+});
+
+test("empty paths, and what is not a shape of the plane", () => {
+  const empty = new Path([]);
+  assert.deepEqual([arch.intersections(empty), empty.intersections(arch), empty.intersections(empty)], [[], [], []]);
+  for (const shape of [arch, square, lines])
+    for (const bad of [undefined, null, 5, "M0 0H4", {}, [[0, 0]]])
+      refused(() => shape.intersections(untyped(bad)), TypeError, /^other: expected a .*Path.*, got /);
+  const [curve, spline] = [new Curve(SPACE), new Spline(SPACE)];
+  refusedAll(TypeError, [
+    [() => curve.intersections(lines), /^intersections: expected a 2D curve, got a 3D one$/],
+    [() => spline.intersections(line), /^intersections: expected a 2D spline, got a 3D one$/],
+    [() => line.intersections(curve), /^intersections: expected a 2D curve, got a 3D one$/],
+    [() => line.intersections(spline), /: expected a 2D .*, got a 3D one$/],
+    [() => lines.intersections(curve), /^other: expected a 2D one, got a 3D one/],
+    [() => curve.selfIntersections(), /2D curve, got a 3D one/],
+    [() => spline.selfIntersections(), /2D spline, got a 3D one/],
+  ]);
+});
+
+test("coordinates up to the limit have answers, and larger ones are refused", () => {
+  const triangle = (x) => Path.fromSVG(`M0,${x}L${x},-${x}L-${x},-${x}Z`);
+  assert.deepEqual(triangle(2 ** 500).selfIntersections(), []);
+  for (const [act, message] of /** @type {[() => Path, RegExp][]} */ ([
+    [() => triangle(Number.MAX_VALUE), /from -2\^500 to 2\^500/],
+    [() => triangle(1).transform([1e308, 0, 0, 1e308, 0, 0]), /^image\[0\]: expected a coordinate from -2\^500/],
+    [() => triangle(2).transform([1e308, 0, 0, 1e308, 0, 0]), /^image\[0\]: .* got Infinity$/],
+  ]))
+    assert.throws(act, { name: "RangeError", message });
 });

@@ -5,7 +5,7 @@ import { Path, Spline } from "../../js/index.js";
 import { curvesModule } from "../../js/wasm/curves-module.js";
 import { core } from "../../js/wasm/init.js";
 import { readResult } from "../../js/wasm/transfer.js";
-import { near, refused } from "./reference.js";
+import { near, pointsOf, refused } from "./reference.js";
 
 const SEGMENTS = 2000;
 /** How often each function of the core was called since the start of the test. */
@@ -85,13 +85,7 @@ test("timeAtLength: a tolerance is checked by the core until one as small was ac
   const spline = waves(false);
   refused(() => spline.timeAtLength(10, 1e-300), RangeError, /tolerance/);
   refused(() => spline.timeAtLength(10, 1e-300), RangeError, /tolerance/);
-  for (const [s, tolerance] of [
-    [10, 1e-3],
-    [20, 1e-3],
-    [30, 1e-2],
-    [40, 1e-6],
-    [50, 1e-6],
-  ]) {
+  for (const [s, tolerance] of pointsOf("10,1e-3 20,1e-3 30,1e-2 40,1e-6 50,1e-6")) {
     const expected = fromCore(spline, "spline_time_at_length", s, tolerance)[0];
     assert.equal(spline.timeAtLength(s, tolerance), expected);
   }
@@ -116,14 +110,7 @@ test("equidistantTimes: the results of the core for few and for many arcs", () =
 
 test("nearest: the results of the segments and of the core", () => {
   for (const spline of [waves(false), waves(true), waves(false, 3), mixed()]) {
-    for (const p of [
-      [0, 0, 0],
-      [1000, 200, 3],
-      [-40, 2, 1],
-      [777.7, 12.5, 5],
-      [1e149, -1e149, 0],
-      [2, 12, 0],
-    ]) {
+    for (const p of pointsOf("0,0,0 1000,200,3 -40,2,1 777.7,12.5,5 1e149,-1e149,0 2,12,0")) {
       const point = p.slice(0, spline.dimension);
       const found = spline.nearest(point);
       assert.deepEqual(found, nearestOfAll(spline, point));

@@ -8,6 +8,7 @@ import { LAYERS } from "../../js/elements/applet/layers/index.js";
 import { svgFigure } from "../../js/elements/applet/layers/svg.js";
 import { BASES, LAYER_NAMES, withView } from "../../js/elements/applet/state.js";
 import { drawn, stateWith, Tape, theme } from "./layers-page.js";
+import { pointsOf } from "./reference.js";
 
 const BOX = { width: 670, height: 480 };
 
@@ -74,12 +75,7 @@ test("all layers draw a curve of degree 64 and a chain of 500 points in bounded 
 
 test("there is a layer for every name that can be switched, and each alone adds something to the picture", () => {
   assert.deepEqual(LAYERS.map(({ name }) => name).sort(), [...LAYER_NAMES].sort());
-  const S = [
-    [100, 100],
-    [300, 100],
-    [100, 300],
-    [300, 300],
-  ];
+  const S = pointsOf("100,100 300,100 100,300 300,300");
   const length = (layers) => drawn({ points: S, layers, pointer: [1, 1] }).ctx.calls.length;
   const bare = length([]);
   for (const name of LAYER_NAMES) {
@@ -100,22 +96,12 @@ test("drawing is a function of its arguments: twice the same, and paints are put
 
 test("points: discs on the curve, squares off it, hollow at the edge when they are outside, faint while they wait", () => {
   const { ctx } = drawn({
-    points: [
-      [100, 100],
-      [900, -50],
-      [300, 300],
-      [400, 100],
-      [500, 300],
-    ],
+    points: pointsOf("100,100 900,-50 300,300 400,100 500,300"),
   });
   const discs = ctx.of("arc").map(([x, y, r]) => [x, y, r]);
   assert.ok(discs.some(([x, y, r]) => x === 100 && y === 100 && r === 6));
   const squares = ctx.of("rect").map(([x, y, w]) => [x + w / 2, y + w / 2]);
-  assert.deepEqual(squares, [
-    [664, 6],
-    [300, 300],
-    [500, 300],
-  ]);
+  assert.deepEqual(squares, pointsOf("664,6 300,300 500,300"));
   const fills = ctx.calls.flatMap((call, i) => (ctx.calls[i - 1]?.[0] === "rect" ? [call.slice(-2)] : []));
   assert.deepEqual(fills, [
     ["paper", 1],
@@ -139,12 +125,7 @@ test("a view enlarges the curve about its corner, marks keep their size", () => 
   const view = { x: 100, y: 50, width: 67, height: 48 };
   const lines = (changes) =>
     drawn({
-      points: [
-        [110, 60],
-        [120, 70],
-        [130, 60],
-        [140, 70],
-      ],
+      points: pointsOf("110,60 120,70 130,60 140,70"),
       ...changes,
     }).ctx;
   const [plain, close] = [lines({}), lines({ view })];
@@ -154,12 +135,7 @@ test("a view enlarges the curve about its corner, marks keep their size", () => 
 });
 
 test("however close, the canvas gets numbers that it can tell apart, and the visible part is right", () => {
-  const curve = new Curve([
-    [70, 330],
-    [110, 90],
-    [235, 120],
-    [325, 230],
-  ]);
+  const curve = new Curve([70, 330, 110, 90, 235, 120, 325, 230]);
   const at = curve.eval(0.3);
   for (const size of [1, 1e-3, 1e-6]) {
     const view = { x: at.x - size / 2, y: at.y - (size * 480) / 670 / 2, width: size, height: (size * 480) / 670 };
@@ -229,12 +205,7 @@ test("words do not lie on each other or on points where there is room", () => {
 test("words stay inside the picture", () => {
   const { ctx } = drawn(
     {
-      points: [
-        [0, 0],
-        [670, 0],
-        [670, 480],
-        [0, 480],
-      ],
+      points: pointsOf("0,0 670,0 670,480 0,480"),
       layers: ["weights"],
     },
     2,
@@ -278,12 +249,7 @@ test("SVG: what comes from outside is text, not markup", () => {
 test("SVG: a mark's fill and rim are one element, and so are a word and its rim", () => {
   const state = stateWith({
     layers: [],
-    points: [
-      [100, 100],
-      [200, 50],
-      [300, 300],
-      [400, 100],
-    ],
+    points: pointsOf("100,100 200,50 300,300 400,100"),
   });
   const svg = svgFigure(state, figureOf(state));
   assert.equal(svg.match(/<path /g)?.length, 2 + 4 + 1); // curve, tangents, four points, the diamond

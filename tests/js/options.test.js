@@ -184,15 +184,7 @@ test("timesAtCoordinate: exactly one coordinate", () => {
 test("matrices with elements", () => {
   const elements = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
   assert.deepEqual(space.transform({ elements }).eval(0), space.transform(elements).eval(0));
-  assert.deepEqual(
-    new Curve([
-      [0, 0],
-      [1, 1],
-    ])
-      .transform({ elements })
-      .eval(0),
-    { x: 5, y: 6 },
-  );
+  assert.deepEqual(new Curve([0, 0, 1, 1]).transform({ elements }).eval(0), { x: 5, y: 6 });
   const wrong = { name: "RangeError", message: "matrix.elements: expected 16 numbers, got 9" };
   assert.throws(() => space.transform({ elements: new Float32Array(9) }), wrong);
   refuses(

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Path } from "casteljau";
-import { near, pairs, refused } from "./reference.js";
+import { near, pairs, pointsOf, refused } from "./reference.js";
 
 /** A closed square of side 4, an open line, and a cubic with a quadratic after it. */
 const SVG = "M0 0H4V4H0Z M10 0H14 M0 10C0 12 2 12 2 10Q3 8 4 10";
@@ -49,11 +49,7 @@ test("many points: evalAt and sample", () => {
   assert.equal(path.evalAt(times, { into }), into);
   assert.deepEqual([...into], [...points, 9, 9, 9, 9]);
   refused(() => path.evalAt(times, { into: new Float64Array(3) }), RangeError, /^into: expected at least 16/);
-  assert.deepEqual(pairs(path.sample(2)[1]), [
-    [10, 0],
-    [12, 0],
-    [14, 0],
-  ]);
+  assert.deepEqual(pairs(path.sample(2)[1]), pointsOf("10,0 12,0 14,0"));
   assert.deepEqual([empty.sample(3), [...empty.evalAt([])]], [[], []]);
 });
 
@@ -103,22 +99,14 @@ test("split and subsegment keep the length and the points", () => {
 });
 
 test("subsegment: whole subpaths stay closed, the opposite order reverses", () => {
-  const [start, end] = [
-    { subpath: 0, t: 0 },
-    { subpath: 2, t: 2 },
-  ];
-  assert.ok(path.subsegment(start, end).equals(path));
-  const svg = (from, to) => path.subsegment(from, to).toSVG();
-  const [a, b] = [
-    { subpath: 0, t: 2.5 },
-    { subpath: 1, t: 0.5 },
-  ];
-  assert.equal(svg(a, b), "M2,4 L0,4 L0,0 M10,0 L12,0");
-  assert.equal(svg(b, a), "M12,0 L10,0 M0,0 L0,4 L2,4");
-  assert.equal(svg({ subpath: 0, t: 3 }, { subpath: 0, t: 1 }), "M0,4 L4,4 L4,0");
-  assert.equal(svg(b, b), "M12,0 L12,0");
-  assert.equal(svg({ subpath: 0, t: 4 }, { subpath: 1, t: 0 }), "");
-  assert.equal(svg({ subpath: 1, t: -0.5 }, { subpath: 1, t: 0.5 }), "M8,0 L12,0");
+  const part = (from, to) => path.subsegment({ subpath: from[0], t: from[1] }, { subpath: to[0], t: to[1] });
+  assert.ok(part([0, 0], [2, 2]).equals(path));
+  assert.equal(part([0, 2.5], [1, 0.5]).toSVG(), "M2,4 L0,4 L0,0 M10,0 L12,0");
+  assert.equal(part([1, 0.5], [0, 2.5]).toSVG(), "M12,0 L10,0 M0,0 L0,4 L2,4");
+  assert.equal(part([0, 3], [0, 1]).toSVG(), "M0,4 L4,4 L4,0");
+  assert.equal(part([1, 0.5], [1, 0.5]).toSVG(), "M12,0 L12,0");
+  assert.equal(part([0, 4], [1, 0]).toSVG(), "");
+  assert.equal(part([1, -0.5], [1, 0.5]).toSVG(), "M8,0 L12,0");
 });
 
 test("locations of a coordinate: joints once, the end of a closed subpath as its start", () => {
@@ -126,12 +114,8 @@ test("locations of a coordinate: joints once, the end of a closed subpath as its
   const ts = (where) => square.timesAtCoordinate(where).map(({ t }) => t);
   assert.deepEqual([ts({ x: 2 }), ts({ x: 0 }), ts({ y: 4 }), ts({ y: 5 })], [[0.5, 2.5], [0, 3], [2, 3], []]);
   const zigzag = Path.fromSVG("M0 0L1 1L2 0L3 1M0 1H3");
-  assert.deepEqual(zigzag.timesAtCoordinate({ y: 1 }), [
-    { subpath: 0, t: 1 },
-    { subpath: 0, t: 3 },
-    { subpath: 1, t: 0 },
-    { subpath: 1, t: 1 },
-  ]);
+  const times = zigzag.timesAtCoordinate({ y: 1 }).map(({ subpath, t }) => [subpath, t]);
+  assert.deepEqual(times, pointsOf("0,1 0,3 1,0 1,1"));
   for (const time of path.timesAtCoordinate({ y: 11 })) near([path.eval(time).y], [11]);
   assert.equal(path.timesAtCoordinate({ y: 11 }).length, 2);
   assert.deepEqual(empty.timesAtCoordinate({ x: 0 }), []);
@@ -141,26 +125,22 @@ test("locations of a coordinate: joints once, the end of a closed subpath as its
 });
 
 test("extrema: inside segments and at joints, alternately maxima and minima", () => {
-  const ts = (d, axis) =>
-    Path.fromSVG(d)
-      .extrema()
-      [axis].map(({ t }) => t);
-  assert.deepEqual(ts("M0 0L1 1L2 0L3 1", "y"), [1, 2]);
-  assert.deepEqual(ts("M0 0L1 1L2 0L3 1", "x"), []);
-  assert.deepEqual(ts("M0 0Q1 2 2 0Q3 -2 4 0", "y"), [0.5, 1.5]);
-  // A plateau between increasing and decreasing counts once, at its start; a step does not.
-  assert.deepEqual(ts("M0 0L1 1H2L3 0", "y"), [1]);
-  assert.deepEqual(ts("M0 0L1 1H2L3 2", "y"), []);
-  assert.deepEqual(
-    [ts("M0 0H4V4H0Z", "x"), ts("M0 0H4V4H0Z", "y")],
-    [
-      [1, 3],
-      [0, 2],
-    ],
-  );
-  assert.deepEqual(ts("M2 0L0 2L-2 0L0 -2Z", "x"), [0, 2]);
-  assert.deepEqual(ts("M1 1Z", "x"), []);
-  assert.deepEqual(empty.extrema(), { x: [], y: [] });
+  /** Path data with the parameters of the extrema in x and in y. @type {[string, number[], number[]][]} */
+  const cases = [
+    ["M0 0L1 1L2 0L3 1", [], [1, 2]],
+    ["M0 0Q1 2 2 0Q3 -2 4 0", [], [0.5, 1.5]],
+    ["M0 0L1 1H2L3 0", [], [1]], // a plateau between increasing and decreasing counts once, at its start
+    ["M0 0L1 1H2L3 2", [], []], // a step does not count
+    ["M0 0H4V4H0Z", [1, 3], [0, 2]],
+    ["M2 0L0 2L-2 0L0 -2Z", [0, 2], [1, 3]],
+    ["M1 1Z", [], []],
+    ["", [], []],
+  ];
+  for (const [d, ...expected] of cases) {
+    const { x, y } = Path.fromSVG(d).extrema();
+    const found = [x, y].map((times) => times.map(({ t }) => t));
+    assert.deepEqual(found, expected, d);
+  }
   const { min, max } = /** @type {any} */ (path.bounds());
   const ys = [...path.extrema().y, { subpath: 2, t: 0 }].map((time) => path.eval(time).y);
   near([Math.min(...ys), Math.max(...ys)], [min.y, max.y]);
@@ -181,14 +161,10 @@ test("locations that do not exist are refused", () => {
   for (const name of calls) {
     for (const bad of [undefined, null, 0.5, "0"])
       refused(() => path[name](bad), TypeError, /^location: expected an object \{subpath, t\}, got/);
-    for (const subpath of [-1, 3, 0.5])
-      refused(
-        () => path[name]({ subpath, t: 0 }),
-        RangeError,
-        /^location\.subpath: expected a whole number from 0 to 2/,
-      );
     refused(() => path[name]({ t: 0 }), TypeError, /^location\.subpath: /);
     refused(() => path[name]({ subpath: 0 }), TypeError, /^location\.t: /);
+    const noSubpath = /^location\.subpath: expected a whole number from 0 to 2/;
+    for (const subpath of [-1, 3, 0.5]) refused(() => path[name]({ subpath, t: 0 }), RangeError, noSubpath);
     refused(() => path[name]({ subpath: 0, t: NaN }), RangeError, /^location\.t: /);
     refused(() => empty[name]({ subpath: 0, t: 0 }), RangeError, /^location: expected a path with a subpath/);
   }

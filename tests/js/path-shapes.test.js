@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Path, Spline } from "casteljau";
-import { near, recorder, refused } from "./reference.js";
+import { near, pointsOf, recorder, refused } from "./reference.js";
 
 const TURN = 2 * Math.PI;
 
@@ -44,21 +44,10 @@ test("circle: closed, counter-clockwise, from the right, 8 cubics within 4.3e-6 
 });
 
 test("circle: its extreme points are joints, exactly", () => {
-  const { x, y } = Path.circle([1, 2], 5).extrema();
   const circle = Path.circle([1, 2], 5);
-  assert.deepEqual(
-    [x, y].map((times) => times.map((time) => circle.eval(time))),
-    [
-      [
-        { x: 6, y: 2 },
-        { x: -4, y: 2 },
-      ],
-      [
-        { x: 1, y: 7 },
-        { x: 1, y: -3 },
-      ],
-    ],
-  );
+  const { x, y } = circle.extrema();
+  const points = [...x, ...y].map((time) => Object.values(circle.eval(time)));
+  assert.deepEqual(points, pointsOf("6,2 -4,2 1,7 1,-3"));
 });
 
 test("tolerance: as few cubics as Goldapp's bound allows, and never a larger distance", () => {
@@ -150,11 +139,7 @@ test("rect: radii that do not fit are reduced by one factor", () => {
 });
 
 test("polygon and polyline", () => {
-  const corners = [
-    [0, 0],
-    [4, 0],
-    [4, 3],
-  ];
+  const corners = pointsOf("0,0 4,0 4,3");
   const triangle = Path.polygon(corners);
   assert.equal(triangle.toSVG(), "M0,0 L4,0 L4,3 Z");
   assert.deepEqual([triangle.area(), triangle.length()], [6, 12]);
@@ -178,17 +163,7 @@ test("from: curves, splines, paths, and arrays of them", () => {
     refused(() => Path.from(bad), TypeError, /^shapes: expected a Path, a Spline or a Curve, got/);
     refused(() => Path.from([path, bad]), TypeError, /^shapes\[1\]: expected a Path/);
   }
-  refused(
-    () =>
-      Path.from(
-        new Curve([
-          [0, 0, 0],
-          [1, 1, 1],
-        ]),
-      ),
-    TypeError,
-    /^shapes: .*2D.*3D/,
-  );
+  refused(() => Path.from(new Curve(pointsOf("0,0,0 1,1,1"))), TypeError, /^shapes: .*2D.*3D/);
 });
 
 test("SVG arcs within the tolerance, by default 1e-5 of the radius", () => {

@@ -4,15 +4,13 @@ import { test } from "node:test";
 import { Surface } from "casteljau";
 import { frameOf, HOME, rayThrough, sightOf } from "../../js/elements/surface/camera.js";
 import { boxEntry, progressiveBlocks, RayTracer } from "../../www/figures/lib/ray-tracer.js";
+import { pointsOf } from "./reference.js";
 
 const [WIDTH, HEIGHT] = [31, 23];
 const teapot = Surface.teapot();
 const frame = frameOf(teapot.vertices, "z");
 const sight = sightOf(HOME, frame, WIDTH, HEIGHT);
-const [FRONT, BACK] = [
-  [0.2, 0.4, 0.8],
-  [0.8, 0.4, 0.2],
-];
+const [FRONT, BACK] = pointsOf("0.2,0.4,0.8 0.8,0.4,0.2");
 const tracerOf = (surface, options = {}) =>
   new RayTracer(
     surface.patches.map((_, k) => surface.patch(k)),
@@ -61,10 +59,7 @@ test("a wall between a point and the light takes the light away", () => {
 });
 
 test("a ray and a box", () => {
-  const box = /** @type {const} */ ([
-    [0, 0, 0],
-    [1, 2, 3],
-  ]);
+  const box = /** @type {[number[], number[]]} */ (pointsOf("0,0,0 1,2,3"));
   assert.equal(boxEntry([-2, 1, 1], [1, 0, 0], ...box), 2);
   assert.equal(boxEntry([-2, 1, 1], [-1, 0, 0], ...box), Infinity);
   assert.equal(boxEntry([0.5, 1, 1], [0, 0, 5], ...box), 0);

@@ -8,18 +8,20 @@ export function deCasteljau(points, t) {
   return row[0];
 }
 
-/** The coordinates of an object or a flat array. */
-export const coordinates = (/** @type {any} */ p) =>
-  ArrayBuffer.isView(p) || Array.isArray(p) ? Array.from(/** @type {any} */ (p)) : Object.values(p);
+/** The coordinates of an object or a flat array; a number alone. */
+export function coordinates(/** @type {any} */ p) {
+  if (typeof p === "number") return [p];
+  return ArrayBuffer.isView(p) || Array.isArray(p) ? Array.from(/** @type {any} */ (p)) : Object.values(p);
+}
 
 /** Numbers agree to a small part of the larger one, or absolutely below 1. */
-export function near(got, expected, tolerance = 1e-12) {
+export function near(got, expected, tolerance = 1e-12, what = "") {
   const [a, b] = [coordinates(got), coordinates(expected)];
-  assert.equal(a.length, b.length, `${a} instead of ${b}`);
+  assert.equal(a.length, b.length, `${what} ${a} instead of ${b}`);
   const off = (x, i) => Math.abs(x - b[i]) / Math.max(1, Math.abs(b[i]));
   assert.ok(
     a.every((x, i) => x === b[i] || off(x, i) <= tolerance),
-    `${a} instead of ${b}`,
+    `${what} ${a} instead of ${b}`,
   );
 }
 
@@ -27,6 +29,13 @@ export function near(got, expected, tolerance = 1e-12) {
 export function pairs(flat, dimension = 2) {
   return Array.from({ length: flat.length / dimension }, (_, i) => [...flat.slice(i * dimension, (i + 1) * dimension)]);
 }
+
+/**
+ * Points, or other rows of numbers, from a text: "0,0 1,2" is [[0, 0], [1, 2]].
+ *
+ * @param {string} text
+ */
+export const pointsOf = (text) => text.split(" ").map((point) => point.split(",").map(Number));
 
 /** An array that lives in memory of its own: no view of the core's, nothing shared. */
 export function owned(array) {
@@ -52,6 +61,11 @@ export function refused(act, type, message) {
   });
 }
 
+/** Expects all refusals of a table whose rows are calls and messages. */
+export function refusedAll(type, rows) {
+  for (const [act, message] of rows) refused(act, type, message);
+}
+
 /**
  * A drawing target that records the calls of its methods.
  *
@@ -64,24 +78,8 @@ export function recorder() {
   return Object.assign(target, { calls });
 }
 
-export const CUBIC = [
-  [0, 0],
-  [0, 8],
-  [8, 8],
-  [8, 0],
-];
-export const SPACE = [
-  [0, 0, 0],
-  [1, 2, 3],
-  [3, 3, -1],
-  [4, 0, 2],
-];
-export const SEVEN = [
-  [0, 0],
-  [0, 2],
-  [2, 2],
-  [2, 0],
-  [2, -4],
-  [4, -2],
-  [4, 0],
-];
+export const CUBIC = pointsOf("0,0 0,8 8,8 8,0");
+export const SPACE = pointsOf("0,0,0 1,2,3 3,3,-1 4,0,2");
+/** (t, t², t³) */
+export const TWISTED = pairs([0, 0, 0, 1 / 3, 0, 0, 2 / 3, 1 / 3, 0, 1, 1, 1], 3);
+export const SEVEN = pointsOf("0,0 0,2 2,2 2,0 2,-4 4,-2 4,0");

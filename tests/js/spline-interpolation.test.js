@@ -2,21 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, near, owned, pairs, refused, untyped } from "./reference.js";
+import { coordinates, near, owned, pairs, pointsOf, refused, refusedAll, untyped } from "./reference.js";
 
-const FOUR = [
-  [0, 0],
-  [1, 1],
-  [3, 1],
-  [4, 0],
-];
-const SPACE = [
-  [0, 0, 0],
-  [1, 2, 3],
-  [3, 3, -1],
-  [4, 0, 2],
-  [5, 5, 5],
-];
+const FOUR = pointsOf("0,0 1,1 3,1 4,0");
+const SPACE = pointsOf("0,0,0 1,2,3 3,3,-1 4,0,2 5,5,5");
 const joints = (spline) =>
   Array.from({ length: spline.segmentCount + (spline.closed ? 0 : 1) }, (_, k) => coordinates(spline.eval(k)));
 
@@ -29,103 +18,51 @@ test("interpolate: natural by default, C2 at the joints, which are the points", 
       for (let k = closed ? 0 : 1; k < spline.segmentCount; k++) assert.ok(spline.continuity(k).c2, `${k}`);
     }
   }
-  assert.deepEqual(
-    Spline.interpolate([
-      { x: 0, y: 0 },
-      { x: 3, y: 0 },
-    ]).degrees,
-    [3],
-  );
+  const line = [
+    { x: 0, y: 0 },
+    { x: 3, y: 0 },
+  ];
+  assert.deepEqual(Spline.interpolate(line).degrees, [3]);
   assert.equal(Spline.interpolate([0, 0, 0, 1, 1, 1], { dimension: 3 }).dimension, 3);
 });
 
-test("interpolate: Catmull-Rom with classical handles", () => {
-  const uniform = Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 0 });
-  near(uniform.segments()[1].controlPoints(), Curve.fromBasis("catmull-rom", FOUR).controlPoints());
+test("interpolate: Catmull-Rom splines, centripetal by default", () => {
+  const spline = (alpha) => Spline.interpolate(SPACE, { kind: "catmull-rom", alpha });
+  const uniform = spline(0).segments()[1].controlPoints();
+  near(uniform, Curve.fromBasis("catmull-rom", SPACE.slice(0, 4)).controlPoints());
+  assert.ok(spline(undefined).equals(spline(0.5)) && !spline(0.5).equals(spline(1), 0.01));
+  // The handles at an inner point are aligned, and their lengths are as those of the chords to the power alpha.
   for (const alpha of [0.5, 1, 0.3]) {
-    const spline = Spline.interpolate(SPACE, { kind: "catmull-rom", alpha });
-    const [a, b, c] = SPACE;
-    const [d1, d2] = [
-      [a, b],
-      [b, c],
-    ].map(([p, q]) => Math.hypot(...p.map((x, i) => q[i] - x)) ** alpha);
-    const tangent = a.map((_, i) => (b[i] - a[i]) / d1 - (c[i] - a[i]) / (d1 + d2) + (c[i] - b[i]) / d2);
-    const points = pairs(spline.controlPoints(), 3);
-    near(
-      points[2],
-      b.map((x, i) => x - (tangent[i] * d1) / 3),
-    );
-    near(
-      points[4],
-      b.map((x, i) => x + (tangent[i] * d2) / 3),
-    );
-    near(
-      points[1],
-      a.map((x, i) => x + (b[i] - x) / 3),
-    );
+    const [, , before, at, after] = pairs(spline(alpha).controlPoints(), 3);
+    const chords = [0, 1].map((k) => Math.hypot(...SPACE[k].map((x, i) => SPACE[k + 1][i] - x)) ** alpha);
+    const scaled = [at.map((x, i) => (x - before[i]) / chords[0]), after.map((x, i) => (x - at[i]) / chords[1])];
+    near(scaled[0], scaled[1]);
   }
-  assert.ok(
-    Spline.interpolate(FOUR, { kind: "catmull-rom" }).equals(
-      Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 0.5 }),
-    ),
-  );
 });
 
 test("interpolate: refusals", () => {
-  refused(() => Spline.interpolate([[0, 0]]), RangeError, /^points: expected at least 2 points, got 1$/);
-  refused(() => Spline.interpolate([]), RangeError, /^points: expected at least 2 points, got 0$/);
-  refused(
-    () =>
-      Spline.interpolate([
-        [0, 0],
-        [NaN, 0],
-      ]),
-    RangeError,
-    /^points\[1\]\[0\]: expected a finite number, got NaN$/,
-  );
-  refused(
-    () => Spline.interpolate(FOUR, { kind: untyped("akima") }),
-    RangeError,
-    /^kind: expected one of "natural", "catmull-rom", got "akima"$/,
-  );
-  refused(
-    () => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 1.5 }),
-    RangeError,
-    /^alpha: expected a number from 0 to 1, got 1.5$/,
-  );
-  refused(
-    () => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: untyped("1") }),
-    TypeError,
-    /^alpha: expected a number, got "1"$/,
-  );
-  refused(
-    () => Spline.interpolate(untyped(5)),
-    TypeError,
-    /^points: expected an array of points, got 5; did you mean \[\[x, y\], …\]\?$/,
-  );
+  function through(/** @type {any} */ options, points = FOUR) {
+    return () => Spline.interpolate(points, options);
+  }
+  refusedAll(RangeError, [
+    [through({}, [[0, 0]]), /^points: expected at least 2 points, got 1$/],
+    [through({}, []), /^points: expected at least 2 points, got 0$/],
+    [through({}, pointsOf("0,0 NaN,0")), /^points\[1\]\[0\]: expected a finite number, got NaN$/],
+    [through({ kind: "akima" }), /^kind: expected one of "natural", "catmull-rom", got "akima"$/],
+    [through({ kind: "catmull-rom", alpha: 1.5 }), /^alpha: expected a number from 0 to 1, got 1.5$/],
+  ]);
+  refusedAll(TypeError, [
+    [through({ kind: "catmull-rom", alpha: "1" }), /^alpha: expected a number, got "1"$/],
+    [through({}, untyped(5)), /^points: expected an array of points, got 5; did you mean \[\[x, y\], …\]\?$/],
+  ]);
 });
 
 test("fromBSpline: uniform, with knots, closed", () => {
-  const uniform = Spline.fromBSpline(FOUR);
-  near(uniform.controlPoints(), Curve.fromBasis("b-spline", FOUR).controlPoints());
-  const quadratic = Spline.fromBSpline(
-    [
-      [0, 0],
-      [1, 2],
-      [3, 2],
-      [4, 0],
-    ],
-    { degree: 2, knots: [0, 0, 0, 1, 2, 2, 2] },
-  );
+  near(Spline.fromBSpline(FOUR).controlPoints(), Curve.fromBasis("b-spline", FOUR).controlPoints());
+  const options = { degree: 2, knots: [0, 0, 0, 1, 2, 2, 2] };
+  const quadratic = Spline.fromBSpline([0, 0, 1, 2, 3, 2, 4, 0], options);
   assert.deepEqual(quadratic.degrees, [2, 2]);
-  near(quadratic.eval(0.5), [1, 1.5]);
-  assert.deepEqual(
-    [quadratic.eval(0), quadratic.eval(2)],
-    [
-      { x: 0, y: 0 },
-      { x: 4, y: 0 },
-    ],
-  );
+  near(quadratic.evalAt([0, 0.5, 2]), [0, 0, 1, 1.5, 4, 0]);
   const ring = Spline.fromBSpline(SPACE, { closed: true });
   assert.deepEqual([ring.segmentCount, ring.closed, ring.dimension], [5, true, 3]);
   for (let k = 0; k < 5; k++) assert.ok(ring.continuity(k).c2);
@@ -135,24 +72,8 @@ test("toBSpline and back gives the same spline", () => {
   const several = [
     Spline.interpolate(FOUR),
     Spline.interpolate(SPACE, { closed: true }),
-    new Spline(
-      [
-        [0, 0],
-        [1, 1],
-        [2, 0],
-        [5, 5],
-      ],
-      { degree: 1 },
-    ),
-    new Spline(
-      [
-        [0, 0],
-        [1, 1],
-        [2, 0],
-        [5, 5],
-      ],
-      { degree: 2, closed: true },
-    ),
+    new Spline(FOUR, { degree: 1 }),
+    new Spline(FOUR, { degree: 2, closed: true }),
     Spline.fromBSpline(SPACE, { degree: 4, closed: true }),
   ];
   for (const spline of several) {
@@ -165,43 +86,20 @@ test("toBSpline and back gives the same spline", () => {
 });
 
 test("fromBSpline and toBSpline: refusals", () => {
-  const with_ =
-    (options, points = FOUR) =>
-    () =>
-      Spline.fromBSpline(points, options);
-  refused(with_({ degree: 4 }), RangeError, /^points: expected at least degree \+ 1 points .*, got 4$/);
-  refused(with_({ degree: 0 }), RangeError, /^degree: expected a whole number from 1 to 64, got 0$/);
-  refused(with_({ knots: [0, 1] }), RangeError, /^knots: expected points \+ degree \+ 1 knots .*, got 2$/);
-  refused(with_({ knots: [] }), RangeError, /^knots: expected 8 .*, got 0$/);
-  refused(
-    with_({ knots: [0, 1, 2, 3, 2.5, 5, 6, 7] }),
-    RangeError,
-    /^knots\[4\]: expected a knot not below the one before it, got 2.5$/,
-  );
-  refused(
-    with_({ degree: 1, knots: [0, 1, 2, 2, 3, 4] }),
-    RangeError,
-    /^knots\[3\]: expected at most degree times .*, got 2$/,
-  );
-  refused(
-    with_({ knots: [0, 0, 0, 0, 0, 0, 0, 0] }),
-    RangeError,
-    /^knots\[4\]: expected a knot above that where the curve starts, got 0$/,
-  );
-  refused(with_({ knots: [0, 1, NaN, 3, 4, 5, 6, 7] }), RangeError, /^knots\[2\]: expected a finite number, got NaN$/);
-  refused(with_({ knots: "01234567" }), TypeError, /^knots: expected an array of numbers, got "01234567"$/);
-  const mixed = Spline.fromCurves([
-    new Curve([
-      [0, 0],
-      [1, 0],
-    ]),
-    new Curve([
-      [1, 0],
-      [2, 0],
-      [3, 1],
-    ]),
+  const bspline = (/** @type {any} */ options) => () => Spline.fromBSpline(FOUR, options);
+  const mixed = Spline.fromCurves([new Curve([0, 0, 1, 0]), new Curve([1, 0, 2, 0, 3, 1])]);
+  refusedAll(RangeError, [
+    [bspline({ degree: 4 }), /^points: expected at least degree \+ 1 points .*, got 4$/],
+    [bspline({ degree: 0 }), /^degree: expected a whole number from 1 to 64, got 0$/],
+    [bspline({ knots: [0, 1] }), /^knots: expected points \+ degree \+ 1 knots .*, got 2$/],
+    [bspline({ knots: [] }), /^knots: expected 8 .*, got 0$/],
+    [bspline({ knots: [0, 1, 2, 3, 2.5, 5, 6, 7] }), /^knots\[4\]: expected a knot not below .* it, got 2.5$/],
+    [bspline({ degree: 1, knots: [0, 1, 2, 2, 3, 4] }), /^knots\[3\]: expected at most degree times .*, got 2$/],
+    [bspline({ knots: new Array(8).fill(0) }), /^knots\[4\]: expected a knot above that .* curve starts, got 0$/],
+    [bspline({ knots: [0, 1, NaN, 3, 4, 5, 6, 7] }), /^knots\[2\]: expected a finite number, got NaN$/],
+    [() => mixed.toBSpline(), /^degrees\[1\]: expected the degree of the first segment \(1\), got 2$/],
   ]);
-  refused(() => mixed.toBSpline(), RangeError, /^degrees\[1\]: expected the degree of the first segment \(1\), got 2$/);
+  refused(bspline({ knots: "01234567" }), TypeError, /^knots: expected an array of numbers, got "01234567"$/);
 });
 
 test("a million points", () => {

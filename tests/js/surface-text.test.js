@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { refused, untyped } from "./reference.js";
+import { pointsOf, refused, untyped } from "./reference.js";
 
 const table = JSON.parse(readFileSync(new URL("../texts/surfaces.json", import.meta.url), "utf8"));
 
@@ -49,12 +49,7 @@ test("text reads back", () => {
 test("the text is the documented one", () => {
   const surface = new Surface(
     {
-      vertices: [
-        [0, 0, 0],
-        [1, 0, 0],
-        [0, 1, 0],
-        [1, 1, 0.5],
-      ],
+      vertices: pointsOf("0,0,0 1,0,0 0,1,0 1,1,0.5"),
       patches: [[0, 1, 2, 3]],
     },
     { degreeU: 1, degreeV: 1 },

@@ -9,8 +9,7 @@ import { Geometry } from "../../js/elements/surface/geometry.js";
 import { surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
 import { JOINT_POINT, jointAngle, SURFACES } from "../../www/figures/lib/surfaces.js";
-
-const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
+import { load, testTasks } from "./task-cases.js";
 
 /** What a task sees of <bezier-surface>, with the element's own figure. */
 function figure(properties) {
@@ -193,28 +192,7 @@ function byAdditions([f, d1, d2, d3], count) {
   });
 }
 
-for (const [name, { start, vain, right }] of Object.entries(TASKS)) {
-  test(`task ${name}`, async () => {
-    const { check, reveal } = await load(name);
-    const judged = (element) => {
-      const verdict = check(element.figure, element);
-      assert.equal(typeof verdict.words, "string");
-      assert.ok(verdict.words.length > 0);
-      return verdict.done;
-    };
-    const element = start();
-    assert.equal(judged(element), false, "at the start");
-    for (const attempt of vain) {
-      attempt(element);
-      assert.equal(judged(element), false, `${attempt}: ${check(element.figure, element).words}`);
-    }
-    right(element);
-    assert.equal(judged(element), true, `${right}: ${check(element.figure, element).words}`);
-    const other = start();
-    reveal(other);
-    assert.equal(judged(other), true, `revealed: ${check(other.figure, other).words}`);
-  });
-}
+testTasks(TASKS);
 
 const chapter = readFileSync(new URL("../../www/surfaces/index.md", import.meta.url), "utf8");
 const used = [...chapter.matchAll(/^::: task ([\w-]+)(?: for=([\w-]+))?$/gm)];

@@ -50,7 +50,7 @@ export function testTasks(tasks) {
       assert.equal(judged(element), false, "at the start");
       for (const attempt of vain) {
         attempt(element);
-        assert.equal(judged(element), false, `${attempt}`);
+        assert.equal(judged(element), false, `${attempt}: ${check(element.figure, element).words}`);
       }
       right(element);
       assert.equal(judged(element), true, `${right}: ${check(element.figure, element).words}`);

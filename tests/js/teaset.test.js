@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { refused } from "./reference.js";
+import { pointsOf, refused } from "./reference.js";
 
 /** The listing's control points of each patch with v reversed. */
 function listed(name, turn) {
@@ -28,10 +28,7 @@ for (const [name, make, turn] of CASES) {
 test("coincident points are one vertex", () => {
   assert.deepEqual(
     [Surface.teacup(), Surface.teaspoon()].map((s) => [s.patchCount, s.vertices.length / 3]),
-    [
-      [26, 251],
-      [16, 148],
-    ],
+    pointsOf("26,251 16,148"),
   );
 });
 

@@ -2,23 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Mesh, Surface } from "casteljau";
-import { refused, untyped } from "./reference.js";
+import { near, pointsOf, refused, refusedAll, untyped } from "./reference.js";
 
 const teapot = Surface.teapot();
 const empty = new Surface({ vertices: [], patches: [] });
 const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
-const square = new Surface(
-  {
-    vertices: [
-      [0, 0, 1],
-      [3, 0, 1],
-      [0, 2, 1],
-      [3, 2, 1],
-    ],
-    patches: [[0, 1, 2, 3]],
-  },
-  { degreeU: 1, degreeV: 1 },
-);
+const corners = { vertices: pointsOf("0,0,1 3,0,1 0,2,1 3,2,1"), patches: [[0, 1, 2, 3]] };
+const square = new Surface(corners, { degreeU: 1, degreeV: 1 });
 
 test("isocurves: each line once", () => {
   for (const lines of [1, 2, 5]) {
@@ -28,83 +18,33 @@ test("isocurves: each line once", () => {
     assert.ok(curves.every((curve) => curve instanceof Curve && curve.degree === 3 && curve.dimension === 3));
   }
   assert.equal(teapot.isocurves().length, teapot.isocurves({ lines: 4 }).length);
-  const [left, right, near, far] = square.isocurves({ lines: 1 }).map((curve) => [...curve.controlPoints()]);
-  assert.deepEqual(
-    [left, right, near, far],
-    [
-      [0, 0, 1, 0, 2, 1],
-      [3, 0, 1, 3, 2, 1],
-      [0, 0, 1, 3, 0, 1],
-      [0, 2, 1, 3, 2, 1],
-    ],
-  );
+  const ends = square.isocurves({ lines: 1 }).map((curve) => [...curve.controlPoints()]);
+  assert.deepEqual(ends, pointsOf("0,0,1,0,2,1 3,0,1,3,2,1 0,0,1,3,0,1 0,2,1,3,2,1"));
   assert.deepEqual(empty.isocurves(), []);
 });
 
 test("isocurves are the patches'", () => {
-  const curves = new Surface({
-    vertices: teapot.patch(13).controlPoints(),
-    patches: [[...Array(16).keys()]],
-  }).isocurves({ lines: 3 });
-  curves.slice(0, 4).forEach((curve, k) =>
-    assert.deepEqual(
-      curve.controlPoints(),
-      teapot
-        .patch(13)
-        .isocurveAtU(k / 3)
-        .controlPoints(),
-    ),
-  );
-  curves.slice(4).forEach((curve, k) =>
-    assert.deepEqual(
-      curve.controlPoints(),
-      teapot
-        .patch(13)
-        .isocurveAtV(k / 3)
-        .controlPoints(),
-    ),
-  );
+  const patch = teapot.patch(13);
+  const curves = Surface.fromPatches([patch]).isocurves({ lines: 3 });
+  const expected = [0, 1, 2, 3].map((k) => patch.isocurveAtU(k / 3));
+  expected.push(...[0, 1, 2, 3].map((k) => patch.isocurveAtV(k / 3)));
+  assert.equal(curves.length, 8);
+  curves.forEach((curve, k) => assert.deepEqual(curve.controlPoints(), expected[k].controlPoints()));
 });
 
-/** How often each edge has a face, by its direction. */
-function edges(mesh) {
-  const counts = new Map();
-  for (let i = 0; i < mesh.indices.length; i += 3) {
-    for (let k = 0; k < 3; k++) {
-      const edge = `${mesh.indices[i + k]} ${mesh.indices[i + ((k + 1) % 3)]}`;
-      counts.set(edge, (counts.get(edge) ?? 0) + 1);
-    }
-  }
-  return counts;
-}
-
-test("tubes are closed bodies", () => {
-  const mesh = teapot.wireframe({ lines: 2, radius: 0.02, sides: 6 });
-  assert.ok(mesh instanceof Mesh && mesh.indices instanceof Uint16Array);
-  assert.deepEqual([mesh.uvs, mesh.patchIds, mesh.quads], [null, null, undefined]);
-  const counts = edges(mesh);
-  for (const [edge, count] of counts) {
-    assert.equal(count, 1);
-    assert.equal(counts.get(edge.split(" ").reverse().join(" ")), 1);
-  }
-  const curves = teapot.isocurves({ lines: 2 }).length;
-  assert.equal(mesh.positions.length / 3 - counts.size / 2 + mesh.indices.length / 3, 2 * curves);
+test("tubes are triangles, ribbons along straight sides rectangles", () => {
+  const tubes = teapot.wireframe({ lines: 2, radius: 0.02, sides: 6 });
+  assert.ok(tubes instanceof Mesh && tubes.indices instanceof Uint16Array);
+  assert.deepEqual([tubes.uvs, tubes.patchIds, tubes.quads], [null, null, undefined]);
+  // Closed bodies: V − E + F is 2 for each, and 2E = 3F.
+  const [vertices, faces] = [tubes.positions.length / 3, tubes.indices.length / 3];
+  assert.equal(vertices - faces / 2, 2 * teapot.isocurves({ lines: 2 }).length);
   assert.ok(teapot.wireframe({ lines: 12, radius: 0.002 }).indices instanceof Uint32Array);
-});
-
-test("a ribbon along a straight side is a rectangle", () => {
-  const mesh = square.wireframe({ lines: 1, width: 0.5 });
-  assert.equal(mesh.indices.length, 4 * 6);
-  assert.deepEqual(
-    [...mesh.positions.slice(0, 12)].map((x) => x + 0),
-    [-0.25, 0, 1, 0.25, 0, 1, -0.25, 2, 1, 0.25, 2, 1],
-  );
-  for (let i = 0; i < mesh.normals.length; i += 3)
-    assert.deepEqual(
-      [...mesh.normals.slice(i, i + 3)].map((x) => x + 0),
-      [0, 0, 1],
-    );
-  assert.deepEqual(mesh.patchRanges, [{ firstVertex: 0, vertices: 16, firstIndex: 0, indices: 24 }]);
+  const ribbons = square.wireframe({ lines: 1, width: 0.5 });
+  assert.equal(ribbons.indices.length, 4 * 6);
+  near(ribbons.positions.slice(0, 12), [-0.25, 0, 1, 0.25, 0, 1, -0.25, 2, 1, 0.25, 2, 1]);
+  near(ribbons.normals, new Array(16).fill([0, 0, 1]).flat());
+  assert.deepEqual(ribbons.patchRanges, [{ firstVertex: 0, vertices: 16, firstIndex: 0, indices: 24 }]);
 });
 
 test("wireframes into an earlier mesh, and of nothing", () => {
@@ -128,13 +68,8 @@ test("flat pieces cover the patches", () => {
   }
   assert.ok(areas.every((area) => area === 1));
   const { patch, u0, u1, v0, v1, corners } = pieces[pieces.length >> 1];
-  const expected = [
-    [u0, v0],
-    [u1, v0],
-    [u1, v1],
-    [u0, v1],
-  ].flatMap(([u, v]) => Object.values(teapot.patch(patch).eval(u, v)));
-  assert.ok(expected.every((x, k) => Math.abs(x - corners[k]) < 1e-14));
+  const at = (u, v) => Object.values(teapot.patch(patch).eval(u, v));
+  near(corners, [at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)].flat(), 1e-14);
   assert.equal(square.subdivide(1e-9).length, 1);
   assert.deepEqual([...square.subdivide(1)[0].corners], [0, 0, 1, 3, 0, 1, 3, 2, 1, 0, 2, 1]);
   assert.deepEqual(empty.subdivide(1), []);
@@ -142,43 +77,34 @@ test("flat pieces cover the patches", () => {
 
 test("refused", () => {
   const wire = (options) => () => teapot.wireframe(options);
-  for (const lines of [0, -1, 1.5, NaN]) {
-    refused(() => teapot.isocurves({ lines }), RangeError, /^lines: expected a whole number from 1 .*got /);
-    refused(wire({ lines, width: 1 }), RangeError, /^lines: expected a whole number from 1 .*got /);
-  }
-  refused(
-    wire(undefined),
-    TypeError,
-    /^options: expected either radius \(tubes\) or width \(ribbons\), got none of them$/,
-  );
-  refused(wire({ radius: 1, width: 1 }), TypeError, /^options: expected either .*got both$/);
-  refused(wire(5), TypeError, /^options: expected an object, got 5$/);
-  for (const bad of [0, -1]) {
-    refused(wire({ radius: bad }), RangeError, /^radius: expected a number above 0, got /);
-    refused(wire({ width: bad }), RangeError, /^width: expected a number above 0, got /);
-  }
-  refused(wire({ radius: NaN }), RangeError, /^radius: expected a finite number, got NaN$/);
-  refused(wire({ width: "1" }), TypeError, /^width: expected a number, got "1"$/);
+  for (const lines of [0, -1, 1.5, NaN])
+    for (const act of [() => teapot.isocurves({ lines }), wire({ lines, width: 1 })])
+      refused(act, RangeError, /^lines: expected a whole number from 1 .*got /);
+  for (const bad of [0, -1])
+    refusedAll(RangeError, [
+      [wire({ radius: bad }), /^radius: expected a number above 0, got /],
+      [wire({ width: bad }), /^width: expected a number above 0, got /],
+      [() => teapot.subdivide(bad), /^tolerance: expected a number above 0, got /],
+    ]);
   for (const sides of [2, 0, 3.5, Infinity])
     refused(wire({ radius: 1, sides }), RangeError, /^sides: expected a whole number from 3 .*got /);
-  refused(
-    wire({ radius: 1e-9 }),
-    RangeError,
-    /^radius: expected at least \S+ \(f32 shows nothing smaller here\), got 1e-9$/,
-  );
-  refused(wire({ width: 1e39 }), RangeError, /^vertices: expected coordinates that f32 can hold, got 1e\+39$/);
-  refused(wire({ lines: 1e6, width: 0.1 }), RangeError, /^vertices: expected at most \d+, this needs \d+$/);
-  refused(
-    wire({ radius: 0.1, sides: 2 ** 32 - 1 }),
-    RangeError,
-    /^vertices: expected at most \d+, this needs 4294967295$/,
-  );
-  refused(wire({ radius: 0.1, into: {} }), TypeError, /^into: expected a Mesh, got /);
-  for (const bad of [0, -1])
-    refused(() => teapot.subdivide(bad), RangeError, /^tolerance: expected a number above 0, got /);
-  refused(() => teapot.subdivide(untyped(undefined)), TypeError, /^tolerance: expected a number, got undefined$/);
-  refused(() => teapot.subdivide(1e-20), RangeError, /^tolerance: expected at least \S+ .*got 1e-20$/);
-  refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 264192, this needs 264193$/);
+  refusedAll(TypeError, [
+    [wire(undefined), /^options: expected either radius \(tubes\) or width \(ribbons\), got none of them$/],
+    [wire({ radius: 1, width: 1 }), /^options: expected either .*got both$/],
+    [wire(5), /^options: expected an object, got 5$/],
+    [wire({ width: "1" }), /^width: expected a number, got "1"$/],
+    [wire({ radius: 0.1, into: {} }), /^into: expected a Mesh, got /],
+    [() => teapot.subdivide(untyped(undefined)), /^tolerance: expected a number, got undefined$/],
+  ]);
+  refusedAll(RangeError, [
+    [wire({ radius: NaN }), /^radius: expected a finite number, got NaN$/],
+    [wire({ radius: 1e-9 }), /^radius: expected at least \S+ \(f32 shows nothing smaller here\), got 1e-9$/],
+    [wire({ width: 1e39 }), /^vertices: expected coordinates that f32 can hold, got 1e\+39$/],
+    [wire({ lines: 1e6, width: 0.1 }), /^vertices: expected at most \d+, this needs \d+$/],
+    [wire({ radius: 0.1, sides: 2 ** 32 - 1 }), /^vertices: expected at most \d+, this needs 4294967295$/],
+    [() => teapot.subdivide(1e-20), /^tolerance: expected at least \S+ .*got 1e-20$/],
+    [() => teapot.subdivide(1e-9), /^leaves: expected at most 264192, this needs 264193$/],
+  ]);
   assert.equal(teapot.patchCount, 32);
 });
 

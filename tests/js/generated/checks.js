@@ -2,6 +2,7 @@
 // core are in tests/generated; here stands what could go wrong between the core and JavaScript.
 import assert from "node:assert/strict";
 import { Curve, easing, Path, Spline, Surface } from "casteljau";
+import { coordinates, CUBIC } from "../reference.js";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
 const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion", "Path.curvature"]);
@@ -42,22 +43,13 @@ export function checkRefusal(error) {
   assert.match(error.message, /expected .*(got |needs )/s);
 }
 
-const CUBIC = [
-  [0, 0],
-  [0, 8],
-  [8, 8],
-  [8, 0],
-];
-
 /** After a refusal the package works on. */
 export function works() {
   assert.deepEqual(new Curve(CUBIC).eval(0.5), { x: 4, y: 6 });
   assert.deepEqual(new Spline(CUBIC).flatten(100).points.length >= 4, true);
 }
 
-const numbersOf = (/** @type {any} */ point) =>
-  ArrayBuffer.isView(point) || Array.isArray(point) ? Array.from(/** @type {any} */ (point)) : Object.values(point);
-const distance = (p, q) => Math.hypot(...numbersOf(p).map((x, k) => x - numbersOf(q)[k]));
+const distance = (p, q) => Math.hypot(...coordinates(p).map((x, k) => x - coordinates(q)[k]));
 /** 64 (n + 2) roundings of the largest coordinate. */
 const slackOf = (size, degree) => 64 * (degree + 2) * Number.EPSILON * size + Number.MIN_VALUE;
 const close = (p, q, slack, what) =>
@@ -68,7 +60,7 @@ const ascend = (ts, least, most) => {
   if (at >= 0) assert.fail(`${ts.slice(Math.max(at - 1, 0), at + 1)} at ${at} do not ascend from ${least} to ${most}`);
 };
 const inside = ({ min, max }, p, slack) =>
-  numbersOf(p).every((x, k) => x >= numbersOf(min)[k] - slack && x <= numbersOf(max)[k] + slack);
+  coordinates(p).every((x, k) => x >= coordinates(min)[k] - slack && x <= coordinates(max)[k] + slack);
 
 const isMesh = (mesh) => {
   const count = mesh.positions.length / 3;
@@ -178,7 +170,7 @@ const CHECKS = {
   "Path.pointAtLength": (found, { path }) => found && assert.deepEqual(found.point, path.eval(found)),
   "Path.timesAtCoordinate": (times, { path, axis, value }, size) => {
     for (const time of times)
-      assert.ok(Math.abs(numbersOf(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
+      assert.ok(Math.abs(coordinates(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
   },
   "Path.reverse": (reversed, { path }) => assert.ok(reversed.reverse().equals(path)),
   "Path.fromSVG": (path, { text }) => {
