@@ -11,10 +11,13 @@ const require = createRequire(import.meta.url);
 /** @param {string} file */
 const packageFile = (file) => new URL(file, `file://${require.resolve("bootstrap-icons/package.json")}`);
 
+/** Of the icons, every sixth one is drawn; all of them with CASTELJAU_DEEP=1. */
+const EVERY = process.env.CASTELJAU_DEEP ? 1 : 6;
+
 test("bootstrap-icons: the stroke and the offset of every path, with the areas that they must have", () => {
   const folder = packageFile("icons/");
   let [count, segments] = [0, 0];
-  for (const file of readdirSync(folder)) {
+  for (const file of readdirSync(folder).filter((_, k) => k % EVERY === 0)) {
     for (const [, d] of readFileSync(new URL(file, folder), "utf8").matchAll(/<path[^>]*? d="([^"]*)"/g)) {
       const path = Path.fromSVG(d);
       count++;
@@ -32,7 +35,7 @@ test("bootstrap-icons: the stroke and the offset of every path, with the areas t
       }
     }
   }
-  assert.ok(count > 3_000 && segments < 120_000, `${count} paths of ${segments} segments`);
+  assert.ok(EVERY * count > 3_000 && EVERY * segments < 120_000, `${count} paths of ${segments} segments`);
 });
 
 /** @typedef {{ type: string, coordinates: number[][][][] | number[][][] }} Geometry */

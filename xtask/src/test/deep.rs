@@ -70,9 +70,9 @@ pub(crate) const STEPS: [Step; 10] = [
     Step {
         selects: false,
         ..part(
-            "generated-js",
-            "Generated calls of the npm package",
-            generated_js,
+            "npm-package",
+            "The npm package: more generated calls, every icon of a set",
+            npm_package,
         )
     },
     part(
@@ -121,12 +121,13 @@ fn rust_tests(context: &Context, names: &[String]) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-fn generated_js(context: &Context) -> Result<Done> {
+fn npm_package(context: &Context) -> Result<Done> {
     build::build()?;
     let mut tests = shell::node(&[
         "--test",
         "--test-reporter=spec",
         "tests/js/generated.test.js",
+        "tests/js/large-drawings.test.js",
     ]);
     tests.env_remove("CHROME_PATH");
     shell::run(&mut with_variables(tests, context))?;
