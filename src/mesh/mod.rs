@@ -20,8 +20,6 @@ pub(crate) mod options;
 mod projected;
 mod sampler;
 mod stitched_mesh;
-#[cfg(feature = "rayon")]
-mod stitched_parts;
 mod subdivider;
 mod sweep;
 mod tracer;
@@ -47,6 +45,5 @@ pub(crate) use casteljau_fast::mesh::{
 pub use buffers::{Indices, Mesh, PatchRange};
 pub use flat_enough::FlatPiece;
 pub use grid::{Grid, GridMethod};
-pub use options::{Detail, TessellationOptions, View};
-pub use weld::Weld;
+pub use options::{Detail, TessellationOptions, View, Weld};
 pub use wire::{Wire, WireframeOptions};

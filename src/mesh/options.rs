@@ -1,7 +1,6 @@
 //! Options of the tessellation: level of detail and welding.
 
 use super::grid::Grid;
-use super::weld::Weld;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use glam::{DMat4, DVec2, DVec3, DVec4};
@@ -26,6 +25,24 @@ pub struct TessellationOptions {
     pub detail: Detail,
     /// Which corners become one vertex; by default those with the same normal.
     pub weld: Weld,
+}
+
+/// Which corners become one vertex of a mesh. Positions are bit-identical for all three rules.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum Weld {
+    /// One vertex for each point. Where patches meet in a crease, its normal is the mean of their normals, each
+    /// weighted by the angles of its triangles at the point.
+    Position,
+    /// One vertex for each point and normal: patches share a vertex unless their normals differ by more than 0.1°.
+    #[default]
+    Normal,
+    /// Each patch has its own vertices, so that `uvs` and `patch_ids` are available.
+    None,
 }
 
 /// The level of detail of a mesh.

@@ -1,29 +1,12 @@
 //! Welding: which corners of triangles become one vertex.
 
 use super::buffers::to_f32;
+use super::options::Weld;
 use super::stitched_mesh::StitchedMesh;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::point::Point;
 use crate::numeric::order::to_u32;
 use glam::DVec3;
-
-/// Which corners become one vertex of a mesh. Positions are bit-identical for all three rules.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "lowercase")
-)]
-pub enum Weld {
-    /// One vertex for each point. Where patches meet in a crease, its normal is the mean of their normals, each
-    /// weighted by the angles of its triangles at the point.
-    Position,
-    /// One vertex for each point and normal: patches share a vertex unless their normals differ by more than 0.1°.
-    #[default]
-    Normal,
-    /// Each patch has its own vertices, so that `uvs` and `patch_ids` are available.
-    None,
-}
 
 /// The square of the chord of 0.1°: normals that differ by less share a vertex.
 const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;

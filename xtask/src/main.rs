@@ -14,6 +14,7 @@ mod shell;
 mod size;
 mod stamp;
 mod strip_panics;
+mod structure;
 mod test;
 mod wasm_test;
 

@@ -1,14 +1,12 @@
 //! The chords of a curve: each is nearly as long as the tolerance allows.
 
 use super::deviation::{Deviation, Fraction, fourth_root};
-use super::vertex_limit::VertexLimit;
+use super::vertex_limit::{TARGET_USE, VertexLimit};
 use crate::geometry::error::Error;
 
 /// A chord is accepted if its squared deviation, as a part of the squared tolerance, is at least this. Chords grow with
-/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as necessary. A correction aims
-/// slightly below the tolerance.
+/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as necessary.
 const LEAST_USE: f64 = 0.72;
-pub(super) const TARGET_USE: f64 = 0.92;
 
 /// Maximum number of corrections of one chord, of which one or two are usual; after them the longest safe step is taken.
 const MAX_CORRECTIONS: usize = 8;

@@ -1,12 +1,14 @@
 //! The limit of the number of vertices, and its check before any is made.
 
-use super::chords::TARGET_USE;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::float::as_f64;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
+
+/// A corrected chord aims at this part of the squared tolerance, slightly below it.
+pub(super) const TARGET_USE: f64 = 0.92;
 
 /// Maximum number of vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;

@@ -2,7 +2,6 @@
 
 use super::arcs::Arcs;
 use super::contacts::{Contact, contacts};
-use super::contours::NONE;
 use super::edges::Edges;
 use super::faces::Faces;
 use super::order::Order;
@@ -65,12 +64,12 @@ impl Arrangement {
         visit_faces(&self.segments, &self.edges, &self.faces, rule, enter);
     }
 
-    /// A label for each face inside, equal where the faces on both sides of an edge are joined; [`NONE`] for others.
+    /// A label for each face inside, equal where the faces on both sides of an edge are joined; `None` for others.
     pub(super) fn joined_faces(
         &self,
         inside: &[bool],
         is_joined: impl Fn(usize) -> bool,
-    ) -> Vec<usize> {
+    ) -> Vec<Option<usize>> {
         let mut sets = UnionFind::new(self.faces.count);
         for e in 0..self.edges.list.len() {
             let [a, b] = [2 * e, 2 * e + 1].map(|h| self.faces.left[h]);
@@ -78,7 +77,7 @@ impl Arrangement {
                 sets.join(a, b);
             }
         }
-        let label = |(face, &inside): (usize, &bool)| if inside { sets.find(face) } else { NONE };
+        let label = |(face, &inside): (usize, &bool)| inside.then(|| sets.find(face));
         inside.iter().enumerate().map(label).collect()
     }
 }

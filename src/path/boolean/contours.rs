@@ -6,9 +6,6 @@ use crate::curve::area::area_about;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 
-/// The label of faces that belong to no region.
-pub(super) const NONE: usize = usize::MAX;
-
 /// A contour of this width, in parts of epsilon, has the shape of rounding, and is left out unless nothing touches it.
 const THIN: f64 = 0.02;
 
@@ -23,15 +20,15 @@ pub(super) struct Contour {
 }
 
 /// The contours of all regions, sorted by region: each outer contour is followed by its holes. `regions` has a label for
-/// each face.
-pub(super) fn contours(arrangement: &Arrangement, regions: &[usize]) -> Vec<Contour> {
+/// each face that belongs to a region.
+pub(super) fn contours(arrangement: &Arrangement, regions: &[Option<usize>]) -> Vec<Contour> {
     let tracer = Tracer {
         arrangement,
         regions,
     };
     let mut all = Vec::new();
     let mut visited = vec![false; arrangement.faces.left.len()];
-    let mut slots = vec![NONE; arrangement.arcs.vertices.len()];
+    let mut slots = vec![None; arrangement.arcs.vertices.len()];
     for h in 0..visited.len() {
         if !visited[h] && tracer.is_boundary(h) {
             tracer.trace(h, &mut visited, &mut slots, &mut all);
@@ -42,16 +39,16 @@ pub(super) fn contours(arrangement: &Arrangement, regions: &[usize]) -> Vec<Cont
 
 struct Tracer<'a> {
     arrangement: &'a Arrangement,
-    regions: &'a [usize],
+    regions: &'a [Option<usize>],
 }
 
 impl Tracer<'_> {
-    fn region(&self, h: usize) -> usize {
+    fn region(&self, h: usize) -> Option<usize> {
         self.regions[self.arrangement.faces.left[h]]
     }
 
     fn is_boundary(&self, h: usize) -> bool {
-        self.region(h) != NONE && self.region(h) != self.region(h ^ 1)
+        self.region(h).is_some() && self.region(h) != self.region(h ^ 1)
     }
 
     /// The next half-edge on the boundary of the same region: at its end, the first one clockwise.
@@ -69,7 +66,7 @@ impl Tracer<'_> {
         &self,
         start: usize,
         visited: &mut [bool],
-        slots: &mut [usize],
+        slots: &mut [Option<usize>],
         all: &mut Vec<Contour>,
     ) {
         let mut way: Vec<usize> = Vec::new();
@@ -77,24 +74,32 @@ impl Tracer<'_> {
         while !visited[h] {
             visited[h] = true;
             let vertex = origin(&self.arrangement.edges, h);
-            if slots[vertex] != NONE {
-                self.end_contour(way.split_off(slots[vertex]), slots, all);
+            if let Some(first) = slots[vertex] {
+                self.end_contour(way.split_off(first), slots, all);
             }
-            slots[vertex] = way.len();
+            slots[vertex] = Some(way.len());
             way.push(h);
             h = self.next(h);
         }
         self.end_contour(way, slots, all);
     }
 
-    fn end_contour(&self, half_edges: Vec<usize>, slots: &mut [usize], all: &mut Vec<Contour>) {
+    fn end_contour(
+        &self,
+        half_edges: Vec<usize>,
+        slots: &mut [Option<usize>],
+        all: &mut Vec<Contour>,
+    ) {
+        let Some(region) = self.region(half_edges[0]) else {
+            return; // not the boundary of a region
+        };
         let (edges, vertices) = (&self.arrangement.edges, &self.arrangement.arcs.vertices);
         let (mut area, mut length, mut first) = (0.0, 0.0, usize::MAX);
         let mut is_untouched = true;
         let centre = edges.points(half_edges[0] / 2)[0];
         for &h in &half_edges {
             let (points, vertex) = (edges.points(h / 2), origin(edges, h));
-            slots[vertex] = NONE;
+            slots[vertex] = None;
             is_untouched &= vertices[vertex].count == 1;
             let swept = area_about(points, centre, 1.0);
             area += if h % 2 == 0 { swept } else { -swept };
@@ -107,7 +112,7 @@ impl Tracer<'_> {
         let is_thin = area.abs() <= THIN * self.arrangement.segments.epsilon * length;
         if is_untouched || !is_thin {
             all.push(Contour {
-                region: self.region(half_edges[0]),
+                region,
                 half_edges,
                 is_hole: area < 0.0,
                 area,
@@ -120,7 +125,7 @@ impl Tracer<'_> {
 /// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last. A region
 /// has one outer contour, its largest; others that run counter-clockwise are so thin that rounding decides the direction,
 /// and are left out, as are the contours of a region without an outer one.
-fn in_order(all: Vec<Contour>, regions: &[usize]) -> Vec<Contour> {
+fn in_order(all: Vec<Contour>, regions: &[Option<usize>]) -> Vec<Contour> {
     let mut outer: Vec<Option<usize>> = vec![None; regions.len()];
     for (k, contour) in all
         .iter()

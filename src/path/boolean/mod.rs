@@ -7,7 +7,6 @@
 
 mod arcs;
 mod arrangement;
-mod choice;
 mod contacts;
 mod contours;
 mod cutting;

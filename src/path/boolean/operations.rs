@@ -1,7 +1,7 @@
 //! Operations whose result is a region: unions, intersections, differences, faces, and measurements of a region.
 
 use super::arrangement::Arrangement;
-use super::contours::{Contour, NONE, contours};
+use super::contours::{Contour, contours};
 use super::outline::push_contours;
 use super::segments::Role;
 use super::windings::Windings;
@@ -195,8 +195,8 @@ impl Path {
         arrangement.visit_faces(rule, |face, windings| {
             inside[face].extend((0..inputs.len()).map(|path| windings.is_inside(path)));
         });
-        let mut regions: Vec<usize> = (0..count).collect();
-        regions[arrangement.faces.outside] = NONE;
+        let mut regions: Vec<Option<usize>> = (0..count).map(Some).collect();
+        regions[arrangement.faces.outside] = None;
         let face = |(region, path): (usize, Self)| Face {
             path,
             inside: std::mem::take(&mut inside[region]),
@@ -256,7 +256,7 @@ fn region(
 }
 
 /// The contours of each region as a path, with the label of the region.
-pub(super) fn paths_of(arrangement: &Arrangement, regions: &[usize]) -> Vec<(usize, Path)> {
+pub(super) fn paths_of(arrangement: &Arrangement, regions: &[Option<usize>]) -> Vec<(usize, Path)> {
     let all = contours(arrangement, regions);
     let same_region = |a: &Contour, b: &Contour| a.region == b.region;
     let mut paths: Vec<(usize, Path)> = Vec::new();

@@ -16,11 +16,17 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 19] = [
+pub(crate) const STEPS: [Step; 20] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
         act: fmt,
+        ..PLAIN
+    },
+    Step {
+        name: "structure",
+        title: "No files of the crate import each other",
+        act: |_| crate::structure::check().map(|()| Done::Passed),
         ..PLAIN
     },
     Step {
