@@ -98,7 +98,8 @@ impl<P: Point> Curve<P> {
     /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them.
     ///
     /// # Errors
-    /// Same as `flatten`, all before the first vertex.
+    /// Same as `flatten`. All but [`Error::TooMany`] come before the first vertex; that one may come after some vertices,
+    /// where the forecast of their number was too low.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
         let mut limit = VertexLimit::new(MAX_VERTICES);

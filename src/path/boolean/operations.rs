@@ -55,7 +55,7 @@ impl Path {
     ///
     /// Let ε be 10⁻⁹ of the larger side of the box around all control points, or 32 roundings of the largest
     /// coordinate if that is more. The boundary is within ε of the true one. Outlines that run along each other within
-    /// ε/4 count as one, so coinciding and touching outlines need no special care; parts thinner than that may
+    /// 0.4 ε count as one, so coinciding and touching outlines need no special care; parts thinner than that may
     /// disappear.
     ///
     /// Pairs of segments are found with a tree of boxes: for n segments with k intersections the time is about
