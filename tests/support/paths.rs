@@ -1,9 +1,10 @@
 //! Paths from texts and points, and points from texts.
 
-use super::numbers;
+use super::{Rng, numbers};
 use casteljau::glam::DVec2;
 use casteljau::path::PathBuilder;
 use casteljau::{Path, Spline};
+use std::f64::consts::TAU;
 
 /// A path from SVG path data.
 #[track_caller]
@@ -43,4 +44,27 @@ pub(crate) fn closed(points: &[DVec2], degree: usize) -> Path {
 pub(crate) fn bits(points: &[DVec2]) -> Vec<u64> {
     let numbers = points.iter().flat_map(|p| p.to_array());
     numbers.map(f64::to_bits).collect()
+}
+
+/// Random numbers and points of the plane.
+pub(crate) trait RandomPlane {
+    fn between(&mut self, low: f64, high: f64) -> f64;
+    fn spot(&mut self, size: f64) -> DVec2;
+    fn direction(&mut self) -> DVec2;
+}
+
+impl RandomPlane for Rng {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A point of the square from −size to size.
+    fn spot(&mut self, size: f64) -> DVec2 {
+        self.point(2).truncate() * size
+    }
+
+    /// A unit vector.
+    fn direction(&mut self) -> DVec2 {
+        DVec2::from_angle(self.between(0.0, TAU))
+    }
 }
