@@ -30,12 +30,12 @@ fn of_bounds_along_short_axes() {
         let row = |z: f64| heights.map(|y| DVec3::new(0.0, y, z));
         let patch = Patch::new([row(0.0), row(length)].as_flattened(), 5, 1).unwrap();
         let bounds = patch.bounds();
-        let points = (0..=1000).map(|k| patch.eval(f64::from(k) / 1000.0, 0.5).y);
-        let [min, max] = [bounds.min, bounds.max].map(|corner| corner.y);
-        let (lowest, highest) = points
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
-                (low.min(y), high.max(y))
-            });
+        let ys: Vec<f64> = (0..=1000)
+            .map(|k| patch.eval(f64::from(k) / 1000.0, 0.5).y)
+            .collect();
+        let lowest = ys.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = ys.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [min, max] = [bounds.min.y, bounds.max.y];
         assert!(
             min <= lowest + 1e-14 && lowest - min < 1e-4,
             "{min} for {lowest}"

@@ -18,20 +18,12 @@ enum Scale {
     Far,
 }
 
-/// A number below `count`.
-pub(crate) fn below(random: &mut Rng, count: usize) -> usize {
-    usize::try_from(random.next() % count as u64).expect("a small number")
-}
-
 fn coordinate(random: &mut Rng, scale: Scale) -> f64 {
     match scale {
         Scale::Moderate | Scale::Far => random.coordinate(),
         Scale::Coarse => random.coordinate().round(),
-        Scale::Mixed if below(random, 8) == 0 => 0.0,
-        Scale::Mixed => {
-            let sign = if below(random, 2) == 0 { -1.0 } else { 1.0 };
-            sign * 10_f64.powf(-12.0 + 27.0 * random.unit())
-        }
+        Scale::Mixed if random.below(8) == 0 => 0.0,
+        Scale::Mixed => random.pick(&[-1.0, 1.0]) * random.magnitude(-12.0, 15.0),
     }
 }
 
@@ -42,12 +34,10 @@ fn point(random: &mut Rng, scale: Scale) -> DVec3 {
 
 /// A patch of degrees 1 to `max_degree`.
 pub(crate) fn any_patch(random: &mut Rng, max_degree: usize) -> Patch {
-    let [m, n] = [(); 2].map(|()| 1 + below(random, max_degree));
-    let scales = [Scale::Moderate, Scale::Coarse, Scale::Mixed, Scale::Far];
-    let scale = scales[below(random, scales.len())];
-    let mut net: Vec<DVec3> = (0..(m + 1) * (n + 1))
-        .map(|_| point(random, scale))
-        .collect();
+    let [m, n] = [(); 2].map(|()| 1 + random.below(max_degree));
+    let scale = random.pick(&[Scale::Moderate, Scale::Coarse, Scale::Mixed, Scale::Far]);
+    let count = (m + 1) * (n + 1);
+    let mut net: Vec<DVec3> = (0..count).map(|_| point(random, scale)).collect();
     degrade(random, scale, &mut net, m + 1);
     Patch::new(&net, m, n).expect("finite points")
 }
@@ -56,7 +46,7 @@ pub(crate) fn any_patch(random: &mut Rng, max_degree: usize) -> Patch {
 fn degrade(random: &mut Rng, scale: Scale, net: &mut [DVec3], columns: usize) {
     let count = net.len();
     let (first, other) = (net[0], point(random, scale));
-    match below(random, 12) {
+    match random.below(12) {
         // In a coordinate plane, and in another plane.
         0 => net.iter_mut().for_each(|p| p.z = first.z),
         1 => net.iter_mut().for_each(|p| p.z = 0.5 * p.x - 0.25 * p.y),
@@ -75,8 +65,8 @@ fn degrade(random: &mut Rng, scale: Scale, net: &mut [DVec3], columns: usize) {
         // Coincident points.
         6 => {
             for k in 0..count {
-                if below(random, 2) == 0 {
-                    net[k] = net[below(random, count)];
+                if random.below(2) == 0 {
+                    net[k] = random.pick(net);
                 }
             }
         }
@@ -105,9 +95,9 @@ fn degrade(random: &mut Rng, scale: Scale, net: &mut [DVec3], columns: usize) {
 /// A query point: on the patch, in its bounding box, among its control points, or anywhere.
 pub(crate) fn any_point(random: &mut Rng, patch: &Patch) -> DVec3 {
     let net = patch.control_points();
-    match below(random, 6) {
+    match random.below(6) {
         0 => patch.eval(random.unit(), random.unit()),
-        1 => net[below(random, net.len())],
+        1 => random.pick(net),
         2 => net.iter().map(|&p| p / net.len() as f64).sum(),
         3 => patch.eval(random.unit(), random.unit()) + point(random, Scale::Mixed),
         4 => point(random, Scale::Mixed),
@@ -119,9 +109,9 @@ pub(crate) fn any_point(random: &mut Rng, patch: &Patch) -> DVec3 {
 pub(crate) fn any_ray(random: &mut Rng, patch: &Patch) -> (DVec3, DVec3) {
     let origin = any_point(random, patch);
     let (u, v) = (random.unit(), random.unit());
-    let direction = match below(random, 6) {
+    let direction = match random.below(6) {
         0 => patch.partials(u, v).u,
-        1 => DVec3::AXES[below(random, 3)],
+        1 => random.pick(&DVec3::AXES),
         2 => point(random, Scale::Coarse),
         _ => any_point(random, patch) - origin,
     };

@@ -4,13 +4,14 @@ mod beyond;
 mod generate;
 mod worst;
 
-use crate::support::Rng;
-use crate::support::nets::RandomNet;
+use crate::support::nets::{RandomNet, as_surface, graph, patch, points, samples};
+use crate::support::{Rng, assert_close};
+use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::{Grid, TessellationOptions, Weld};
 use casteljau::patch::PatchPoint;
 use casteljau::take_steps;
-use casteljau::{Error, Patch, Surface};
-use generate::{any_patch, any_point, any_ray, below};
+use casteljau::{Error, Patch};
+use generate::{any_patch, any_point, any_ray};
 
 /// The documented limit of one search in a patch of degree at most 24.
 const SEARCH: usize = 1 << 23;
@@ -29,7 +30,7 @@ fn calls() -> u64 {
 /// A patch of degrees up to 3 or up to 24, and the random number generator after its generation.
 fn generated(seed: u64) -> (Rng, Patch) {
     let mut random = Rng(seed);
-    let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
+    let max_degree = random.pick(&[3, 24]);
     let patch = any_patch(&mut random, max_degree);
     (random, patch)
 }
@@ -46,18 +47,6 @@ fn never_takes_more(limit: usize, ask: impl Fn(&mut Rng, &Patch)) {
     }
 }
 
-fn as_surface(patch: &Patch) -> Surface {
-    let count = u32::try_from(patch.control_points().len()).unwrap();
-    let vertices = patch.control_points().to_vec();
-    Surface::new(
-        vertices,
-        (0..count).collect(),
-        patch.degree_u(),
-        patch.degree_v(),
-    )
-    .unwrap()
-}
-
 #[test]
 fn of_the_nearest_point() {
     // Two searches: by squared distances, and by distances where these are small.
@@ -70,12 +59,9 @@ fn of_the_nearest_point() {
         let bounds = patch.control_bounds();
         let rounding = 2e-15 * bounds.min.abs().max(bounds.max.abs()).max_element();
         for (u, v) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)] {
-            let other = patch.eval(u, v).distance(p);
-            assert!(
-                nearest.distance <= other * (1.0 + 1e-15) + rounding,
-                "{} > {other}: {patch:?} from {p}",
-                nearest.distance
-            );
+            let (distance, other) = (nearest.distance, patch.eval(u, v).distance(p));
+            let is_nearest = distance <= other * (1.0 + 1e-15) + rounding;
+            assert!(is_nearest, "{distance} > {other}: {patch:?} from {p}");
         }
     });
 }
@@ -142,16 +128,11 @@ fn of_subdivision() {
 fn of_points_of_needles() {
     for asked in worst::points_of_needles() {
         take_steps();
-        let nearest = asked.patch.nearest(asked.point).unwrap();
-        let steps = take_steps();
-        assert!(steps < 2 * (SEARCH + ONE_MORE), "{}: {steps}", asked.name);
+        let distance = asked.patch.nearest(asked.point).unwrap().distance;
+        let (steps, name) = (take_steps(), asked.name);
+        assert!(steps < 2 * (SEARCH + ONE_MORE), "{name}: {steps}");
         let size = asked.point.abs().max_element();
-        let name = asked.name;
-        assert!(
-            nearest.distance <= 1e-14 * size,
-            "{name}: {}",
-            nearest.distance
-        );
+        assert!(distance <= 1e-14 * size, "{name}: {distance}");
     }
 }
 
@@ -186,20 +167,11 @@ fn distance_of_own_point(random: &mut Rng, patch: &Patch) -> (f64, usize) {
 /// The height of this graph over its plane is 1e13: squares of distances of about 0.1 are rounding noise.
 #[test]
 fn of_a_ray_from_a_steep_graph() {
-    use casteljau::glam::DVec3;
-    let heights = [
-        29461627192156.53,
-        6.315880150695684e-10,
-        -9.849630705258912e-7,
-        5.489802292970428e-9,
-        -30370.53591563606,
-        -161363518866805.9,
-    ];
-    let net: Vec<DVec3> = (0..)
-        .zip(heights)
-        .map(|(k, z)| DVec3::new(f64::from(k % 2), f64::from(k / 2), z))
-        .collect();
-    let patch = Patch::new(&net, 1, 2).unwrap();
+    let net = points(
+        "0 0 29461627192156.53  1 0 6.315880150695684e-10  0 1 -9.849630705258912e-7
+         1 1 5.489802292970428e-9  0 2 -30370.53591563606  1 2 -161363518866805.9",
+    );
+    let patch = patch(&net, 1, 2);
     let origin = patch.eval(0.5, 0.5);
     let along = DVec3::new(1.0, 0.0, -26995146238120.406);
     let hits = patch.intersect_ray(origin, along).unwrap();
@@ -213,10 +185,7 @@ fn of_areas_of_folded_nets() {
     for patch in worst::folded() {
         let quarters: f64 = patch.split(0.5, 0.5).iter().map(Patch::area).sum();
         let area = patch.area();
-        assert!(
-            (area / quarters - 1.0).abs() < 1e-5,
-            "{area} and {quarters}"
-        );
+        assert_close(area / quarters, 1.0, 1e-5);
     }
 }
 
@@ -224,21 +193,16 @@ fn of_areas_of_folded_nets() {
 /// point, ends the search at once.
 #[test]
 fn of_a_line_and_of_a_plane_there_is_next_to_none() {
-    for asked in worst::nearest_along_curves() {
+    for worst::Asked { name, patch, point } in worst::nearest_along_curves() {
         take_steps();
-        let nearest = asked.patch.nearest(asked.point).unwrap();
+        let distance = patch.nearest(point).unwrap().distance;
         let steps = take_steps();
-        assert!(steps < 100_000, "{}: {steps}", asked.name);
-        for k in 0..=10_000 {
-            let (u, v) = (f64::from(k % 101) / 100.0, f64::from(k / 101) / 99.0);
-            let other = asked.patch.eval(u, v).distance(asked.point);
-            let rounding = 1e-15 * asked.patch.control_bounds().max.abs().max_element();
-            assert!(
-                nearest.distance <= other + 4.0 * rounding,
-                "{}: {} > {other}",
-                asked.name,
-                nearest.distance
-            );
+        assert!(steps < 100_000, "{name}: {steps}");
+        let rounding = 1e-15 * patch.control_bounds().max.abs().max_element();
+        for (u, v) in samples(100) {
+            let other = patch.eval(u, v).distance(point);
+            let is_nearest = distance <= other + 4.0 * rounding;
+            assert!(is_nearest, "{name}: {distance} > {other}");
         }
     }
 }
@@ -246,20 +210,15 @@ fn of_a_line_and_of_a_plane_there_is_next_to_none() {
 /// Closed forms at the same points: distances from a line and from a plane that the patch covers.
 #[test]
 fn of_elevated_flat_nets() {
-    use casteljau::glam::DVec3;
-    let net = [0.0, 1.0, 2.0, 3.0].map(|x| DVec3::new(x - 1.0, 0.0, 0.0));
-    let mut line = Patch::new(&net, 1, 1).unwrap();
-    let net = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
-    let mut square = Patch::new(&net, 1, 1).unwrap();
+    let mut line = patch(&points("-1 0 0  0 0 0  1 0 0  2 0 0"), 1, 1);
+    let mut square = graph(1, 1, &[]);
     for _ in 1..24 {
         (line, square) = (line.elevate().unwrap(), square.elevate().unwrap());
+        let distance = |patch: &Patch, p: [f64; 3]| patch.nearest(p.into()).unwrap().distance;
         take_steps();
-        let nearest = line.nearest(DVec3::new(0.25, 3.0, 4.0)).unwrap();
-        assert!((nearest.distance - 5.0).abs() < 1e-14);
-        let nearest = square.nearest(DVec3::new(0.3, 0.6, 2.0)).unwrap();
-        assert!((nearest.distance - 2.0).abs() < 1e-14);
-        let nearest = line.nearest(DVec3::new(0.25, 0.0, 0.0)).unwrap();
-        assert!(nearest.distance < 1e-14);
+        assert_close(distance(&line, [0.25, 3.0, 4.0]), 5.0, 1e-14);
+        assert_close(distance(&square, [0.3, 0.6, 2.0]), 2.0, 1e-14);
+        assert_close(distance(&line, [0.25, 0.0, 0.0]), 0.0, 1e-14);
         let steps = take_steps();
         assert!(steps < 1 << 22, "degree {}: {steps}", line.degree_u());
     }
@@ -269,27 +228,20 @@ fn of_elevated_flat_nets() {
 #[test]
 fn of_meshes_that_are_too_large() {
     for degree in [2, 3, 24] {
-        let mut patch = Rng(5).patch(degree, degree);
+        let patch = Rng(5).patch(degree, degree);
         let size = patch.control_bounds().max.abs().max_element();
-        patch = patch
-            .transform(&casteljau::glam::DAffine3::from_scale(
-                casteljau::glam::DVec3::splat(1.0 / size),
-            ))
-            .expect("a finite image");
-        let coarse = patch.tessellate_f64(&TessellationOptions::tolerance(1e-2).weld(Weld::None));
-        assert!(coarse.unwrap().triangle_count() > 10);
-        let fine = TessellationOptions::tolerance(1e-9);
-        let error = patch.tessellate_f64(&fine.weld(Weld::None)).unwrap_err();
-        let Error::TooMany { limit, needed, .. } = error else {
-            panic!("{error}");
+        let unit = DAffine3::from_scale(DVec3::splat(1.0 / size));
+        let patch = patch.transform(&unit).unwrap();
+        let of = |tolerance| {
+            let options = TessellationOptions::tolerance(tolerance);
+            patch.tessellate_f64(&options.weld(Weld::None))
         };
-        assert!(needed > limit, "{error}");
+        assert!(of(1e-2).unwrap().triangle_count() > 10);
+        let Err(Error::TooMany { limit, needed, .. }) = of(1e-9) else {
+            panic!("a mesh of degree {degree}");
+        };
+        assert!(needed > limit);
     }
-    let grid = TessellationOptions::segments(Grid::from(2));
-    assert!(
-        Rng(5)
-            .patch(24, 24)
-            .tessellate(&grid.weld(Weld::None))
-            .is_ok()
-    );
+    let grid = TessellationOptions::segments(Grid::from(2)).weld(Weld::None);
+    assert!(Rng(5).patch(24, 24).tessellate(&grid).is_ok());
 }

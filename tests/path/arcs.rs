@@ -1,6 +1,7 @@
 //! Elliptical arcs, compared with the ellipse itself; its centre is computed by another method (SVG 1.1, F.6.5).
 
-use crate::support::{Rng, real};
+use crate::support::paths::{RandomPlane, path};
+use crate::support::{Rng, assert_close, real};
 use casteljau::glam::DVec2;
 use casteljau::path::PathBuilder;
 use casteljau::{MAX_COORDINATE, Path, Spline};
@@ -24,13 +25,6 @@ enum Accuracy {
 }
 
 impl Accuracy {
-    const ALL: [Self; 4] = [
-        Self::Default,
-        Self::Tolerance(1e-3),
-        Self::Tolerance(1e-9),
-        Self::Tolerance(1e-11),
-    ];
-
     fn distance(self) -> f64 {
         match self {
             Self::Default => 1e-5,
@@ -74,21 +68,22 @@ impl Arc {
             degrees,
             ..
         } = self;
-        let flags = [self.large, self.sweep].map(u8::from);
+        let [large, sweep] = [self.large, self.sweep].map(u8::from);
+        let [rx, ry, x, y] = [radii.x, radii.y, to.x, to.y];
         let d = format!(
-            "M{} {}A{} {} {} {} {} {} {}",
-            from.x, from.y, radii.x, radii.y, degrees, flags[0], flags[1], to.x, to.y
+            "M{} {}A{rx} {ry} {degrees} {large} {sweep} {x} {y}",
+            from.x, from.y
         );
         let (_, radii, _) = self.ellipse();
         let path = accuracy.read(&d, radii.max_element());
         assert_eq!(path.subpath_count(), 1, "{d}");
-        path.subpaths().collect::<Vec<_>>().remove(0)
+        path.subpath(0).expect("a subpath")
     }
 
     /// The centre, the radii, and the swept angle.
     fn ellipse(&self) -> (DVec2, DVec2, f64) {
         let turn = DVec2::from_angle(self.degrees.to_radians());
-        let half = turn.conjugate_by((self.from - self.to) / 2.0);
+        let half = back(turn, (self.from - self.to) / 2.0);
         let mut r = self.radii;
         let size = half.x.powi(2) / r.x.powi(2) + half.y.powi(2) / r.y.powi(2);
         if size > 1.0 {
@@ -96,9 +91,8 @@ impl Arc {
         }
         let (rx2, ry2) = (r.x * r.x, r.y * r.y);
         let (x2, y2) = (half.x * half.x, half.y * half.y);
-        let factor = ((rx2 * ry2 - rx2 * y2 - ry2 * x2) / (rx2 * y2 + ry2 * x2))
-            .max(0.0)
-            .sqrt();
+        let square = (rx2 * ry2 - rx2 * y2 - ry2 * x2) / (rx2 * y2 + ry2 * x2);
+        let factor = square.max(0.0).sqrt();
         let sign = if self.large == self.sweep { -1.0 } else { 1.0 };
         let local = DVec2::new(r.x * half.y / r.y, -r.y * half.x / r.x) * (sign * factor);
         let centre = turn.rotate(local) + (self.from + self.to) / 2.0;
@@ -115,19 +109,13 @@ impl Arc {
     /// A point on the unit circle of the ellipse.
     fn on_circle(&self, p: DVec2, centre: DVec2, radii: DVec2) -> DVec2 {
         let turn = DVec2::from_angle(self.degrees.to_radians());
-        turn.conjugate_by(p - centre) / radii
+        back(turn, p - centre) / radii
     }
 }
 
 /// Rotation in the opposite direction.
-trait Turn {
-    fn conjugate_by(self, v: DVec2) -> DVec2;
-}
-
-impl Turn for DVec2 {
-    fn conjugate_by(self, v: DVec2) -> DVec2 {
-        DVec2::new(self.x, -self.y).rotate(v)
-    }
+fn back(turn: DVec2, v: DVec2) -> DVec2 {
+    DVec2::new(turn.x, -turn.y).rotate(v)
 }
 
 fn check(arc: Arc, accuracy: Accuracy) {
@@ -152,19 +140,17 @@ fn check(arc: Arc, accuracy: Accuracy) {
         angle += step;
         before = unit;
     }
-    assert!(
-        (angle - swept).abs() < 1e-6 + 10.0 * noise,
-        "{arc:?}: {angle}, not {swept}"
-    );
+    assert_close(angle, swept, 1e-6 + 10.0 * noise);
     // As few pieces as the bound allows; rounding decides where that number changes.
-    let (pieces, min_pieces) = (
+    let (pieces, min) = (
         real(spline.segment_count()),
         swept.abs() / accuracy.max_angle(),
     );
-    let slack = 1e-4 * min_pieces + noise;
+    let slack = 1e-4 * min + noise;
+    let range = (min - slack).ceil()..=(min + slack).ceil();
     assert!(
-        pieces >= (min_pieces - slack).ceil() && pieces <= (min_pieces + slack).ceil(),
-        "{arc:?} {accuracy:?}: {pieces} pieces, {min_pieces} expected"
+        range.contains(&pieces),
+        "{arc:?} {accuracy:?}: {pieces} pieces, not {min}"
     );
 }
 
@@ -174,8 +160,7 @@ fn arcs_lie_on_their_ellipse() {
     let mut checked = 0;
     for _ in 0..20_000 {
         let scale = rng.magnitude(-6.0, 6.0);
-        let mut location = || rng.point(2).truncate() * scale;
-        let (from, to) = (location(), location());
+        let (from, to) = (rng.spot(scale), rng.spot(scale));
         let arc = Arc {
             from,
             to,
@@ -190,7 +175,10 @@ fn arcs_lie_on_their_ellipse() {
             checked += 1;
             check(arc, Accuracy::Default);
             if checked % 8 == 0 {
-                Accuracy::ALL.into_iter().for_each(|a| check(arc, a));
+                let tolerances = [1e-3, 1e-9, 1e-11].map(Accuracy::Tolerance);
+                tolerances
+                    .into_iter()
+                    .for_each(|accuracy| check(arc, accuracy));
             }
         }
     }
@@ -202,31 +190,21 @@ fn quarters_and_halves_are_found_in_spite_of_rounding() {
     let mut rng = Rng(12);
     for _ in 0..5_000 {
         let scale = rng.magnitude(-3.0, 3.0);
-        let centre = rng.point(2).truncate() * scale * rng.pick(&[0.0, 1.0, 1000.0]);
-        let radius = rng.unit() * scale + 1e-3 * scale;
+        let centre = rng.spot(scale) * rng.pick(&[0.0, 1.0, 1000.0]);
+        let r = rng.unit() * scale + 1e-3 * scale;
         // Two halves of a circle, as drawing programs write it.
-        let d = format!(
-            "M{} {}a{radius} {radius} 0 1 0 {} 0a{radius} {radius} 0 1 0 {} 0z",
-            centre.x - radius,
-            centre.y,
-            2.0 * radius,
-            -2.0 * radius
-        );
-        let path = Path::from_svg_with(&d, 1e-9 * radius).expect("a circle");
+        let (left, y, width) = (centre.x - r, centre.y, 2.0 * r);
+        let d = format!("M{left} {y}a{r} {r} 0 1 0 {width} 0a{r} {r} 0 1 0 -{width} 0z");
         // Rounding may leave a line from the end to the start.
         let usual = Path::from_svg(&d).expect("a circle");
         let cubics = usual.segments().filter(|curve| curve.degree() == 3);
         assert_eq!(cubics.count(), 8, "{d}");
-        let noise = 4e-16 * (centre.abs().max_element() + radius) / radius;
-        for p in path.subpaths().collect::<Vec<_>>()[0]
-            .sample(8)
-            .expect("few")
-        {
-            let off = (p.distance(centre) / radius - 1.0).abs();
-            assert!(off <= 1e-9 + 8.0 * noise, "{d}: {off}");
+        let path = Path::from_svg_with(&d, 1e-9 * r).expect("a circle");
+        let noise = 4e-16 * (centre.abs().max_element() + r) / r;
+        for p in path.subpath(0).expect("one").sample(8).expect("few") {
+            assert_close(p.distance(centre) / r, 1.0, 1e-9 + 8.0 * noise);
         }
-        let area = -path.area() / (PI * radius * radius) - 1.0;
-        assert!(area.abs() <= 3e-9 + 8.0 * noise, "{d}: {area}");
+        assert_close(-path.area() / (PI * r * r), 1.0, 3e-9 + 8.0 * noise);
     }
 }
 
@@ -234,13 +212,12 @@ fn quarters_and_halves_are_found_in_spite_of_rounding() {
 fn radii_that_are_too_small_grow_until_they_reach() {
     let mut rng = Rng(13);
     for _ in 0..2_000 {
-        let (from, to) = (rng.point(2).truncate(), rng.point(2).truncate());
+        let (from, to) = (rng.spot(1.0), rng.spot(1.0));
+        let radii = DVec2::new(rng.magnitude(-3.0, 0.0), rng.magnitude(-3.0, 0.0));
         let arc = Arc {
             from,
             to,
-            radii: DVec2::new(rng.magnitude(-3.0, 0.0), rng.magnitude(-3.0, 0.0))
-                * 0.1
-                * from.distance(to),
+            radii: radii * 0.1 * from.distance(to),
             degrees: rng.signed() * 180.0,
             large: rng.chance(0.5),
             sweep: rng.chance(0.5),
@@ -249,14 +226,11 @@ fn radii_that_are_too_small_grow_until_they_reach() {
         // Half an ellipse around the middle of the chord, through the point opposite.
         assert_eq!(spline.segment_count(), 17, "{arc:?}");
         assert_eq!(arc.read(Accuracy::Default).segment_count(), 4, "{arc:?}");
-        let (centre, radii, _) = arc.ellipse();
-        assert!(centre.distance(from.midpoint(to)) < 1e-6 * radii.max_element());
+        let ((centre, radii, _), middle) = (arc.ellipse(), from.midpoint(to));
+        assert!(centre.distance(middle) < 1e-6 * radii.max_element());
         for p in spline.sample(8).expect("few") {
-            let off = (arc.on_circle(p, from.midpoint(to), radii).length() - 1.0).abs();
-            assert!(
-                off <= 1e-9 + 1e-13 * radii.max_element() / radii.min_element(),
-                "{arc:?}: {off}"
-            );
+            let max = 1e-9 + 1e-13 * radii.max_element() / radii.min_element();
+            assert_close(arc.on_circle(p, middle, radii).length(), 1.0, max);
         }
     }
 }
@@ -270,25 +244,20 @@ fn adversarial_arcs_stay_finite_and_end_where_they_should() {
     };
     for _ in 0..20_000 {
         let n: Vec<f64> = (0..7).map(|_| number()).collect();
+        let (from, to) = (DVec2::new(n[0], n[1]), DVec2::new(n[5], n[6]));
         for flags in ["00", "01", "10", "11"] {
-            let d = format!(
-                "M{} {}A{} {} {} {flags}{} {}",
-                n[0], n[1], n[2], n[3], n[4], n[5], n[6]
-            );
-            let path = Path::from_svg(&d).unwrap_or_else(|error| panic!("{d}: {error}"));
-            if n[0] == n[5] && n[1] == n[6] {
-                assert!(path.is_empty(), "{d}");
+            let arc = format!("A{} {} {} {flags}{} {}", n[2], n[3], n[4], to.x, to.y);
+            let path = path(&format!("M{} {}{arc}", from.x, from.y));
+            if from == to {
+                assert!(path.is_empty(), "{from} {arc}");
                 continue;
             }
-            let spline = &path.subpaths().collect::<Vec<_>>()[0];
+            let spline = path.subpath(0).expect("a subpath");
             let points = spline.control_points();
-            assert!(spline.segment_count() <= 7, "{d}");
-            assert!(points.iter().all(|p| p.is_finite()), "{d}");
-            assert_eq!(
-                (points[0], points[points.len() - 1]),
-                (DVec2::new(n[0], n[1]), DVec2::new(n[5], n[6])),
-                "{d}"
-            );
+            assert!(spline.segment_count() <= 7, "{from} {arc}");
+            assert!(points.iter().all(|p| p.is_finite()), "{from} {arc}");
+            let ends = (points[0], points[points.len() - 1]);
+            assert_eq!(ends, (from, to), "{from} {arc}");
         }
     }
 }
@@ -296,49 +265,39 @@ fn adversarial_arcs_stay_finite_and_end_where_they_should() {
 #[test]
 fn a_short_piece_of_a_vast_circle_keeps_its_digits() {
     // The sagitta of a chord of 2 with a radius of 1e9 is 5e-10.
-    let path = Path::from_svg("M0 0A1e9 1e9 0 0 1 2 0").expect("an arc");
-    let middle = path.subpaths().collect::<Vec<_>>()[0].eval(0.5);
-    assert!(
-        (middle.x - 1.0).abs() < 1e-15 && (middle.y + 5e-10).abs() < 1e-18,
-        "{middle}"
-    );
+    let arc = path("M0 0A1e9 1e9 0 0 1 2 0").subpath(0).expect("an arc");
+    assert_close(arc.eval(0.5).x, 1.0, 1e-15);
+    assert_close(arc.eval(0.5).y, -5e-10, 1e-18);
 }
 
 #[test]
 fn an_ellipse_has_its_area_and_its_length() {
     let d = "M3 0A3 2 0 0 1 -3 0 3 2 0 0 1 3 0Z";
-    let usual = Path::from_svg(d).expect("an ellipse");
-    assert!((usual.area() / (6.0 * PI) - 1.0).abs() < 2e-5);
-    let path = Path::from_svg_with(d, 3e-9).expect("an ellipse");
-    assert!((path.area() / (6.0 * PI) - 1.0).abs() < 2e-9);
+    let (area, fine) = (6.0 * PI, Path::from_svg_with(d, 3e-9).expect("an ellipse"));
+    assert_close(path(d).area() / area, 1.0, 2e-5);
+    assert_close(fine.area() / area, 1.0, 2e-9);
     // The perimeter of an ellipse with the semi-axes 3 and 2 is 15.865439589290589...
-    let length = path.length(None).expect("no tolerance");
-    assert!(
-        (length / 15.865_439_589_290_59 - 1.0).abs() < 1e-9,
-        "{length}"
-    );
-    let m = path.moments();
+    let length = fine.length(None).expect("no tolerance");
+    assert_close(length / 15.865_439_589_290_59, 1.0, 1e-9);
+    let m = fine.moments();
     assert!(m.x.abs() < 1e-12 && m.xy.abs() < 1e-12);
-    assert!((m.xx / (6.0 * PI * 9.0 / 4.0) - 1.0).abs() < 4e-9);
-    assert!((m.yy / (6.0 * PI * 4.0 / 4.0) - 1.0).abs() < 4e-9);
+    assert_close(m.xx / (area * 9.0 / 4.0), 1.0, 4e-9);
+    assert_close(m.yy / (area * 4.0 / 4.0), 1.0, 4e-9);
 }
 
 #[test]
 fn tolerances_that_are_not_above_0_are_refused() {
     for tolerance in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY] {
-        let error = Path::from_svg_with("M0 0A1 1 0 0 1 2 0", tolerance).expect_err("no tolerance");
-        assert!(
-            error.to_string().contains("an arc tolerance above 0"),
-            "{error}"
-        );
+        let error = Path::from_svg_with("M0 0A1 1 0 0 1 2 0", tolerance);
+        let error = error.expect_err("no tolerance").to_string();
+        assert!(error.contains("an arc tolerance above 0"), "{error}");
         let mut builder = PathBuilder::new();
         builder.set_arc_tolerance(tolerance);
         assert!(builder.build().is_err(), "{tolerance}");
     }
     // The finest tolerance gives a bounded number of cubics, the coarsest a quarter turn each.
-    let circle = "M2 0A2 2 0 0 1 -2 0 2 2 0 0 1 2 0Z";
     for (tolerance, count) in [(5e-324, 414), (f64::INFINITY, 4)] {
-        let path = Path::from_svg_with(circle, tolerance).expect("a circle");
-        assert_eq!(path.segment_count(), count, "{tolerance}");
+        let circle = Path::from_svg_with("M2 0A2 2 0 0 1 -2 0 2 2 0 0 1 2 0Z", tolerance);
+        assert_eq!(circle.expect("a circle").segment_count(), count);
     }
 }

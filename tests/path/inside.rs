@@ -1,6 +1,8 @@
 //! Winding numbers, compared with the sum of the angles under which a fine polygon is seen, and for partitions of the
 //! plane.
 
+use crate::support::measure::from_plane_segment;
+use crate::support::paths::{RandomPlane, path, polygons, random_splines, sides};
 use crate::support::{Rng, adversarial, real};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
@@ -30,22 +32,14 @@ pub(crate) const OUTLINES: [&str; 8] = [
 ];
 
 fn angle_sum(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
-    let ring = |points: &Vec<DVec2>| -> f64 {
-        let closed = points.iter().zip(points.iter().cycle().skip(1));
-        closed.map(|(a, b)| (*a - p).angle_to(*b - p)).sum()
-    };
-    rings.iter().map(ring).sum()
+    let sides = rings.iter().flat_map(|ring| sides(ring));
+    sides.map(|(a, b)| (a - p).angle_to(b - p)).sum()
 }
 
 fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
-    let from = |(a, b): (&DVec2, &DVec2)| {
-        crate::support::measure::from_segment(p.extend(0.0), a.extend(0.0), b.extend(0.0))
-    };
-    let ring = |points: &Vec<DVec2>| {
-        let closed = points.iter().zip(points.iter().cycle().skip(1));
-        closed.map(from).fold(f64::INFINITY, f64::min)
-    };
-    rings.iter().map(ring).fold(f64::INFINITY, f64::min)
+    let sides = rings.iter().flat_map(|ring| sides(ring));
+    let distances = sides.map(|(a, b)| from_plane_segment(p, a, b));
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 /// Queries random points, points with the x or y of a control point or of the bounds, and points beside control points.
@@ -53,18 +47,12 @@ fn ask(path: &Path, rng: &mut Rng, questions: usize) {
     let bounds = path.control_bounds().expect("not empty");
     let size = bounds.diagonal();
     let tolerance = 1e-5 * size;
-    let lines = path.flatten(tolerance).expect("a tolerance");
-    let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
-    let corners: Vec<DVec2> = path
-        .subpaths()
-        .collect::<Vec<_>>()
-        .iter()
-        .flat_map(|s| s.control_points().to_vec())
-        .collect();
+    let rings = polygons(path, tolerance);
+    let corners = path.subpaths().map(|s| s.control_points().to_vec());
+    let corners = corners.collect::<Vec<_>>().concat();
     for _ in 0..questions {
-        let random = bounds.min
-            + (bounds.max - bounds.min)
-                * DVec2::new(rng.unit() * 1.2 - 0.1, rng.unit() * 1.2 - 0.1);
+        let part = rng.spot(0.6) + 0.5;
+        let random = bounds.min + (bounds.max - bounds.min) * part;
         let corner = rng.pick(&corners);
         let height = path.bounds().expect("not empty");
         let p = match rng.below(5) {
@@ -82,38 +70,24 @@ fn ask(path: &Path, rng: &mut Rng, questions: usize) {
         let winding = path.winding_number(p);
         assert_eq!(f64::from(winding), turns.round(), "{p} in {path:?}");
         assert_eq!(path.contains(p, FillRule::NonZero), winding != 0);
-        assert_eq!(
-            path.contains(p, FillRule::EvenOdd),
-            winding.rem_euclid(2) == 1
-        );
+        let is_odd = winding.rem_euclid(2) == 1;
+        assert_eq!(path.contains(p, FillRule::EvenOdd), is_odd);
     }
 }
 
 #[test]
 fn outlines_wind_as_their_polygons_do() {
     let mut rng = Rng(21);
+    let (scale, by) = (DVec2::new(2.0, -0.5), DVec2::new(-30.0, 100.0));
     for d in OUTLINES {
-        let path = Path::from_svg(d).expect("an outline");
+        let path = path(d);
         ask(&path, &mut rng, 400);
-        let map = DAffine2::from_scale_angle_translation(
-            DVec2::new(2.0, -0.5),
-            0.7,
-            DVec2::new(-30.0, 100.0),
-        );
-        ask(
-            &path.transform(&map).expect("a finite image"),
-            &mut rng,
-            100,
-        );
+        let map = DAffine2::from_scale_angle_translation(scale, 0.7, by);
+        ask(&(map * &path), &mut rng, 100);
         ask(&path.reverse(), &mut rng, 100);
         for scale in [1e-9, 1e9] {
-            ask(
-                &path
-                    .transform(&DAffine2::from_scale(DVec2::splat(scale)))
-                    .expect("a finite image"),
-                &mut rng,
-                50,
-            );
+            let map = DAffine2::from_scale(DVec2::splat(scale));
+            ask(&(map * &path), &mut rng, 50);
         }
     }
 }
@@ -122,48 +96,20 @@ fn outlines_wind_as_their_polygons_do() {
 fn random_paths_wind_as_their_polygons_do() {
     let mut rng = Rng(22);
     for _ in 0..1_000 {
-        let splines: Vec<Spline<DVec2>> = (0..1 + rng.below(3))
-            .map(|_| random_spline(&mut rng))
-            .collect();
-        let path = Path::new(&splines);
-        let large = |b: casteljau::curve::Bounds<DVec2>| {
-            b.diagonal() > 1e-6 * b.min.abs().max(b.max.abs()).max_element()
-        };
-        if path.control_bounds().is_some_and(large) {
+        let count = 1 + rng.below(3);
+        let path = Path::new(&random_splines(&mut rng, count));
+        let bounds = path.control_bounds().expect("points");
+        let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        if bounds.diagonal() > 1e-6 * largest {
             ask(&path, &mut rng, 20);
         }
     }
 }
 
-/// A spline of random degrees, on a coarse grid or not, with straight, coincident and folded pieces.
-pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
-    let closed = rng.chance(0.5);
-    let degrees: Vec<usize> = (0..=rng.below(4))
-        .map(|_| rng.pick(&[1, 1, 2, 3, 3, 3, 4, 7]))
-        .collect();
-    let mut points = Vec::new();
-    for &degree in &degrees {
-        let kind = rng.pick(&adversarial::ORDINARY);
-        points.extend(
-            adversarial::points(rng, kind, degree, 2)
-                .iter()
-                .skip(1)
-                .map(|p| p.truncate()),
-        );
-    }
-    if rng.chance(0.5) {
-        points.iter_mut().for_each(|p| *p = (*p * 4.0).round());
-    }
-    if !closed {
-        points.push(rng.point(2).truncate());
-    }
-    Spline::with_degrees(points, &degrees, closed).expect("matching counts")
-}
-
 /// A grid of N × N cells with curved edges: the cells as paths, the outline, and all edges.
 fn curved_cells(rng: &mut Rng, on_grid: bool) -> (Vec<Path>, Path, Vec<Curve<DVec2>>) {
     let mut node = |i: usize, j: usize| {
-        let jitter = rng.point(2).truncate() * if on_grid { 0.0 } else { 0.3 };
+        let jitter = rng.spot(if on_grid { 0.0 } else { 0.3 });
         DVec2::new(real(i), real(j)) + jitter
     };
     let nodes: [[DVec2; N + 1]; N + 1] =
@@ -199,9 +145,8 @@ fn curved_cells(rng: &mut Rng, on_grid: bool) -> (Vec<Path>, Path, Vec<Curve<DVe
 fn side(rng: &mut Rng, a: DVec2, b: DVec2, on_grid: bool) -> Curve<DVec2> {
     let degree = rng.pick(&[1, 1, 2, 3, 5]);
     let size = if on_grid { 0.25 } else { 0.4 };
-    let inner = (1..degree).map(|k| {
-        a.lerp(b, real(k) / real(degree)) + (rng.point(2).truncate() * size * 8.0).round() / 8.0
-    });
+    let inner =
+        (1..degree).map(|k| a.lerp(b, real(k) / real(degree)) + rng.spot(size * 8.0).round() / 8.0);
     let points: Vec<DVec2> = std::iter::once(a).chain(inner).chain([b]).collect();
     Curve::new(&points).expect("finite")
 }
@@ -236,33 +181,28 @@ fn parts_of_the_plane_share_no_point_and_leave_none() {
 
 #[test]
 fn on_the_boundary_left_and_lower_sides_belong_to_the_inside() {
-    for d in [
-        "M0 0H4V4H0Z",
-        "M0 0V4H4V0Z",
-        "M0 0L2 0 4 0 4 4Q2 4 0 4C0 3 0 1 0 0Z",
-    ] {
-        let square = Path::from_svg(d).expect("a square");
-        let inside = |x: f64, y: f64| square.contains(DVec2::new(x, y), FillRule::NonZero);
-        assert!(
-            inside(0.0, 2.0) && inside(2.0, 0.0) && inside(0.0, 0.0),
-            "{d}"
-        );
-        assert!(
-            !inside(4.0, 2.0) && !inside(2.0, 4.0) && !inside(4.0, 4.0),
-            "{d}"
-        );
-        assert!(!inside(4.0, 0.0) && !inside(0.0, 4.0), "{d}");
-        assert!(
-            inside(f64::MIN_POSITIVE, 3.0) && inside(4.0_f64.next_down(), 3.0),
-            "{d}"
-        );
-        assert!(!inside(-5e-324, 3.0) && !inside(2.0, -5e-324), "{d}");
+    let curved = "M0 0L2 0 4 0 4 4Q2 4 0 4C0 3 0 1 0 0Z";
+    for d in ["M0 0H4V4H0Z", "M0 0V4H4V0Z", curved] {
+        let square = path(d);
+        let inside = |(x, y): (f64, f64)| square.contains(DVec2::new(x, y), FillRule::NonZero);
+        let (least, last) = (f64::MIN_POSITIVE, 4.0_f64.next_down());
+        let yes = [
+            (0.0, 2.0),
+            (2.0, 0.0),
+            (0.0, 0.0),
+            (least, 3.0),
+            (last, 3.0),
+        ];
+        let no = [(4.0, 2.0), (2.0, 4.0), (4.0, 4.0), (4.0, 0.0), (0.0, 4.0)];
+        assert!(yes.into_iter().all(inside), "{d}");
+        assert!(!no.into_iter().any(inside), "{d}");
+        assert!(!inside((-5e-324, 3.0)) && !inside((2.0, -5e-324)), "{d}");
     }
 }
 
 #[test]
 fn points_not_finite_are_outside() {
-    let square = Path::from_svg("M0 0H4V4H0Z").expect("a square");
+    let square = path("M0 0H4V4H0Z");
     for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
         assert_eq!(square.winding_number(DVec2::new(x, 2.0)), 0);
         assert_eq!(square.winding_number(DVec2::new(2.0, x)), 0);
@@ -277,10 +217,8 @@ fn winding_numbers_of_adversarial_curves_do_not_pass_their_degree() {
     for _ in 0..20_000 {
         let kind = rng.pick(&adversarial::ALL);
         let degree = rng.pick(&[1, 2, 3, 3, 5, 16, 64]);
-        let points: Vec<DVec2> = adversarial::points(&mut rng, kind, degree, 2)
-            .iter()
-            .map(|p| p.truncate())
-            .collect();
+        let points = adversarial::points(&mut rng, kind, degree, 2);
+        let points: Vec<DVec2> = points.iter().map(|p| p.truncate()).collect();
         let curve = Curve::new(&points).expect("finite");
         let path = Path::from(curve.clone());
         // On the curve the last digits decide.

@@ -1,9 +1,10 @@
 //! Paths and splines as large as maps and scans: 50,000 segments, a million with `CASTELJAU_DEEP=1`.
 
-use crate::support::deep;
-use crate::support::{Rng, real};
+use crate::support::measure::from_plane_segment;
+use crate::support::paths::{lines, sides};
+use crate::support::{Rng, assert_close, deep, real};
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetOptions, PathBuilder, StrokeOptions};
+use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
 use casteljau::spline::{Interpolation, OffsetJoin};
 use casteljau::{Path, Spline};
 use std::f64::consts::TAU;
@@ -30,90 +31,53 @@ fn coast(count: usize) -> Vec<DVec2> {
         .collect()
 }
 
-fn polygon(points: &[DVec2]) -> Path {
-    let mut builder = PathBuilder::new();
-    builder.move_to(points[0]);
-    points[1..].iter().for_each(|&p| builder.line_to(p));
-    builder.close();
-    builder.build().expect("finite points")
-}
-
-fn sides(points: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {
-    let next = points.iter().skip(1).chain(&points[..1]);
-    points.iter().copied().zip(next.copied())
-}
-
 #[test]
 fn queries_of_a_coast() {
     let points = coast(count());
-    let path = polygon(&points);
+    let path = lines(&points, true);
     let area: f64 = sides(&points).map(|(a, b)| 0.5 * a.perp_dot(b)).sum();
     assert!((path.area() - area).abs() <= 1e-9 * area);
     let around: f64 = sides(&points).map(|(a, b)| a.distance(b)).sum();
     let length = path.length(None).expect("no tolerance");
     assert!((length - around).abs() <= 1e-9 * around);
-    let lines = path.flatten(1e-3).expect("few vertices");
-    assert_eq!(lines[0].points.len(), points.len() + 1);
+    let polylines = path.flatten(1e-3).expect("few vertices");
+    assert_eq!(polylines[0].points.len(), points.len() + 1);
     assert_eq!(path.self_intersections(), []);
-    for p in [
-        DVec2::new(3.0, 4.0),
-        DVec2::new(101.0, 2.0),
-        DVec2::new(-200.0, 9.0),
-    ] {
+    for p in [[3.0, 4.0], [101.0, 2.0], [-200.0, 9.0]].map(DVec2::from) {
         let nearest = path.nearest(p).expect("a finite point").expect("a path");
-        let expected = sides(&points)
-            .map(|(a, b)| {
-                let t = (p - a).dot(b - a) / (b - a).length_squared();
-                p.distance(a + (b - a) * t.clamp(0.0, 1.0))
-            })
-            .fold(f64::INFINITY, f64::min);
-        assert!((nearest.distance - expected).abs() < 1e-12, "{p}");
+        let distances = sides(&points).map(|(a, b)| from_plane_segment(p, a, b));
+        let expected = distances.fold(f64::INFINITY, f64::min);
+        assert_close(nearest.distance, expected, 1e-12);
     }
     assert!(path.contains(DVec2::ZERO, FillRule::NonZero));
     let half = path.time_at_length(0.5 * length, None).expect("a length");
     let t = half.expect("a path").t;
-    let passed: f64 = sides(&points)
-        .take(points.len() / 2)
-        .map(|(a, b)| a.distance(b))
-        .sum();
-    assert!(
-        (t - real(points.len() / 2)).abs() < 0.2 * real(points.len()),
-        "{t} {passed}"
-    );
+    assert_close(t, real(points.len() / 2), 0.2 * real(points.len()));
     let again = Path::from_svg(&path.to_svg(None, None).expect("no tolerance"));
     assert_eq!(again.expect("own text"), path);
 }
 
 #[test]
 fn dashes_of_a_coast() {
-    let path = polygon(&coast(count()));
+    let path = lines(&coast(count()), true);
     let length = path.length(None).expect("no tolerance");
     let dashes = path.dash(&[0.01, 0.02], 0.0).expect("few dashes");
     let expected = length / 0.03;
-    let got = real(dashes.subpath_count());
-    assert!(
-        (got - expected).abs() <= 2.0,
-        "{got} dashes, {expected} expected"
-    );
+    assert_close(real(dashes.subpath_count()), expected, 2.0);
     let dashed = dashes.length(None).expect("no tolerance");
-    assert!((dashed - length / 3.0).abs() < 0.1, "{dashed} of {length}");
+    assert_close(dashed, length / 3.0, 0.1);
 }
 
 #[test]
 fn two_coasts() {
     let points = coast(count());
-    let turned: Vec<DVec2> = points
-        .iter()
-        .map(|p| DVec2::from_angle(0.3).rotate(*p))
-        .collect();
-    let (a, b) = (polygon(&points), polygon(&turned));
+    let turn = DVec2::from_angle(0.3);
+    let turned: Vec<DVec2> = points.iter().map(|&p| turn.rotate(p)).collect();
+    let (a, b) = (lines(&points, true), lines(&turned, true));
     let crossings = a.intersections(&b);
     assert!(crossings.len() >= 2 && crossings.len().is_multiple_of(2));
-    let [both, either] = [Path::intersect, Path::union].map(|apply| {
-        apply(&a, &b, FillRule::NonZero)
-            .expect("few contacts")
-            .area()
-    });
+    let regions = [Path::intersect, Path::union].map(|apply| apply(&a, &b, FillRule::NonZero));
+    let [both, either] = regions.map(|region| region.expect("few contacts").area());
     let sum = a.area() + b.area();
     assert!((both + either - sum).abs() < 1e-6 * sum);
 }
@@ -121,20 +85,14 @@ fn two_coasts() {
 #[test]
 fn strokes_and_offsets_of_a_coast() {
     let points = coast(count() / 10);
-    let path = polygon(&points);
+    let path = lines(&points, true);
     let stroke = path.stroke(0.1, &StrokeOptions::default());
     let length = path.length(None).expect("no tolerance");
     let area = stroke.expect("few segments").area();
-    assert!(
-        (area - 0.1 * length).abs() < 0.02 * length * 0.1,
-        "{area} of {length}"
-    );
+    assert_close(area, 0.1 * length, 0.02 * length * 0.1);
     let grown = path.offset(0.05, &OffsetOptions::default());
     let more = grown.expect("few segments").area() - path.area();
-    assert!(
-        (more - 0.05 * length).abs() < 0.02 * length * 0.05,
-        "{more} of {length}"
-    );
+    assert_close(more, 0.05 * length, 0.02 * length * 0.05);
 }
 
 #[test]
@@ -151,20 +109,13 @@ fn splines_through_and_near_many_points() {
     assert!((bspline_length - length).abs() < 0.01 * length);
     let tolerance = 0.01;
     let near = Spline::fit(&points, tolerance, None, true).expect("a tolerance");
-    assert!(
-        near.segment_count() < points.len() / 4,
-        "{}",
-        near.segment_count()
-    );
-    for p in points.iter().step_by(points.len() / 50) {
-        let distance = near.nearest(*p).expect("a finite point").distance;
-        assert!(distance <= tolerance, "{distance}");
-    }
     let simple = through.simplify(tolerance).expect("a tolerance");
-    assert!(simple.segment_count() < points.len() / 4);
-    for p in points.iter().step_by(points.len() / 50) {
-        let distance = simple.nearest(*p).expect("a finite point").distance;
-        assert!(distance <= tolerance, "{distance}");
+    for spline in [near, simple] {
+        assert!(spline.segment_count() < points.len() / 4);
+        for p in points.iter().step_by(points.len() / 50) {
+            let distance = spline.nearest(*p).expect("a finite point").distance;
+            assert!(distance <= tolerance, "{distance}");
+        }
     }
     let beside = through
         .offset(0.01, None, OffsetJoin::Round)

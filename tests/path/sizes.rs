@@ -1,31 +1,26 @@
 //! Areas, moments, arc lengths and bounding boxes, under affine maps and compared with polygons.
 
-use crate::path::inside::{OUTLINES, random_spline};
-use crate::support::{Rng, real};
+use crate::path::inside::OUTLINES;
+use crate::support::paths::{RandomPlane, closed, path, polygons, random_splines, sides};
+use crate::support::{Rng, assert_close, real};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
-use casteljau::path::PathTime;
+use casteljau::path::{PathIntersection, PathTime};
 use casteljau::{Curve, Path, Spline};
 
-/// The moments of polygons, by triangles from the first point of each.
+/// The moments of polygons, by triangles from the origin to each side.
 fn polygon_moments(rings: &[Vec<DVec2>]) -> Moments {
     let mut sum = Moments::default();
-    for ring in rings {
-        for pair in ring
-            .windows(2)
-            .chain([[ring[ring.len() - 1], ring[0]].as_slice()])
-        {
-            let [a, b] = [pair[0], pair[1]];
-            let area = 0.5 * (a.x * b.y - b.x * a.y);
-            sum += Moments {
-                area,
-                x: area * (a.x + b.x) / 3.0,
-                y: area * (a.y + b.y) / 3.0,
-                xx: area * (a.x * a.x + a.x * b.x + b.x * b.x) / 6.0,
-                xy: area * (2.0 * a.x * a.y + a.x * b.y + b.x * a.y + 2.0 * b.x * b.y) / 12.0,
-                yy: area * (a.y * a.y + a.y * b.y + b.y * b.y) / 6.0,
-            };
-        }
+    for (a, b) in rings.iter().flat_map(|ring| sides(ring)) {
+        let area = 0.5 * (a.x * b.y - b.x * a.y);
+        sum += Moments {
+            area,
+            x: area * (a.x + b.x) / 3.0,
+            y: area * (a.y + b.y) / 3.0,
+            xx: area * (a.x * a.x + a.x * b.x + b.x * b.x) / 6.0,
+            xy: area * (2.0 * a.x * a.y + a.x * b.y + b.x * a.y + 2.0 * b.x * b.y) / 12.0,
+            yy: area * (a.y * a.y + a.y * b.y + b.y * b.y) / 6.0,
+        };
     }
     sum
 }
@@ -34,25 +29,17 @@ fn numbers(m: Moments) -> [f64; 6] {
     [m.area, m.x, m.y, m.xx, m.xy, m.yy]
 }
 
-fn near(got: f64, expected: f64, max: f64, what: &str) {
-    assert!(
-        (got - expected).abs() <= max,
-        "{what}: {got}, not {expected} within {max}"
-    );
-}
-
 fn paths() -> Vec<Path> {
     let mut rng = Rng(31);
-    let outlines = OUTLINES
-        .iter()
-        .map(|d| Path::from_svg(d).expect("an outline"));
     let random = (0..200).map(|_| {
-        let splines: Vec<Spline<DVec2>> = (0..1 + rng.below(3))
-            .map(|_| random_spline(&mut rng))
-            .collect();
-        Path::new(&splines)
+        let count = 1 + rng.below(3);
+        Path::new(&random_splines(&mut rng, count))
     });
-    outlines.chain(random.collect::<Vec<_>>()).collect()
+    OUTLINES.iter().map(|d| path(d)).chain(random).collect()
+}
+
+fn length(path: &Path) -> f64 {
+    path.length(None).expect("no tolerance")
 }
 
 #[test]
@@ -60,34 +47,23 @@ fn moments_are_those_of_fine_polygons() {
     for path in paths() {
         let size = path.max_coordinate().max(1e-300);
         let tolerance = 1e-6 * size;
-        let lines = path.flatten(tolerance).expect("a tolerance");
-        let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
-        let around: f64 = rings
-            .iter()
-            .flat_map(|ring| ring.windows(2))
-            .map(|pair| pair[0].distance(pair[1]))
-            .sum();
+        let rings = polygons(&path, tolerance);
+        let chords = rings.iter().flat_map(|ring| ring.windows(2));
+        let around: f64 = chords.map(|pair| pair[0].distance(pair[1])).sum();
         // The error is at most a strip of the tolerance's width along the outline, at the maximum distance from the
         // origin.
         let strip = 1.1 * tolerance * (around + size);
         let powers = [1.0, size, size, size * size, size * size, size * size];
         let (got, expected) = (numbers(path.moments()), numbers(polygon_moments(&rings)));
         for k in 0..6 {
-            near(got[k], expected[k], strip * powers[k], "moment");
+            assert_close(got[k], expected[k], strip * powers[k]);
         }
-        near(path.area(), got[0], 1e-14 * size * size, "area");
-        let length = path.length(None).expect("no tolerance");
-        assert!(
-            length >= around * (1.0 - 1e-12) && length <= around + 1e-3 * (around + size),
-            "{length} {around}"
-        );
+        assert_close(path.area(), got[0], 1e-14 * size * size);
+        let length = length(&path);
+        let range = around * (1.0 - 1e-12)..=around + 1e-3 * (around + size);
+        assert!(range.contains(&length), "{length} {around}");
         let rough = path.length(Some(1e-3 * size)).expect("a tolerance");
-        near(
-            rough,
-            length,
-            1e-3 * size + 1e-12 * length,
-            "length with a tolerance",
-        );
+        assert_close(rough, length, 1e-3 * size + 1e-12 * length);
     }
 }
 
@@ -106,57 +82,33 @@ impl Largest for Path {
 fn areas_follow_maps_by_their_determinant() {
     let mut rng = Rng(32);
     for path in paths() {
-        let matrix = DMat2::from_cols(rng.point(2).truncate() * 3.0, rng.point(2).truncate() * 3.0);
-        let by = rng.point(2).truncate() * 1000.0;
-        let map = DAffine2::from_mat2_translation(matrix, by);
-        let image = path.transform(&map).expect("a finite image");
+        let matrix = DMat2::from_cols(rng.spot(3.0), rng.spot(3.0));
+        let by = rng.spot(1000.0);
+        let image = DAffine2::from_mat2_translation(matrix, by) * &path;
         let (m, n) = (path.moments(), image.moments());
         let size = image.max_coordinate();
-        near(
-            n.area,
-            m.area * matrix.determinant(),
-            1e-11 * size * size,
-            "area",
-        );
-        near(image.area(), n.area, 1e-12 * size * size, "area alone");
+        assert_close(n.area, m.area * matrix.determinant(), 1e-11 * size * size);
+        assert_close(image.area(), n.area, 1e-12 * size * size);
         // ∬ p over the image is det · (M ∬ p + area · by).
         let first = (matrix * DVec2::new(m.x, m.y) + by * m.area) * matrix.determinant();
-        near(n.x, first.x, 1e-11 * size.powi(3), "x");
-        near(n.y, first.y, 1e-11 * size.powi(3), "y");
-        let back = path.reverse();
-        near(
-            back.area(),
-            -path.area(),
-            1e-14 * path.max_coordinate().powi(2),
-            "reversed",
-        );
+        assert_close(n.x, first.x, 1e-11 * size.powi(3));
+        assert_close(n.y, first.y, 1e-11 * size.powi(3));
+        let (back, own) = (path.reverse(), path.max_coordinate());
+        assert_close(back.area(), -path.area(), 1e-14 * own * own);
         assert_eq!(back.reverse(), path);
-        let length = path.length(None).expect("no tolerance");
-        near(
-            back.length(None).expect("no tolerance"),
-            length,
-            1e-12 * length,
-            "length reversed",
-        );
+        assert_close(length(&back), length(&path), 1e-12 * length(&path));
     }
 }
 
 #[test]
 fn far_from_the_origin_nothing_is_lost() {
-    let letter = Path::from_svg(OUTLINES[0]).expect("an outline");
+    let letter = path(OUTLINES[0]);
     let by = DVec2::new(2_f64.powi(30), -(2_f64.powi(31)));
-    let far = letter
-        .transform(&DAffine2::from_translation(by))
-        .expect("a finite image");
-    near(
-        far.area(),
-        letter.area(),
-        1e-9 * letter.area().abs(),
-        "area",
-    );
+    let far = DAffine2::from_translation(by) * &letter;
+    assert_close(far.area(), letter.area(), 1e-9 * letter.area().abs());
     let (m, n) = (letter.moments(), far.moments());
-    near(n.x / n.area - by.x, m.x / m.area, 1e-5, "centre");
-    near(n.y / n.area - by.y, m.y / m.area, 1e-5, "centre");
+    assert_close(n.x / n.area - by.x, m.x / m.area, 1e-5);
+    assert_close(n.y / n.area - by.y, m.y / m.area, 1e-5);
 }
 
 #[test]
@@ -164,16 +116,11 @@ fn sizes_beyond_f64_are_infinite_and_never_nan() {
     let mut rng = Rng(33);
     for _ in 0..2_000 {
         let scale = rng.pick(&[1e150, 1e120, 1e-200, 5e-324, 1e100, 0.0]);
-        let points: Vec<DVec2> = (0..6)
-            .map(|_| (rng.point(2).truncate() * 2.0).round() * scale)
-            .collect();
-        let path = Path::from(Spline::new(&points, 3, true).expect("six points"));
-        for number in numbers(path.moments())
-            .into_iter()
-            .chain([path.area(), path.length(None).expect("no tolerance")])
-        {
-            assert!(!number.is_nan(), "{points:?}");
-        }
+        let points = [(); 6].map(|()| rng.spot(2.0).round() * scale);
+        let path = closed(&points, 3);
+        let numbers = numbers(path.moments()).into_iter();
+        let mut numbers = numbers.chain([path.area(), length(&path)]);
+        assert!(numbers.all(|number| !number.is_nan()), "{points:?}");
         let bounds = path.bounds().expect("not empty");
         assert!(bounds.min.is_finite() && bounds.max.is_finite());
     }
@@ -182,61 +129,55 @@ fn sizes_beyond_f64_are_infinite_and_never_nan() {
 #[test]
 fn boxes_hold_their_path_and_touch_it() {
     for path in paths() {
-        let (exact, loose) = (
-            path.bounds().expect("not empty"),
-            path.control_bounds().expect("not empty"),
-        );
+        let [exact, loose] = [path.bounds(), path.control_bounds()].map(|b| b.expect("not empty"));
         assert!(loose.min.cmple(exact.min).all() && loose.max.cmpge(exact.max).all());
-        let points: Vec<DVec2> = path
-            .subpaths()
-            .collect::<Vec<_>>()
-            .iter()
-            .flat_map(|s| s.sample(64).expect("few"))
-            .collect();
+        let points = samples(&path, 64);
         let noise = 1e-15 * path.max_coordinate();
-        let (mut min, mut max) = (points[0], points[0]);
-        for &p in &points {
-            (min, max) = (min.min(p), max.max(p));
-        }
-        assert!(
-            (min - exact.min).min_element() >= -noise && (exact.max - max).min_element() >= -noise
-        );
+        let min = points.iter().copied().reduce(DVec2::min).expect("points");
+        let max = points.iter().copied().reduce(DVec2::max).expect("points");
+        let gaps = [min - exact.min, exact.max - max];
         // 64 steps per segment are close enough.
         let close = exact.diagonal().max(noise) * 0.05;
-        assert!(
-            (min - exact.min).max_element() <= close && (exact.max - max).max_element() <= close
-        );
+        for gap in gaps {
+            assert!(
+                gap.min_element() >= -noise && gap.max_element() <= close,
+                "{gap}"
+            );
+        }
     }
     assert_eq!(Path::default().bounds(), None);
+}
+
+fn samples(path: &Path, count: usize) -> Vec<DVec2> {
+    let samples = path
+        .subpaths()
+        .map(|spline| spline.sample(count).expect("few"));
+    samples.flatten().collect()
 }
 
 #[test]
 fn splines_in_and_out() {
     let mut rng = Rng(34);
     for _ in 0..500 {
-        let splines: Vec<Spline<DVec2>> =
-            (0..rng.below(4)).map(|_| random_spline(&mut rng)).collect();
+        let count = rng.below(4);
+        let splines = random_splines(&mut rng, count);
         let path = Path::new(&splines);
         assert_eq!(path.subpaths().collect::<Vec<_>>(), splines);
         assert_eq!(path.subpath_count(), splines.len());
-        assert_eq!(
-            path.segment_count(),
-            splines.iter().map(Spline::segment_count).sum::<usize>()
-        );
+        let segments = splines.iter().map(Spline::segment_count);
+        assert_eq!(path.segment_count(), segments.sum::<usize>());
+        let (lines, back) = (path.flatten(1e-2).expect("a tolerance"), path.reverse());
         for (k, spline) in splines.iter().enumerate() {
             assert_eq!(path.subpath(k).as_ref(), Some(spline));
-            let lines = path.flatten(1e-2).expect("a tolerance");
-            assert_eq!(lines[k], spline.flatten(1e-2).expect("a tolerance"));
-            assert_eq!(path.reverse().subpath(k), Some(spline.reverse()));
+            assert_eq!(Ok(&lines[k]), spline.flatten(1e-2).as_ref());
+            assert_eq!(back.subpath(k), Some(spline.reverse()));
         }
         assert!(path.subpath(splines.len()).is_none());
         assert!(path.approx_eq(&path.clone(), 0.0));
         if !splines.is_empty() {
-            let moved = path
-                .transform(&DAffine2::from_translation(DVec2::splat(1e-3)))
-                .expect("a finite image");
+            let moved = DAffine2::from_translation(DVec2::splat(1e-3)) * &path;
             assert!(path.approx_eq(&moved, 2e-3) && !path.approx_eq(&moved, 1e-4));
-            assert!(!path.approx_eq(&Path::new(&splines[1..]), real(1000)));
+            assert!(!path.approx_eq(&Path::new(&splines[1..]), 1000.0));
         }
     }
 }
@@ -245,33 +186,23 @@ fn splines_in_and_out() {
 fn nothing_is_nearer_than_the_nearest_point() {
     let mut rng = Rng(35);
     for path in paths() {
-        let splines = path.subpaths().collect::<Vec<_>>();
-        let samples: Vec<DVec2> = splines
-            .iter()
-            .flat_map(|s| s.sample(200).expect("few"))
-            .collect();
-        let size = path.max_coordinate();
+        let (samples, size) = (samples(&path, 200), path.max_coordinate());
         for _ in 0..20 {
             let p = match rng.below(3) {
                 0 => rng.pick(&samples),
-                1 => rng.pick(&samples) + rng.point(2).truncate() * size * 0.1,
-                _ => rng.point(2).truncate() * size * 2.0,
+                1 => rng.pick(&samples) + rng.spot(size * 0.1),
+                _ => rng.spot(size * 2.0),
             };
             let nearest = path.nearest(p).expect("finite").expect("not empty");
-            let min = samples
-                .iter()
-                .map(|q| q.distance(p))
-                .fold(f64::INFINITY, f64::min);
-            let off = nearest.distance - min;
+            let distances = samples.iter().map(|q| q.distance(p));
+            let off = nearest.distance - distances.fold(f64::INFINITY, f64::min);
             assert!(off <= 1e-12 * size, "{p}: {off}");
-            let there = splines[nearest.subpath].eval(nearest.t);
+            let there = path
+                .subpath(nearest.subpath)
+                .expect("a spline")
+                .eval(nearest.t);
             assert!(there.distance(nearest.point) <= 1e-14 * size, "{p}");
-            near(
-                nearest.point.distance(p),
-                nearest.distance,
-                4e-15 * size,
-                "distance",
-            );
+            assert_close(nearest.point.distance(p), nearest.distance, 4e-15 * size);
         }
         assert!(path.nearest(DVec2::new(f64::NAN, 0.0)).is_err());
     }
@@ -292,48 +223,35 @@ fn length_up_to(spline: &Spline<DVec2>, t: f64) -> f64 {
 fn times_by_length_have_that_length_behind_them() {
     let mut rng = Rng(36);
     for path in paths() {
-        let whole = path.length(None).expect("no tolerance");
+        let whole = length(&path);
         let splines = path.subpaths().collect::<Vec<_>>();
-        let lengths: Vec<f64> = splines
+        let lengths = splines
             .iter()
-            .map(|s| s.length(None).expect("no tolerance"))
-            .collect();
-        let behind = |time: PathTime| {
-            lengths[..time.subpath].iter().sum::<f64>()
-                + length_up_to(&splines[time.subpath], time.t)
+            .map(|s| s.length(None).expect("no tolerance"));
+        let lengths: Vec<f64> = lengths.collect();
+        let assert_behind = |time: PathTime, expected: f64| {
+            let before: f64 = lengths[..time.subpath].iter().sum();
+            let behind = before + length_up_to(&splines[time.subpath], time.t);
+            assert_close(
+                behind,
+                expected,
+                1e-9 * whole + 1e-14 * path.max_coordinate(),
+            );
         };
         for _ in 0..10 {
             let s = rng.unit() * whole;
-            let time = path
-                .time_at_length(s, None)
-                .expect("finite")
-                .expect("not empty");
-            near(
-                behind(time),
-                s,
-                1e-9 * whole + 1e-14 * path.max_coordinate(),
-                "length behind",
-            );
+            let time = path.time_at_length(s, None).expect("finite");
+            assert_behind(time.expect("not empty"), s);
         }
         let count = 1 + rng.below(20);
         let times = path.equidistant_times(count).expect("few");
         assert_eq!(times.len(), count + 1);
         assert_eq!(times[0], PathTime { subpath: 0, t: 0.0 });
-        let last = splines.len() - 1;
-        assert_eq!(
-            times[count],
-            PathTime {
-                subpath: last,
-                t: real(splines[last].segment_count())
-            }
-        );
+        let subpath = splines.len() - 1;
+        let t = real(splines[subpath].segment_count());
+        assert_eq!(times[count], PathTime { subpath, t });
         for (i, &time) in times.iter().enumerate() {
-            near(
-                behind(time),
-                whole * real(i) / real(count),
-                1e-9 * whole + 1e-14 * path.max_coordinate(),
-                "even",
-            );
+            assert_behind(time, whole * real(i) / real(count));
         }
     }
 }
@@ -342,58 +260,43 @@ fn times_by_length_have_that_length_behind_them() {
 fn times_on_paths_without_length() {
     assert_eq!(Path::default().time_at_length(1.0, None), Ok(None));
     assert_eq!(Path::default().equidistant_times(3), Ok(Vec::new()));
-    let dot = Path::from_svg("M1 1ZM2 2Z").expect("dots");
-    assert_eq!(
-        dot.equidistant_times(2).expect("few")[1],
-        PathTime { subpath: 1, t: 0.0 }
-    );
-    assert_eq!(
-        dot.time_at_length(5.0, None),
-        Ok(Some(PathTime { subpath: 1, t: 1.0 }))
-    );
+    let (dot, subpath) = (path("M1 1ZM2 2Z"), 1);
+    let times = dot.equidistant_times(2).expect("few");
+    assert_eq!(times[1], PathTime { subpath, t: 0.0 });
+    let time = dot.time_at_length(5.0, None);
+    assert_eq!(time, Ok(Some(PathTime { subpath, t: 1.0 })));
 }
 
 #[test]
 fn paths_intersect_where_their_splines_do() {
     let mut rng = Rng(37);
     for _ in 0..200 {
-        let mut some = || -> Vec<Spline<DVec2>> {
-            (0..rng.below(4)).map(|_| random_spline(&mut rng)).collect()
-        };
-        let (ours, theirs) = (some(), some());
+        let [ours, theirs] = [(); 2].map(|()| {
+            let count = rng.below(4);
+            random_splines(&mut rng, count)
+        });
         let (a, b) = (Path::new(&ours), Path::new(&theirs));
         let mut expected = Vec::new();
         for (i, one) in ours.iter().enumerate() {
             for (j, other) in theirs.iter().enumerate() {
-                expected.extend(
-                    one.intersections(other)
-                        .into_iter()
-                        .map(|time| (i, j, time.t, time.u, time.point)),
-                );
+                let found = one.intersections(other).into_iter();
+                expected.extend(found.map(|m| (i, j, m.t, m.u, m.point)));
             }
         }
-        let got: Vec<_> = a
-            .intersections(&b)
-            .into_iter()
-            .map(|time| (time.subpath, time.other_subpath, time.t, time.u, time.point))
-            .collect();
-        assert_eq!(got, expected);
-        let own: Vec<_> = ours
+        let got = a.intersections(&b).into_iter();
+        let fields = |m: PathIntersection| (m.subpath, m.other_subpath, m.t, m.u, m.point);
+        assert_eq!(got.map(fields).collect::<Vec<_>>(), expected);
+        let own = ours
             .iter()
             .flat_map(Spline::self_intersections)
-            .map(|time| time.point)
-            .collect();
+            .map(|m| m.point);
         let selves = a.self_intersections();
-        let same: Vec<_> = selves
+        let same = selves
             .iter()
             .filter(|m| m.subpath == m.other_subpath)
-            .map(|m| m.point)
-            .collect();
-        assert_eq!(same, own);
-        assert!(
-            selves
-                .iter()
-                .all(|m| (m.subpath, m.t) < (m.other_subpath, m.u))
-        );
+            .map(|m| m.point);
+        assert!(same.eq(own));
+        let ordered = |m: &PathIntersection| (m.subpath, m.t) < (m.other_subpath, m.u);
+        assert!(selves.iter().all(ordered));
     }
 }

@@ -1,7 +1,9 @@
 //! All checks of one pair of paths.
 
 use crate::path_boolean::oracle::Outline;
-use crate::path_boolean::random::Random;
+use crate::support::Rng;
+use crate::support::paths::RandomPlane;
+pub(crate) use crate::support::paths::path;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::FillRule;
@@ -35,43 +37,26 @@ pub(crate) const OPERATIONS: [(&str, Apply, Expected); 4] = [
     ),
 ];
 
-/// A path from SVG path data.
-pub(crate) fn path(d: &str) -> Path {
-    d.parse().expect("path data")
-}
-
 pub(crate) fn valid(result: Result<Path, casteljau::Error>) -> Path {
     result.expect("few segments")
 }
 
 /// The larger side of the box around two paths.
 pub(crate) fn size(a: &Path, b: &Path) -> f64 {
-    let points = |path: &Path| {
-        path.bounds()
-            .map_or(Vec::new(), |bounds| vec![bounds.min, bounds.max])
-    };
-    let corners = [points(a), points(b)].concat();
-    let min = corners.iter().fold(DVec2::INFINITY, |min, &p| min.min(p));
-    let max = corners
-        .iter()
-        .fold(DVec2::NEG_INFINITY, |max, &p| max.max(p));
-    if corners.is_empty() {
-        0.0
-    } else {
-        (max - min).max_element()
-    }
+    let boxes = [a, b].into_iter().filter_map(|path| path.bounds());
+    let all = boxes.reduce(|a, b| a.union(b));
+    all.map_or(0.0, |all| (all.max - all.min).max_element())
 }
 
 /// What is wrong with the results of a pair: winding numbers at points that are farther from the outlines than ε,
 /// areas, and the structure of the results.
-pub(crate) fn faults(a: &Path, b: &Path, rule: FillRule, random: &mut Random) -> Vec<String> {
+pub(crate) fn faults(a: &Path, b: &Path, rule: FillRule, random: &mut Rng) -> Vec<String> {
     let results = OPERATIONS.map(|(_, apply, _)| apply(a, b, rule));
     let (own, other) = (Outline::new(a), Outline::new(b));
     let outlines = results.each_ref().map(Outline::new);
     let mut faults: Vec<String> = results.iter().filter_map(structure_fault).collect();
-    for p in sample_points(a, b, random) {
-        let [inside_a, inside_b] =
-            [&own, &other].map(|outline| is_inside(outline.winding(p), rule));
+    for p in sample_points([&own, &other], size(a, b), random) {
+        let [inside_a, inside_b] = [&own, &other].map(|o| is_inside(o.winding(p), rule));
         for ((name, _, expected), outline) in OPERATIONS.iter().zip(&outlines) {
             let expected = i32::from(expected(inside_a, inside_b));
             let got = outline.winding(p);
@@ -91,25 +76,23 @@ pub(crate) fn is_inside(winding: i32, rule: FillRule) -> bool {
 }
 
 /// Random points farther from both outlines than ε.
-fn sample_points(a: &Path, b: &Path, random: &mut Random) -> Vec<DVec2> {
-    let outline = [Outline::new(a).samples(16), Outline::new(b).samples(16)].concat();
-    let size = size(a, b);
-    let centre = outline.iter().fold(DVec2::ZERO, |sum, &p| sum + p) / outline.len() as f64;
-    let clear = |p: DVec2, path: &Path| {
-        let nearest = path.nearest(p).expect("a finite point");
-        nearest.is_none_or(|nearest| nearest.distance > 2.0 * EPSILON * size)
+fn sample_points(outlines: [&Outline; 2], size: f64, random: &mut Rng) -> Vec<DVec2> {
+    let samples = outlines.map(|outline| outline.samples(16)).concat();
+    let centre = samples.iter().sum::<DVec2>() / samples.len() as f64;
+    let mut point = |k: usize| {
+        if k.is_multiple_of(4) {
+            return centre + random.spot(size);
+        }
+        let far = size * random.magnitude(-8.6, -1.0);
+        random.pick(&samples) + random.direction() * far
     };
-    (0..POINTS)
-        .map(|k| {
-            if k % 4 == 0 {
-                return centre + random.point(size);
-            }
-            let near = outline[random.below(outline.len())];
-            let far = size * 10.0_f64.powf(random.between(-8.6, -1.0));
-            near + DVec2::from_angle(random.between(0.0, 6.3)) * far
-        })
-        .filter(|&p| clear(p, a) && clear(p, b))
-        .collect()
+    let mut points: Vec<DVec2> = (0..POINTS).map(&mut point).collect();
+    points.retain(|&p| {
+        !outlines
+            .iter()
+            .any(|outline| outline.is_near(p, 2.0 * EPSILON * size))
+    });
+    points
 }
 
 /// What is wrong with the contours of a result: all are closed; each that runs clockwise is a hole of the last one that
@@ -120,10 +103,8 @@ fn structure_fault(result: &Path) -> Option<String> {
         if !spline.is_closed() {
             return Some(format!("contour {k} is open"));
         }
-        let mut joints: Vec<[u64; 2]> = spline
-            .segments()
-            .map(|curve| curve.start().to_array().map(|x| (x + 0.0).to_bits()))
-            .collect();
+        let starts = spline.segments().map(|curve| curve.start() + 0.0);
+        let mut joints: Vec<_> = starts.map(|p| p.to_array().map(f64::to_bits)).collect();
         joints.sort_unstable();
         if joints.windows(2).any(|pair| pair[0] == pair[1]) {
             return Some(format!("contour {k} passes a point twice"));
@@ -156,8 +137,5 @@ pub(crate) fn identity_error(a: &Path, b: &Path, rule: FillRule) -> f64 {
         exclusion - (union - intersection),
         difference - (of_a - intersection),
     ];
-    errors
-        .into_iter()
-        .fold(0.0, |m: f64, error| m.max(error.abs()))
-        / (size * size)
+    errors.map(f64::abs).into_iter().fold(0.0, f64::max) / (size * size)
 }

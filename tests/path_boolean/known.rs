@@ -1,6 +1,7 @@
 //! Results that are known exactly, and operations that cut.
 
 use crate::path_boolean::check::{path, valid};
+use crate::path_boolean::families::circle;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule};
@@ -20,10 +21,8 @@ fn squares_side_by_side_become_one_outline() {
 #[test]
 fn squares_that_touch_at_a_corner_stay_two_contours() {
     let union = valid(path("M0 0H2V2H0Z").union(&path("M2 2H4V4H2Z"), RULE));
-    assert_eq!(
-        union.to_string(),
-        "M0,0 L2,0 L2,2 L0,2 Z M2,2 L4,2 L4,4 L2,4 Z"
-    );
+    let expected = "M0,0 L2,0 L2,2 L0,2 Z M2,2 L4,2 L4,4 L2,4 Z";
+    assert_eq!(union.to_string(), expected);
 }
 
 #[test]
@@ -37,32 +36,25 @@ fn a_hole_that_touches_its_outline_is_a_contour_of_its_own() {
 #[test]
 fn open_subpaths_are_closed_and_empty_paths_are_empty() {
     let open = path("M0 0H2V2");
-    assert_eq!(
-        valid(open.remove_overlaps(RULE)).to_string(),
-        "M0,0 L2,0 L2,2 Z"
-    );
+    let closed = valid(open.remove_overlaps(RULE));
+    assert_eq!(closed.to_string(), "M0,0 L2,0 L2,2 Z");
     let nothing = Path::default();
     assert_eq!(valid(open.union(&nothing, RULE)).area(), 2.0);
     assert_eq!(valid(nothing.subtract(&open, RULE)), nothing);
     assert_eq!(valid(nothing.intersect(&nothing, RULE)), nothing);
-    for operation in [
-        BooleanOperation::Union,
-        BooleanOperation::Intersect,
-        BooleanOperation::Exclude,
-    ] {
+    use BooleanOperation::{Exclude, Intersect, Union};
+    for operation in [Union, Intersect, Exclude] {
         assert_eq!(valid(Path::combine([], operation, RULE)), nothing);
     }
 }
 
 #[test]
 fn outlines_without_an_area_disappear() {
-    for d in [
-        "M0 0L1 1Z",
-        "M0 0L2 1L1 0.5Z",
-        "M0 0C1 1 2 2 0.5 0.5Z",
-        "M1 1Z",
-        "M0 0C2 0 -1 0 1 0Z",
-    ] {
+    let curves = ["M0 0C1 1 2 2 0.5 0.5Z", "M0 0C2 0 -1 0 1 0Z"];
+    for d in ["M0 0L1 1Z", "M0 0L2 1L1 0.5Z", "M1 1Z"]
+        .iter()
+        .chain(&curves)
+    {
         assert!(valid(path(d).remove_overlaps(RULE)).is_empty(), "{d}");
         let square = path("M-1 -1H3V3H-1Z");
         assert_eq!(valid(square.union(&path(d), RULE)), square, "{d}");
@@ -71,11 +63,7 @@ fn outlines_without_an_area_disappear() {
 
 #[test]
 fn combine_counts_all_paths() {
-    let squares = [
-        path("M0 0H4V1H0Z"),
-        path("M1 0H5V1H1Z"),
-        path("M2 0H6V1H2Z"),
-    ];
+    let squares = ["M0 0H4V1H0Z", "M1 0H5V1H1Z", "M2 0H6V1H2Z"].map(path);
     let area = |operation| valid(Path::combine(&squares, operation, RULE)).area();
     assert_eq!(area(BooleanOperation::Union), 6.0);
     assert_eq!(area(BooleanOperation::Intersect), 2.0);
@@ -113,50 +101,30 @@ fn divide_cuts_along_open_and_closed_paths() {
     assert_eq!(areas("M5 5H6"), [16.0]);
     let ring = path("M0 0H4V4H0Z M1 1V3H3V1Z");
     let halves = ring.divide(&path("M2 -1V5"), RULE).expect("few segments");
-    assert_eq!(
-        halves.iter().map(Path::area).collect::<Vec<_>>(),
-        [6.0, 6.0]
-    );
+    let areas: Vec<f64> = halves.iter().map(Path::area).collect();
+    assert_eq!(areas, [6.0, 6.0]);
 }
 
 #[test]
 fn clip_keeps_directions_and_closed_subpaths() {
     let region = path("M0 0H4V4H0Z");
-    let clip = |d: &str| valid(path(d).clip(&region, RULE)).to_string();
-    assert_eq!(clip("M5 1H-1"), "M4,1 L0,1");
-    assert_eq!(clip("M1 1H3V3"), "M1,1 L3,1 L3,3");
-    assert_eq!(clip("M1 1H3V3Z"), "M1,1 L3,1 L3,3 Z");
-    assert_eq!(clip("M5 5H6"), "");
-    // The closed square starts inside; its parts join across the start.
-    assert_eq!(clip("M2 2H6V3H2Z"), "M4,3 L2,3 L2,2 L4,2");
-    // The boundary belongs to the region.
-    assert_eq!(clip("M-1 0H5"), "M0,0 L4,0");
+    for (d, expected) in [
+        ("M5 1H-1", "M4,1 L0,1"),
+        ("M1 1H3V3", "M1,1 L3,1 L3,3"),
+        ("M1 1H3V3Z", "M1,1 L3,1 L3,3 Z"),
+        ("M5 5H6", ""),
+        // The closed square starts inside; its parts join across the start.
+        ("M2 2H6V3H2Z", "M4,3 L2,3 L2,2 L4,2"),
+        // The boundary belongs to the region.
+        ("M-1 0H5", "M0,0 L4,0"),
+    ] {
+        assert_eq!(valid(path(d).clip(&region, RULE)).to_string(), expected);
+    }
 }
 
 #[test]
 fn circles_that_touch_keep_their_segments() {
-    let d = |x: f64| {
-        let k = 0.5522847498;
-        let map = |p: (f64, f64)| DVec2::new(p.0 + x, p.1);
-        let points = [
-            (1.0, 0.0),
-            (1.0, k),
-            (k, 1.0),
-            (0.0, 1.0),
-            (-k, 1.0),
-            (-1.0, k),
-            (-1.0, 0.0),
-            (-1.0, -k),
-            (-k, -1.0),
-            (0.0, -1.0),
-            (k, -1.0),
-            (1.0, -k),
-        ];
-        Path::from(casteljau::Spline::new(&points.map(map), 3, true).expect("points"))
-    };
-    let union = valid(d(0.0).union(&d(2.0), RULE));
-    assert_eq!(
-        union,
-        [d(0.0), d(2.0)].iter().flat_map(Path::subpaths).collect()
-    );
+    let circles = [0.0, 2.0].map(|x| circle(DVec2::new(x, 0.0), 1.0));
+    let union = valid(circles[0].union(&circles[1], RULE));
+    assert_eq!(union, circles.iter().flat_map(Path::subpaths).collect());
 }

@@ -8,6 +8,5 @@ mod large;
 mod oracle;
 mod order;
 mod promises;
-mod random;
 mod suites;
 mod sweep;

@@ -1,5 +1,7 @@
-//! Winding numbers by halving control polygons; independent of the code under test.
+//! Winding numbers and distances by halving control polygons; independent of the code under test.
 
+use crate::support::de_casteljau;
+use crate::support::measure::from_plane_segment;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 
@@ -21,11 +23,8 @@ impl Outline {
                     .segments()
                     .map(|curve| curve.control_points().to_vec()),
             );
-            let (first, last) = (
-                curves[start][0],
-                *curves.last().and_then(|c| c.last()).expect("points"),
-            );
-            curves.push(vec![last, first]);
+            let last = curves.last().and_then(|curve: &Vec<DVec2>| curve.last());
+            curves.push(vec![*last.expect("points"), curves[start][0]]);
         }
         Self { curves }
     }
@@ -33,19 +32,24 @@ impl Outline {
     /// Points spread over the outline.
     pub(crate) fn samples(&self, count: usize) -> Vec<DVec2> {
         let ts = (0..count).map(|k| k as f64 / count as f64);
-        let all = self
-            .curves
-            .iter()
-            .flat_map(|curve| ts.clone().map(|t| point_at(curve, t)));
-        all.collect()
+        let curves = self.curves.iter();
+        curves
+            .flat_map(|curve| ts.clone().map(|t| de_casteljau(curve, t)))
+            .collect()
     }
 
     /// The winding number around p: upward minus downward crossings to the right of p.
     pub(crate) fn winding(&self, p: DVec2) -> i32 {
+        let curves = self.curves.iter();
+        curves.map(|curve| crossings(curve, p, HALVINGS)).sum()
+    }
+
+    /// Whether p may be within a distance of the outline. The answer is right unless the distance of p is between this
+    /// one and 1.1 times this one.
+    pub(crate) fn is_near(&self, p: DVec2, distance: f64) -> bool {
         self.curves
             .iter()
-            .map(|curve| crossings(curve, p, HALVINGS))
-            .sum()
+            .any(|curve| is_near(curve, p, distance, HALVINGS))
     }
 }
 
@@ -85,13 +89,21 @@ fn halves(curve: &[DVec2]) -> (Vec<DVec2>, Vec<DVec2>) {
     (before, after)
 }
 
-fn point_at(curve: &[DVec2], t: f64) -> DVec2 {
-    let mut level = curve.to_vec();
-    while level.len() > 1 {
-        level = level
-            .windows(2)
-            .map(|q| q[0] * (1.0 - t) + q[1] * t)
-            .collect();
+/// The hull is in the box of the control points.
+fn is_near(curve: &[DVec2], p: DVec2, distance: f64, halvings: usize) -> bool {
+    if let [a, b] = *curve {
+        return from_plane_segment(p, a, b) <= distance;
     }
-    level[0]
+    let min = curve.iter().copied().reduce(DVec2::min).expect("points");
+    let max = curve.iter().copied().reduce(DVec2::max).expect("points");
+    if p.distance(p.clamp(min, max)) > distance {
+        return false;
+    }
+    if min.distance(max) <= 0.1 * distance || halvings == 0 {
+        return true;
+    }
+    let (before, after) = halves(curve);
+    [before, after]
+        .iter()
+        .any(|half| is_near(half, p, distance, halvings - 1))
 }

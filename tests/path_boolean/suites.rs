@@ -1,7 +1,7 @@
 //! The inputs of other libraries' tests, from tests/data/boolean; results are judged as those of the families.
 
 use crate::path_boolean::check::{faults, identity_error, path};
-use crate::path_boolean::random::Random;
+use crate::support::Rng;
 use casteljau::path::FillRule;
 
 /// The largest error of an identity of areas, relative to the square of the size. These drawings have outlines that
@@ -14,7 +14,7 @@ fn check(suite: &str, fewest: usize) {
         .filter(|line| !line.starts_with("# "))
         .collect();
     assert!(cases.len() >= fewest, "only {} cases", cases.len());
-    let wrong: Vec<String> = cases.iter().flat_map(|case| faults_of(case)).collect();
+    let wrong: Vec<String> = cases.into_iter().flat_map(faults_of).collect();
     assert!(wrong.is_empty(), "{} wrong: {wrong:#?}", wrong.len());
 }
 
@@ -25,21 +25,19 @@ fn faults_of(case: &str) -> Vec<String> {
         panic!("expected a name and two paths, got {case}");
     };
     let [a, b] = [a, b].map(path);
-    let mut wrong = Vec::new();
-    for rule in [FillRule::NonZero, FillRule::EvenOdd] {
-        let mut random = Random::new(case.len() as u64);
-        wrong.extend(faults(&a, &b, rule, &mut random));
+    let of_rule = |rule| {
+        let mut wrong = faults(&a, &b, rule, &mut Rng(case.len() as u64));
         let error = identity_error(&a, &b, rule);
         if error > NEARLY_COINCIDENT {
             wrong.push(format!("areas differ by {error:e}"));
         }
-        for fault in &mut wrong {
-            if !fault.starts_with(name) {
-                *fault = format!("{name} {rule:?}: {fault}");
-            }
-        }
-    }
-    wrong
+        let wrong = wrong.into_iter();
+        wrong.map(move |fault| format!("{name} {rule:?}: {fault}"))
+    };
+    [FillRule::NonZero, FillRule::EvenOdd]
+        .into_iter()
+        .flat_map(of_rule)
+        .collect()
 }
 
 #[test]

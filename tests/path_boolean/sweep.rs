@@ -2,8 +2,8 @@
 
 use crate::path_boolean::check::{OPERATIONS, faults, identity_error};
 use crate::path_boolean::families::{FAMILIES, Family, mixed_scales};
-use crate::path_boolean::random::Random;
-use crate::support::cases;
+use crate::support::{Rng, cases};
+use casteljau::Curve;
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 
@@ -21,10 +21,8 @@ fn pairs_of_each_family() -> usize {
 }
 
 fn check(name: &str) {
-    let &(_, family, coincident) = FAMILIES
-        .iter()
-        .find(|family| family.0 == name)
-        .expect("a family");
+    let family = FAMILIES.iter().find(|family| family.0 == name);
+    let &(_, family, coincident) = family.expect("a family");
     let seed = std::env::var("CASTELJAU_SEED").ok();
     let only: Option<usize> = seed.and_then(|seed| seed.parse().ok());
     for seed in only.map_or(0..pairs_of_each_family(), |seed| seed..seed + 1) {
@@ -33,25 +31,17 @@ fn check(name: &str) {
 }
 
 fn check_pair(name: &str, seed: usize, family: Family, coincident: bool) {
-    let mut random = Random::new(seed as u64);
+    let mut random = Rng(seed as u64);
     let scale = DAffine2::from_scale(DVec2::splat(SCALES[seed % 3]));
     let (a, b) = family(&mut random);
-    let (a, b) = (
-        a.transform(&scale).expect("a finite image"),
-        b.transform(&scale).expect("a finite image"),
-    );
+    let (a, b) = (scale * &a, scale * &b);
     let rule = [FillRule::NonZero, FillRule::EvenOdd][seed % 2];
     let found = faults(&a, &b, rule, &mut random);
-    assert!(
-        found.is_empty(),
-        "{name} {seed} {rule:?}: {found:#?}\n{a}\n{b}"
-    );
+    let case = format!("{name} {seed} {rule:?}");
+    assert!(found.is_empty(), "{case}: {found:#?}\n{a}\n{b}");
     let error = identity_error(&a, &b, rule);
     let max = if coincident { NEARLY_COINCIDENT } else { EXACT };
-    assert!(
-        error <= max,
-        "{name} {seed} {rule:?}: areas differ by {error:e}\n{a}\n{b}"
-    );
+    assert!(error <= max, "{case}: areas differ by {error:e}\n{a}\n{b}");
 }
 
 macro_rules! families {
@@ -89,16 +79,17 @@ families! {
 
 #[test]
 fn mixed_scales_give_finite_regions() {
-    let mut random = Random::new(7);
+    let mut random = Rng(7);
     for case in 0..pairs_of_each_family() {
         let [a, b] = [(); 2].map(|()| mixed_scales(&mut random));
         for (name, apply, _) in OPERATIONS {
             let result = apply(&a, &b, [FillRule::NonZero, FillRule::EvenOdd][case % 2]);
-            let is_finite = |p: &DVec2| p.is_finite();
-            let finite = result
-                .segments()
-                .all(|curve| curve.control_points().iter().all(is_finite));
-            assert!(finite, "{name} {case}: {result}\n{a}\n{b}");
+            let is_finite =
+                |curve: Curve<DVec2>| curve.control_points().iter().all(|p| p.is_finite());
+            assert!(
+                result.segments().all(is_finite),
+                "{name} {case}: {result}\n{a}\n{b}"
+            );
         }
     }
 }

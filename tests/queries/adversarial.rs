@@ -1,10 +1,12 @@
 //! Queries on patches with any finite coordinates: results are finite numbers, with bounded work.
 
-use crate::support::{Rng, nets::RandomNet};
+use crate::support::Rng;
+use crate::support::nets::{RandomNet, patch, samples};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use std::ops::Range;
 
 /// A coordinate that is often 0, repeated, huge or tiny.
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -23,10 +25,9 @@ fn point() -> impl Strategy<Value = DVec3> {
     [coordinate(), coordinate(), coordinate()].prop_map(DVec3::from)
 }
 
-fn any_patch() -> impl Strategy<Value = Patch> {
-    (1..5_usize, 1..5_usize).prop_flat_map(|(m, n)| {
-        prop::collection::vec(point(), (m + 1) * (n + 1))
-            .prop_map(move |net| Patch::new(&net, m, n).unwrap())
+fn any_patch(degrees: Range<usize>) -> impl Strategy<Value = Patch> {
+    (degrees.clone(), degrees).prop_flat_map(|(m, n)| {
+        prop::collection::vec(point(), (m + 1) * (n + 1)).prop_map(move |net| patch(&net, m, n))
     })
 }
 
@@ -34,8 +35,7 @@ fn any_patch() -> impl Strategy<Value = Patch> {
 fn coarse_patch() -> impl Strategy<Value = Patch> {
     (1..4_usize, 1..4_usize).prop_flat_map(|(m, n)| {
         let point = [-1..2_i8, -1..2_i8, 0..2_i8].prop_map(|p| DVec3::from(p.map(f64::from)));
-        prop::collection::vec(point, (m + 1) * (n + 1))
-            .prop_map(move |net| Patch::new(&net, m, n).unwrap())
+        prop::collection::vec(point, (m + 1) * (n + 1)).prop_map(move |net| patch(&net, m, n))
     })
 }
 
@@ -46,7 +46,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, rng_seed: SEED, ..ProptestConfig::default() })]
 
     #[test]
-    fn answers_are_numbers(patch in any_patch(), p in point(), d in point(), u in 0.0..=1.0, v in 0.0..=1.0) {
+    fn answers_are_numbers(patch in any_patch(1..5), p in point(), d in point(), u in 0.0..=1.0, v in 0.0..=1.0) {
         let bounds = patch.bounds();
         prop_assert!(bounds.min.is_finite() && bounds.max.is_finite() && bounds.min.cmple(bounds.max).all());
         let nearest = patch.nearest(p).unwrap();
@@ -81,6 +81,21 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: SEED, ..ProptestConfig::default() })]
+
+    #[test]
+    fn points_and_normals_are_numbers(patch in any_patch(1..6), u in 0.0..=1.0, v in 0.0..=1.0) {
+        prop_assert!(patch.eval(u, v).is_finite());
+        let normal = patch.normal(u, v);
+        let length = normal.length();
+        prop_assert!(length == 0.0 || (length - 1.0).abs() < 1e-14, "{normal}");
+        for piece in patch.split(u, v) {
+            prop_assert!(piece.control_points().iter().all(|p| p.is_finite()));
+        }
+    }
+}
+
 /// The highest degrees, with curvature in every direction: the work is limited.
 #[test]
 fn the_highest_degrees() {
@@ -88,15 +103,13 @@ fn the_highest_degrees() {
     let p = DVec3::new(0.3, 0.2, 0.1);
     let nearest = patch.nearest(p).unwrap();
     let bounds = patch.bounds();
-    for (u, v) in crate::queries::shapes::samples(30) {
+    for (u, v) in samples(30) {
         let sample = patch.eval(u, v);
         assert!(sample.cmpge(bounds.min).all() && sample.cmple(bounds.max).all());
         assert!(nearest.distance <= sample.distance(p));
     }
     let hits = patch.intersect_ray(p, nearest.point - p).unwrap();
-    assert!(
-        hits.iter()
-            .any(|hit| hit.point.distance(nearest.point) < 1e-9)
-    );
+    let mut distances = hits.iter().map(|hit| hit.point.distance(nearest.point));
+    assert!(distances.any(|distance| distance < 1e-9));
     assert!(patch.area() > 0.0);
 }

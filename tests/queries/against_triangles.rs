@@ -2,8 +2,8 @@
 
 use crate::support::Rng;
 use crate::support::nets::RandomNet;
-use casteljau::Patch;
 use casteljau::glam::DVec3;
+use casteljau::{Grid, Patch};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const SEGMENTS: usize = 96;
@@ -19,15 +19,11 @@ fn met([a, b, c]: [DVec3; 3], origin: DVec3, along: DVec3) -> Option<f64> {
 }
 
 fn triangles(patch: &Patch) -> Vec<[DVec3; 3]> {
-    let at =
-        |i: usize, j: usize| patch.eval(i as f64 / SEGMENTS as f64, j as f64 / SEGMENTS as f64);
-    let cells = (0..SEGMENTS).flat_map(|j| (0..SEGMENTS).map(move |i| (i, j)));
-    cells
-        .flat_map(|(i, j)| {
-            let (a, c) = (at(i, j), at(i + 1, j + 1));
-            [[a, at(i + 1, j), c], [a, c, at(i, j + 1)]]
-        })
-        .collect()
+    let grid = Grid::from(SEGMENTS);
+    let uvs = (0..grid.vertex_count()).map(|k| grid.uv(k % (SEGMENTS + 1), k / (SEGMENTS + 1)));
+    let points: Vec<DVec3> = uvs.map(|(u, v)| patch.eval(u, v)).collect();
+    let corners = grid.triangles().map(|t| t.map(|vertex| points[vertex]));
+    corners.collect()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -41,17 +37,12 @@ fn as_many_hits_at_the_same_distances() {
             let origin = random.grid_point() * 2.0;
             let aim = DVec3::from([0; 3].map(|_| 1.5 * random.unit() - 0.75));
             let along = (aim - origin).normalize_or(DVec3::X);
-            let mut expected: Vec<f64> = triangles
-                .iter()
-                .filter_map(|&t| met(t, origin, along))
-                .collect();
+            let met = triangles.iter().filter_map(|&t| met(t, origin, along));
+            let mut expected: Vec<f64> = met.collect();
             expected.sort_by(f64::total_cmp);
             let found = patch.intersect_ray(origin, along).unwrap();
-            assert_eq!(
-                found.len(),
-                expected.len(),
-                "{found:?} {expected:?} {origin} {along} {patch:?}"
-            );
+            let counts = (found.len(), expected.len());
+            assert_eq!(counts.0, counts.1, "{origin} {along} {patch:?}");
             for (hit, distance) in found.iter().zip(expected) {
                 assert!((hit.distance - distance).abs() < 0.02, "{hit:?} {distance}");
             }

@@ -1,134 +1,88 @@
 //! Intersections of rays with patches and surfaces.
 
-use crate::queries::shapes::{odd_patches, samples, teapot};
-use crate::support::Rng;
-use crate::support::nets::{RandomNet, assert_near, graph};
-use casteljau::glam::{DAffine3, DQuat, DVec3};
+use crate::queries::shapes::{map, odd_patches, random_patches};
+use crate::support::nets::{RandomNet, assert_near, bowl, graph, nothing, points, samples, teapot};
+use crate::support::{Rng, assert_close, assert_refused};
+use casteljau::glam::DVec3;
 use casteljau::patch::PatchPoint;
-use casteljau::{Error, Patch, Surface};
+use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// z = (u − ½)² + (v − ½)², with its vertex at (½, ½, 0).
-pub(crate) fn bowl() -> Patch {
-    graph(
-        2,
-        2,
-        &[
-            (1.0, 2, 0),
-            (1.0, 0, 2),
-            (-1.0, 1, 0),
-            (-1.0, 0, 1),
-            (0.5, 0, 0),
-        ],
-    )
-}
-
-pub(crate) fn shoot(patch: &Patch, origin: [f64; 3], direction: [f64; 3]) -> Vec<PatchPoint> {
-    patch
-        .intersect_ray(origin.into(), direction.into())
-        .unwrap()
+/// The hits of the ray with this origin and this direction.
+pub(crate) fn shoot(patch: &Patch, ray: &str) -> Vec<PatchPoint> {
+    let ray = points(ray);
+    patch.intersect_ray(ray[0], ray[1]).unwrap()
 }
 
 /// Asserts the points, and that u, v and distance agree with them.
 #[track_caller]
-pub(crate) fn assert_hits(
-    patch: &Patch,
-    origin: [f64; 3],
-    direction: [f64; 3],
-    expected: &[[f64; 3]],
-    tolerance: f64,
-) {
-    let hits = shoot(patch, origin, direction);
+pub(crate) fn assert_hits(patch: &Patch, ray: &str, expected: &str, tolerance: f64) {
+    let (hits, expected) = (shoot(patch, ray), points(expected));
     assert_eq!(hits.len(), expected.len(), "{hits:?}");
-    for (hit, &point) in hits.iter().zip(expected) {
-        assert_near(hit.point, point.into(), tolerance);
+    for (hit, point) in hits.iter().zip(expected) {
+        assert_near(hit.point, point, tolerance);
         assert_eq!(hit.point, patch.eval(hit.u, hit.v));
-        assert!((hit.distance - hit.point.distance(origin.into())).abs() <= 1e-15 * hit.distance);
+        let distance = hit.point.distance(points(ray)[0]);
+        assert_close(hit.distance, distance, 1e-15 * hit.distance);
     }
+}
+
+/// The smallest distance of a hit from a point.
+fn nearest(hits: &[PatchPoint], p: DVec3) -> f64 {
+    let distances = hits.iter().map(|hit| hit.point.distance(p));
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_rectangle() {
     let flat = graph(3, 3, &[]);
-    assert_hits(
-        &flat,
-        [0.25, 0.5, 2.0],
-        [0.0, 0.0, -7.0],
-        &[[0.25, 0.5, 0.0]],
-        1e-15,
-    );
-    assert_hits(
-        &flat,
-        [0.0, 0.0, 1.0],
-        [0.25, 0.5, -1.0],
-        &[[0.25, 0.5, 0.0]],
-        1e-15,
-    );
+    assert_hits(&flat, "0.25 0.5 2  0 0 -7", "0.25 0.5 0", 1e-15);
+    assert_hits(&flat, "0 0 1  0.25 0.5 -1", "0.25 0.5 0", 1e-15);
     // Away from the patch, past it, and from a point on it.
-    assert_hits(&flat, [0.25, 0.5, 2.0], [0.0, 0.0, 1.0], &[], 0.0);
-    assert_hits(&flat, [1.25, 0.5, 2.0], [0.0, 0.0, -1.0], &[], 0.0);
-    assert_hits(
-        &flat,
-        [0.25, 0.5, 0.0],
-        [0.3, 0.0, -1.0],
-        &[[0.25, 0.5, 0.0]],
-        1e-15,
-    );
+    assert_hits(&flat, "0.25 0.5 2  0 0 1", "", 0.0);
+    assert_hits(&flat, "1.25 0.5 2  0 0 -1", "", 0.0);
+    assert_hits(&flat, "0.25 0.5 0  0.3 0 -1", "0.25 0.5 0", 1e-15);
     // Edges and corners belong to the patch.
-    for [x, y] in [
-        [0.0, 0.3],
-        [1.0, 0.7],
-        [0.1, 0.0],
-        [0.9, 1.0],
-        [0.0, 0.0],
-        [1.0, 1.0],
-        [0.0, 1.0],
-    ] {
-        assert_hits(&flat, [x, y, 2.0], [0.0, 0.0, -1.0], &[[x, y, 0.0]], 1e-15);
+    for aim in points("0 0.3 0  1 0.7 0  0.1 0 0  0.9 1 0  0 0 0  1 1 0  0 1 0") {
+        let (x, y) = (aim.x, aim.y);
         assert_hits(
             &flat,
-            [x + 2.0, y - 3.0, 4.0],
-            [-1.0, 1.5, -2.0],
-            &[[x, y, 0.0]],
-            1e-14,
+            &format!("{x} {y} 2  0 0 -1"),
+            &format!("{x} {y} 0"),
+            1e-15,
         );
+        let slanted = format!("{} {} 4  -1 1.5 -2", x + 2.0, y - 3.0);
+        assert_hits(&flat, &slanted, &format!("{x} {y} 0"), 1e-14);
     }
-    assert_hits(&flat, [1.0 + 1e-12, 0.5, 2.0], [0.0, 0.0, -1.0], &[], 0.0);
+    assert_hits(&flat, "1.000000000001 0.5 2  0 0 -1", "", 0.0);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_paraboloid_from_the_side_and_from_above() {
-    let bowl = bowl();
-    let s = 0.04_f64.sqrt();
-    let two = [[0.5 - s, 0.5, 0.04], [0.5 + s, 0.5, 0.04]];
-    assert_hits(&bowl, [-1.0, 0.5, 0.04], [2.0, 0.0, 0.0], &two, 1e-15);
-    // A ray that starts between the two hits has one hit.
-    assert_hits(&bowl, [0.5, 0.5, 0.04], [1.0, 0.0, 0.0], &two[1..], 1e-15);
+    // √0.04 is 0.2, up to rounding.
     assert_hits(
-        &bowl,
-        [0.5, 0.5, 3.0],
-        [0.0, 0.0, -1.0],
-        &[[0.5, 0.5, 0.0]],
+        &bowl(),
+        "-1 0.5 0.04  2 0 0",
+        "0.3 0.5 0.04  0.7 0.5 0.04",
         1e-15,
     );
-    assert_hits(&bowl, [-1.0, 0.5, -1e-3], [1.0, 0.0, 0.0], &[], 0.0);
+    // A ray that starts between the two hits has one hit.
+    assert_hits(&bowl(), "0.5 0.5 0.04  1 0 0", "0.7 0.5 0.04", 1e-15);
+    assert_hits(&bowl(), "0.5 0.5 3  0 0 -1", "0.5 0.5 0", 1e-15);
+    assert_hits(&bowl(), "-1 0.5 -1e-3  1 0 0", "", 0.0);
 }
 
 /// Every hit lies on the ray and on the surface; points of the surface at which rays are aimed are among the hits.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_aimed_at_is_hit() {
-    let mut random = Rng(4);
-    let mut patches: Vec<Patch> = teapot().patches().collect();
-    patches.extend([(3, 3), (5, 2), (3, 4), (1, 1)].map(|(m, n)| random.patch(m, n)));
-    for patch in patches {
+    let mut random = Rng(5);
+    let others = random_patches(4, &[(3, 3), (5, 2), (3, 4), (1, 1)]);
+    for patch in teapot().patches().chain(others) {
         for (u, v) in samples(4) {
             let (origin, aim) = (random.grid_point() * 5.0, patch.eval(u, v));
             let direction = (aim - origin) * (0.1 + random.unit());
             let hits = patch.intersect_ray(origin, direction).unwrap();
-            let min = hits
-                .iter()
-                .map(|hit| hit.point.distance(aim))
-                .fold(f64::INFINITY, f64::min);
+            let min = nearest(&hits, aim);
             assert!(
                 min < 1e-6,
                 "{min} {u} {v} {hits:?} {origin:?} {direction:?} {patch:?}"
@@ -137,8 +91,7 @@ fn what_is_aimed_at_is_hit() {
                 let off = (hit.point - origin).cross(direction.normalize()).length();
                 assert!(off < 1e-13, "{off} {origin} {direction} {hit:?} {patch:?}");
             }
-            let mut pairs = hits.windows(2);
-            assert!(pairs.all(|pair| pair[0].distance <= pair[1].distance));
+            assert!(hits.is_sorted_by_key(|hit| hit.distance));
         }
     }
 }
@@ -148,19 +101,12 @@ fn shared_sides_are_hit_once() {
     let teapot = teapot();
     for (k, patch) in teapot.patches().enumerate().skip(4).take(8) {
         for t in [0.0, 0.25, 0.5, 0.8, 1.0] {
-            for aim in [
-                patch.eval(t, 0.0),
-                patch.eval(0.0, t),
-                patch.eval(1.0, t),
-                patch.eval(t, 1.0),
-            ] {
+            for (u, v) in [(t, 0.0), (0.0, t), (1.0, t), (t, 1.0)] {
+                let aim = patch.eval(u, v);
                 let out = DVec3::new(aim.x, aim.y, 0.1).normalize();
                 let hits = teapot.intersect_ray(aim + out * 4.0, -out).unwrap();
-                let there = hits
-                    .iter()
-                    .filter(|hit| hit.point.distance(aim) < 1e-6)
-                    .count();
-                assert_eq!(there, 1, "patch {k}, {t}: {hits:?}");
+                let there = hits.iter().filter(|hit| hit.point.distance(aim) < 1e-6);
+                assert_eq!(there.count(), 1, "patch {k}, {t}: {hits:?}");
             }
         }
     }
@@ -169,21 +115,12 @@ fn shared_sides_are_hit_once() {
 #[wasm_bindgen_test(unsupported = test)]
 fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
     // The number of hits with a closed surface is even: here the bowl and a mirrored copy, joined at the rim.
-    let down: Vec<DVec3> = bowl()
-        .control_points()
-        .iter()
-        .map(|p| p - DVec3::Z * 0.5)
-        .collect();
-    let ellipsoid = graph(2, 2, &[]);
-    let all: Vec<DVec3> = down
-        .iter()
-        .chain(ellipsoid.control_points())
-        .copied()
-        .collect();
+    let mut all = bowl().control_points().to_vec();
+    all.iter_mut().for_each(|p| p.z -= 0.5);
+    all.extend(graph(2, 2, &[]).control_points());
     let surface = Surface::new(all, (0..18).collect(), 2, 2).unwrap();
-    let hits = surface
-        .intersect_ray(DVec3::new(0.5, 0.5, 3.0), -DVec3::Z)
-        .unwrap();
+    let above = DVec3::new(0.5, 0.5, 3.0);
+    let hits = surface.intersect_ray(above, -DVec3::Z).unwrap();
     assert_eq!(hits.iter().map(|hit| hit.patch).collect::<Vec<_>>(), [1, 0]);
     assert_eq!(hits[0].distance, 3.0);
     assert_eq!(hits[1].distance, 3.5);
@@ -193,25 +130,20 @@ fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
 fn hits_follow_rotation_and_scale() {
     let mut random = Rng(21);
     let patch = random.patch(3, 3);
-    let turn = DQuat::from_axis_angle(DVec3::new(2.0, -1.0, 2.0) / 3.0, 1.1);
     for scale in [1e-6, 1.0, 1e6] {
-        let map = DAffine3::from_scale_rotation_translation(
-            DVec3::splat(scale),
-            turn,
-            DVec3::splat(scale),
-        );
-        let image = patch.transform(&map).expect("a finite image");
+        let map = map([2.0, -1.0, 2.0], 1.1, scale, 1.0);
+        let image = patch.transform(&map).unwrap();
         for _ in 0..50 {
             let (origin, direction) = (random.grid_point() * 2.0, random.grid_point());
             if direction == DVec3::ZERO {
                 continue;
             }
             let before = patch.intersect_ray(origin, direction).unwrap();
-            let mapped = (
+            let (origin, direction) = (
                 map.transform_point3(origin),
                 map.transform_vector3(direction),
             );
-            let after = image.intersect_ray(mapped.0, mapped.1).unwrap();
+            let after = image.intersect_ray(origin, direction).unwrap();
             assert_eq!(before.len(), after.len());
             for (a, b) in before.iter().zip(&after) {
                 assert_near(map.transform_point3(a.point), b.point, 1e-10 * scale);
@@ -224,13 +156,8 @@ fn hits_follow_rotation_and_scale() {
 fn odd_patches_give_few_finite_hits() {
     let mut random = Rng(6);
     for patch in odd_patches() {
-        let corner = patch.eval(0.0, 0.0);
-        for target in [
-            corner,
-            patch.eval(1.0, 1.0),
-            patch.eval(0.5, 0.5),
-            patch.eval(0.3, 0.0),
-        ] {
+        for (u, v) in [(0.0, 0.0), (1.0, 1.0), (0.5, 0.5), (0.3, 0.0)] {
+            let target = patch.eval(u, v);
             let origin = random.grid_point() * 3.0 + DVec3::splat(0.1);
             for direction in [target - origin, DVec3::X, DVec3::Y] {
                 let hits = patch.intersect_ray(origin, direction).unwrap();
@@ -241,16 +168,11 @@ fn odd_patches_give_few_finite_hits() {
                 );
             }
             let aimed = patch.intersect_ray(origin, target - origin).unwrap();
-            let min = aimed
-                .iter()
-                .map(|hit| hit.point.distance(target))
-                .fold(f64::INFINITY, f64::min);
+            let min = nearest(&aimed, target);
             assert!(min < 1e-5, "{min} from {origin} to {target} on {patch:?}");
             // A ray that starts on the patch.
-            assert!(
-                !patch.intersect_ray(target, DVec3::X).unwrap().is_empty(),
-                "{target} {patch:?}"
-            );
+            let started = patch.intersect_ray(target, DVec3::X).unwrap();
+            assert!(!started.is_empty(), "{target} {patch:?}");
         }
     }
 }
@@ -258,39 +180,28 @@ fn odd_patches_give_few_finite_hits() {
 #[wasm_bindgen_test(unsupported = test)]
 fn refusals_and_extremes() {
     let patch = graph(1, 1, &[]);
-    let zero = patch.intersect_ray(DVec3::ONE, DVec3::ZERO).unwrap_err();
-    assert_eq!(
-        zero.to_string(),
-        "direction: expected a vector of a length above 0, got 0"
-    );
+    let zero = "direction: expected a vector of a length above 0, got 0";
+    assert_refused(patch.intersect_ray(DVec3::ONE, DVec3::ZERO), zero);
     for bad in [DVec3::NAN, DVec3::X * f64::INFINITY] {
-        let origin = patch.intersect_ray(bad, DVec3::X);
-        assert!(matches!(
-            origin,
-            Err(Error::NotFinite { what: "origin", .. })
-        ));
-        let direction = patch.intersect_ray(DVec3::X, bad);
-        assert!(matches!(
-            direction,
-            Err(Error::NotFinite {
-                what: "direction",
-                ..
-            })
-        ));
+        assert_refused(
+            patch.intersect_ray(bad, DVec3::X),
+            "origin[0]: expected a finite number",
+        );
+        assert_refused(
+            patch.intersect_ray(DVec3::X, bad),
+            "direction[0]: expected a finite number",
+        );
     }
-    let empty = Surface::new(vec![], vec![], 3, 3).unwrap();
-    assert_eq!(empty.intersect_ray(DVec3::ZERO, DVec3::X), Ok(vec![]));
+    assert_eq!(nothing().intersect_ray(DVec3::ZERO, DVec3::X), Ok(vec![]));
     for size in [1e-300, 1e-150, 1e150] {
         let net = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X + DVec3::Y].map(|p| p * size);
         let patch = Patch::new(&net, 1, 1).unwrap();
-        let hits = patch
-            .intersect_ray(DVec3::new(0.25, 0.5, 1.0) * size, -DVec3::Z * 1e-200)
-            .unwrap();
+        let origin = DVec3::new(0.25, 0.5, 1.0) * size;
+        let hits = patch.intersect_ray(origin, -DVec3::Z * 1e-200).unwrap();
         assert_eq!(hits.len(), 1, "{size}");
         assert_near(hits[0].point / size, DVec3::new(0.25, 0.5, 0.0), 1e-15);
-        assert!((hits[0].distance / size - 1.0).abs() < 1e-15);
-        patch
-            .intersect_ray(DVec3::splat(1e150), DVec3::NEG_ONE)
-            .unwrap();
+        assert_close(hits[0].distance / size, 1.0, 1e-15);
+        let far = DVec3::splat(1e150);
+        assert!(patch.intersect_ray(far, DVec3::NEG_ONE).is_ok());
     }
 }

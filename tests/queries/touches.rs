@@ -1,108 +1,55 @@
 //! Rays that are tangent to a patch, that run within it, or that hit a collapsed edge.
 
-use crate::queries::rays::{assert_hits, bowl, shoot};
-use crate::queries::shapes::teapot;
-use crate::support::nets::{assert_near, graph};
+use crate::queries::rays::{assert_hits, shoot};
+use crate::support::nets::{assert_near, bowl, graph, patch, points, teapot};
+use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_touch_is_one_hit() {
-    let bowl = bowl();
-    assert_hits(
-        &bowl,
-        [-1.0, 0.5, 0.0],
-        [1.0, 0.0, 0.0],
-        &[[0.5, 0.5, 0.0]],
-        1e-14,
-    );
-    assert_hits(
-        &bowl,
-        [0.5, 4.0, 0.0],
-        [0.0, -0.1, 0.0],
-        &[[0.5, 0.5, 0.0]],
-        1e-14,
-    );
-    // The tangent at (0.3, 0.6) in the direction (1, 2), starting slightly before the point.
-    let (at, slope) = (
-        DVec3::new(0.3, 0.6, 0.05),
-        DVec3::new(1.0, 2.0, -0.4 + 2.0 * 0.2),
-    );
-    let start = at - slope * 0.37;
-    assert_hits(&bowl, start.into(), slope.into(), &[at.into()], 1e-7);
+    assert_hits(&bowl(), "-1 0.5 0  1 0 0", "0.5 0.5 0", 1e-14);
+    assert_hits(&bowl(), "0.5 4 0  0 -0.1 0", "0.5 0.5 0", 1e-14);
+    // The tangent at (0.3, 0.6) in the direction (1, 2), which starts 0.37 of that before the point.
+    assert_hits(&bowl(), "-0.07 -0.14 0.05  1 2 0", "0.3 0.6 0.05", 1e-7);
     // At a tiny offset there are two hits, or none.
-    assert_eq!(shoot(&bowl, [-1.0, 0.5, 1e-10], [1.0, 0.0, 0.0]).len(), 2);
-    assert_eq!(shoot(&bowl, [-1.0, 0.5, -1e-10], [1.0, 0.0, 0.0]).len(), 0);
+    assert_eq!(shoot(&bowl(), "-1 0.5 1e-10  1 0 0").len(), 2);
+    assert_eq!(shoot(&bowl(), "-1 0.5 -1e-10  1 0 0").len(), 0);
     // An inflection: z = (u − ½)³ has one hit of multiplicity three.
-    let wave = graph(
-        3,
-        1,
-        &[(1.0, 3, 0), (-1.5, 2, 0), (0.75, 1, 0), (-0.125, 0, 0)],
-    );
-    assert_hits(
-        &wave,
-        [-1.0, 0.4, 0.0],
-        [1.0, 0.0, 0.0],
-        &[[0.5, 0.4, 0.0]],
-        1e-5,
-    );
+    let cube = [(1.0, 3, 0), (-1.5, 2, 0), (0.75, 1, 0), (-0.125, 0, 0)];
+    assert_hits(&graph(3, 1, &cube), "-1 0.4 0  1 0 0", "0.5 0.4 0", 1e-5);
 }
 
 /// Next to this ray there are three hits on one side and one on the other; on the ray itself two of the three coincide.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_touch_beside_a_crossing() {
-    let net = [
-        [-1.0, 0.0, 0.0],
-        [-1.0, 0.0, 1.0],
-        [-1.0, 0.0, 1.0],
-        [0.0, 1.0, 1.0],
-        [0.0, -1.0, 1.0],
-        [0.0, 1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [1.0, 1.0, 1.0],
-    ];
-    let patch = Patch::new(&net.map(DVec3::from), 2, 2).unwrap();
-    let direction = [-1.0, -0.125, 0.09375];
-    let hits = |z: f64| shoot(&patch, [1.0, 0.5, z], direction).len();
-    assert_eq!((hits(0.5 - 1e-3), hits(0.5 + 1e-3)), (3, 1));
-    let found = shoot(&patch, [1.0, 0.5, 0.5], direction);
-    println!("{found:?}");
-    assert_eq!(found.len(), 2);
+    let net = points("-1 0 0  -1 0 1  -1 0 1  0 1 1  0 -1 1  0 1 0  1 1 0  1 1 0  1 1 1");
+    let patch = patch(&net, 2, 2);
+    let hits = |z: f64| shoot(&patch, &format!("1 0.5 {z}  -1 -0.125 0.09375"));
+    let counts = [0.5 - 1e-3, 0.5, 0.5 + 1e-3].map(|z| hits(z).len());
+    assert_eq!(counts, [3, 2, 1]);
     let location = patch.eval(0.75, 0.5);
-    assert!(found.iter().any(|hit| hit.point.distance(location) < 1e-7));
+    assert!(
+        hits(0.5)
+            .iter()
+            .any(|hit| hit.point.distance(location) < 1e-7)
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_ray_within_the_patch_meets_its_sides() {
     let flat = graph(3, 3, &[]);
-    let across = [[0.0, 0.25, 0.0], [1.0, 0.25, 0.0]];
-    assert_hits(&flat, [-1.0, 0.25, 0.0], [1.0, 0.0, 0.0], &across, 1e-14);
-    assert_hits(
-        &flat,
-        [-1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        &[[0.0; 3], [1.0, 1.0, 0.0]],
-        1e-14,
-    );
+    assert_hits(&flat, "-1 0.25 0  1 0 0", "0 0.25 0  1 0.25 0", 1e-14);
+    assert_hits(&flat, "-1 -1 0  1 1 0", "0 0 0  1 1 0", 1e-14);
     // Along an edge, and from a start on the patch.
-    assert_hits(
-        &flat,
-        [-1.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        &[[0.0; 3], [1.0, 0.0, 0.0]],
-        1e-14,
-    );
-    let inside = [[0.5, 0.25, 0.0], [1.0, 0.25, 0.0]];
-    assert_hits(&flat, [0.5, 0.25, 0.0], [1.0, 0.0, 0.0], &inside, 1e-14);
+    assert_hits(&flat, "-1 0 0  1 0 0", "0 0 0  1 0 0", 1e-14);
+    assert_hits(&flat, "0.5 0.25 0  1 0 0", "0.5 0.25 0  1 0.25 0", 1e-14);
     // The straight lines of z = uv.
     let saddle = graph(1, 1, &[(1.0, 1, 1)]);
     assert_hits(
         &saddle,
-        [-0.5, 0.5, -0.25],
-        [1.0, 0.0, 0.5],
-        &[[0.0, 0.5, 0.0], [1.0, 0.5, 0.5]],
+        "-0.5 0.5 -0.25  1 0 0.5",
+        "0 0.5 0  1 0.5 0.5",
         1e-14,
     );
 }
@@ -123,50 +70,33 @@ fn a_pole_is_one_hit() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_seam_is_hit_once() {
     // A tube whose first and last control points of each row coincide: u = 0 and u = 1 are the same line.
-    let ring = [
-        DVec3::X,
-        DVec3::new(1.0, 3.0, 0.0),
-        DVec3::new(-3.0, 1.0, 0.0),
-        DVec3::X,
-    ];
-    let net: Vec<DVec3> = [0.0, 1.0]
-        .iter()
-        .flat_map(|&z| ring.map(|p| p + DVec3::Z * z))
-        .collect();
-    let tube = Patch::new(&net, 3, 1).unwrap();
+    let net = points("1 0 0  1 3 0  -3 1 0  1 0 0  1 0 1  1 3 1  -3 1 1  1 0 1");
+    let tube = patch(&net, 3, 1);
     for (z, slant) in [(0.0, 0.0), (0.25, 0.3), (1.0, -0.2), (0.7, 5.0)] {
         let aim = DVec3::new(1.0, 0.0, z);
         let along = DVec3::new(-1.0, 0.1, slant);
         let hits = tube.intersect_ray(aim - along * 3.0, along).unwrap();
-        let there = hits
-            .iter()
-            .filter(|hit| hit.point.distance(aim) < 1e-9)
-            .count();
-        assert_eq!(there, 1, "{hits:?}");
+        let there = hits.iter().filter(|hit| hit.point.distance(aim) < 1e-9);
+        assert_eq!(there.count(), 1, "{hits:?}");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn hits_near_an_edge_are_two_from_far_away_too() {
     // A roof of two faces, intersected slightly below its ridge.
-    let point = |x: f64, y: f64| DVec3::new(x, y, -x.abs());
-    let net: Vec<DVec3> = [(-1.0, 0.0), (0.0, 0.0), (1.0, 0.0)]
-        .iter()
-        .flat_map(|&(x, y)| [point(x, y), point(x, y + 1.0)])
-        .collect();
+    let net = points("-1 0 -1  -1 1 -1  0 0 0  0 1 0  1 0 -1  1 1 -1");
     let roof = Surface::new(net, vec![0, 1, 2, 3, 2, 3, 4, 5], 1, 1).unwrap();
     for far in [2.0, 1e3, 1e6] {
+        let hits = |z: f64| {
+            let origin = DVec3::new(-far, 0.5, z);
+            roof.intersect_ray(origin, DVec3::X).unwrap()
+        };
         for below in [1e-4, 1e-6] {
-            let hits = roof
-                .intersect_ray(DVec3::new(-far, 0.5, -below), DVec3::X)
-                .unwrap();
+            let hits = hits(-below);
             assert_eq!(hits.len(), 2, "{far} {below}");
             let width = hits[0].point.distance(hits[1].point);
             assert!((width - 2.0 * below).abs() < 1e-15 * far, "{width} {below}");
         }
-        let ridge = roof
-            .intersect_ray(DVec3::new(-far, 0.5, 0.0), DVec3::X)
-            .unwrap();
-        assert_eq!(ridge.len(), 1, "{ridge:?}");
+        assert_eq!(hits(0.0).len(), 1, "{far}");
     }
 }

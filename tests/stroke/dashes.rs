@@ -1,19 +1,9 @@
 //! Dashes: their lengths, and where they start.
 
-use crate::stroke::cases::{HARD, path, size};
-use crate::support::Rng;
-use casteljau::path::FillRule;
-use casteljau::{Error, Path};
-
-fn lengths(path: &Path) -> Vec<f64> {
-    path.subpaths()
-        .map(|spline| spline.length(None).expect("finite"))
-        .collect()
-}
-
-fn read(d: &str) -> Path {
-    d.parse().expect("path data")
-}
+use crate::stroke::cases::hard;
+use crate::support::paths::path;
+use crate::support::{Rng, assert_close, assert_refused};
+use casteljau::Path;
 
 /// The lengths of the dashes of an open path by adding up the pattern.
 fn expected(whole: f64, pattern: &[f64], offset: f64) -> Vec<f64> {
@@ -39,52 +29,49 @@ fn expected(whole: f64, pattern: &[f64], offset: f64) -> Vec<f64> {
 #[test]
 fn lengths_of_dashes_on_hard_curves() {
     let mut rng = Rng(11);
-    for (name, points) in HARD {
-        let path = path(&points);
+    for (name, path) in hard() {
         let whole = path.length(None).expect("finite");
-        if whole == 0.0 {
-            continue;
-        }
-        for _ in 0..20 {
+        for _ in 0..if whole == 0.0 { 0 } else { 20 } {
             let count = 1 + rng.below(5);
-            let pattern: Vec<f64> = (0..count)
-                .map(|_| whole * rng.magnitude(-2.5, 0.2))
-                .collect();
+            let entries = (0..count).map(|_| whole * rng.magnitude(-2.5, 0.2));
+            let pattern: Vec<f64> = entries.collect();
             let offset = whole * 3.0 * rng.signed();
             let dashes = path.dash(&pattern, offset).expect("few dashes");
-            let (got, expected) = (lengths(&dashes), expected(whole, &pattern, offset));
-            assert_eq!(got.len(), expected.len(), "{name}: {pattern:?} {offset}");
-            for (got, expected) in got.iter().zip(&expected) {
-                let error = (got - expected).abs();
-                assert!(error <= 1e-9 * whole, "{name}: {error:e} of {whole}");
+            let expected = expected(whole, &pattern, offset);
+            assert_eq!(
+                dashes.subpath_count(),
+                expected.len(),
+                "{name}: {pattern:?} {offset}"
+            );
+            for (dash, expected) in dashes.subpaths().zip(&expected) {
+                assert!(!dash.is_closed());
+                assert_close(dash.length(None).expect("finite"), *expected, 1e-9 * whole);
             }
-            assert!(dashes.subpaths().all(|spline| !spline.is_closed()));
         }
-        assert!(size(&path) > 0.0);
     }
 }
 
 #[test]
 fn dashes_continue_across_joints_and_the_start() {
-    let square = read("M0 0H4V4H0Z");
+    let square = path("M0 0H4V4H0Z");
     let dash = |pattern: &[f64], offset| square.dash(pattern, offset).expect("few dashes");
-    assert_eq!(dash(&[5.0, 1.0], 0.0), read("M0 4L0 0L4 0L4 1M4 2L4 4L1 4"));
-    assert_eq!(dash(&[4.0], 0.0), read("M0 0L4 0M4 4L0 4"));
-    assert_eq!(dash(&[4.0], 2.0), read("M0 2L0 0L2 0M4 2L4 4L2 4"));
-    assert_eq!(dash(&[4.0], -4.0), read("M4 0L4 4M0 4L0 0"));
+    assert_eq!(dash(&[5.0, 1.0], 0.0), path("M0 4L0 0L4 0L4 1M4 2L4 4L1 4"));
+    assert_eq!(dash(&[4.0], 0.0), path("M0 0L4 0M4 4L0 4"));
+    assert_eq!(dash(&[4.0], 2.0), path("M0 2L0 0L2 0M4 2L4 4L2 4"));
+    assert_eq!(dash(&[4.0], -4.0), path("M4 0L4 4M0 4L0 0"));
     assert_eq!(dash(&[20.0, 1.0], 1.0), square);
     assert_eq!(dash(&[], 3.0), square);
-    let open = read("M0 0H4V4M9 9H10");
+    let open = path("M0 0H4V4M9 9H10");
     let dashes = open.dash(&[3.0, 2.0], 0.0).expect("few dashes");
-    assert_eq!(dashes, read("M0 0L3 0M4 1L4 4M9 9L10 9"));
+    assert_eq!(dashes, path("M0 0L3 0M4 1L4 4M9 9L10 9"));
 }
 
 #[test]
 fn dashes_of_length_zero() {
-    let line = read("M0 0H4");
+    let line = path("M0 0H4");
     let dots = line.dash(&[0.0, 2.0], 0.0).expect("few dashes");
-    assert_eq!(dots, read("M0 0L0 0M2 0L2 0"));
-    let point = read("M3 3H3");
+    assert_eq!(dots, path("M0 0L0 0M2 0L2 0"));
+    let point = path("M3 3H3");
     assert_eq!(point.dash(&[1.0], 0.5).expect("on"), point);
     assert!(point.dash(&[1.0], 1.5).expect("off").is_empty());
     assert!(Path::default().dash(&[1.0], 0.0).expect("empty").is_empty());
@@ -92,30 +79,15 @@ fn dashes_of_length_zero() {
 
 #[test]
 fn refused_patterns() {
-    let line = read("M0 0H4");
-    assert!(matches!(
-        line.dash(&[1.0, -1.0], 0.0),
-        Err(Error::Item { index: 1, .. })
-    ));
-    assert!(matches!(
-        line.dash(&[f64::NAN], 0.0),
-        Err(Error::Item { index: 0, .. })
-    ));
-    assert!(matches!(
-        line.dash(&[0.0, 0.0], 0.0),
-        Err(Error::Range { .. })
-    ));
-    assert!(matches!(
-        line.dash(&[1e308, 1e308], 0.0),
-        Err(Error::Range { .. })
-    ));
-    assert!(matches!(
-        line.dash(&[1.0], f64::INFINITY),
-        Err(Error::Range { .. })
-    ));
-    assert!(matches!(
-        line.dash(&[1e-9], 0.0),
-        Err(Error::TooMany { .. })
-    ));
-    assert!(!line.contains(casteljau::glam::DVec2::ONE, FillRule::NonZero));
+    let infinity = f64::INFINITY;
+    for (pattern, offset, message) in [
+        (&[1.0, -1.0][..], 0.0, "pattern[1]: expected "),
+        (&[f64::NAN], 0.0, "pattern[0]: expected "),
+        (&[0.0, 0.0], 0.0, "sum of the pattern: expected "),
+        (&[1e308, 1e308], 0.0, "sum of the pattern: expected "),
+        (&[1.0], infinity, "offset: expected "),
+        (&[1e-9], 0.0, "dashes: expected at most "),
+    ] {
+        assert_refused(path("M0 0H4").dash(pattern, offset), message);
+    }
 }

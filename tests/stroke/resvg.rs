@@ -85,14 +85,10 @@ fn difference(case: &Case) -> Option<String> {
 
 #[test]
 fn pictures_of_resvg() {
-    let lines: Vec<&str> = include_str!("../data/strokes/resvg.txt")
-        .lines()
-        .filter(|line| !line.starts_with("# "))
-        .collect();
+    let lines = include_str!("../data/strokes/resvg.txt").lines();
+    let lines: Vec<&str> = lines.filter(|line| !line.starts_with("# ")).collect();
     assert_eq!(lines.len(), 30);
-    let wrong: Vec<String> = lines
-        .iter()
-        .filter_map(|line| difference(&read(line)))
-        .collect();
+    let wrong = lines.iter().filter_map(|line| difference(&read(line)));
+    let wrong: Vec<String> = wrong.collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -1,6 +1,6 @@
 //! Strokes with round joins and caps: the points within half the width of the path.
 
-use crate::stroke::cases::{HARD, curves, path, size};
+use crate::stroke::cases::{curves, hard, size};
 use crate::support::Rng;
 use casteljau::Path;
 use casteljau::glam::DVec2;
@@ -40,55 +40,41 @@ pub(crate) fn samples(path: &Path, radius: f64, tolerance: f64, rng: &mut Rng) -
 }
 
 /// Samples farther than the tolerance from the exact outline that a stroke gets wrong.
-fn wrong(
-    path: &Path,
-    outline: &Path,
-    width: f64,
-    tolerance: f64,
-    simple: bool,
-    rng: &mut Rng,
-) -> Vec<String> {
+fn wrong(path: &Path, width: f64, options: &StrokeOptions, rng: &mut Rng) -> Vec<String> {
+    let outline = path.stroke(width, options).expect("few segments");
+    let tolerance = options.tolerance.expect("a tolerance");
     let scale = size(path).max(width);
     let clear = 1.001 * tolerance + 4e-9 * scale;
     let mut wrong = Vec::new();
     for p in samples(path, 0.5 * width, tolerance, rng) {
-        let distance = path
-            .nearest(p)
-            .expect("finite")
-            .expect("not empty")
-            .distance;
+        let distance = path.nearest(p).unwrap().unwrap().distance;
         if (distance - 0.5 * width).abs() <= clear {
             continue;
         }
         let winding = outline.winding_number(p);
         let expected = distance < 0.5 * width;
-        if (winding != 0) != expected || simple && !(0..=1).contains(&winding) {
+        let is_simple = !options.simple || (0..=1).contains(&winding);
+        if (winding != 0) != expected || !is_simple {
             wrong.push(format!(
-                "at {p}: {winding}, distance {distance} of {}",
-                0.5 * width
+                "at {p}: {winding}, distance {distance} with width {width}"
             ));
         }
     }
     wrong
 }
 
-fn sweep(tolerances: &[f64], simple: bool) {
+fn sweep(simple: bool) {
     let mut rng = Rng(7);
     let mut faults = Vec::new();
     for (name, path) in curves() {
         for part in WIDTHS {
-            for &tolerance in tolerances {
-                let width = part * size(&path);
-                let tolerance = tolerance * size(&path);
-                let outline = path
-                    .stroke(width, &round(tolerance, simple))
-                    .expect("few segments");
-                let found = wrong(&path, &outline, width, tolerance, simple, &mut rng);
+            for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+                let options = round(tolerance * size(&path), simple);
+                let found = wrong(&path, part * size(&path), &options, &mut rng);
                 if !found.is_empty() {
+                    let (count, first) = (found.len(), &found[0]);
                     faults.push(format!(
-                        "{name}, width {part}, tolerance {tolerance:e}: {} wrong, {}",
-                        found.len(),
-                        found[0]
+                        "{name}, {part}, {tolerance:e}: {count} wrong, {first}"
                     ));
                 }
             }
@@ -99,33 +85,27 @@ fn sweep(tolerances: &[f64], simple: bool) {
 
 #[test]
 fn overlapping_outlines_fill_the_points_within_half_the_width() {
-    sweep(&[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6], false);
+    sweep(false);
 }
 
 #[test]
 fn simple_outlines_contain_the_points_within_half_the_width() {
-    sweep(&[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6], true);
+    sweep(true);
 }
 
 /// The number of segments of kurbo's stroke of all curves and widths, and that of ours, at a tolerance of 1e-3.
 #[test]
 fn fewer_segments_than_kurbo() {
     let (mut ours, mut theirs) = (0, 0);
-    for (name, points) in HARD {
-        let path = path(&points);
+    for (name, path) in hard() {
         let mut of_curve = (0, 0);
         for part in WIDTHS {
             let (width, tolerance) = (part * size(&path), 1e-3 * size(&path));
             let outline = path
                 .stroke(width, &round(tolerance, false))
                 .expect("few segments");
-            let style = kurbo::Stroke::new(width);
-            let stroked = kurbo::stroke(
-                kurbo::BezPath::from(&path),
-                &style,
-                &kurbo::StrokeOpts::default(),
-                tolerance,
-            );
+            let (kurbo, style) = (kurbo::BezPath::from(&path), kurbo::Stroke::new(width));
+            let stroked = kurbo::stroke(kurbo, &style, &kurbo::StrokeOpts::default(), tolerance);
             of_curve.0 += outline.segment_count();
             of_curve.1 += stroked.segments().count();
         }

@@ -1,13 +1,10 @@
 //! Rounded corners: closed forms, tangency, the distance of arcs from their centres, and degenerate input.
 
-use crate::support::Rng;
+use crate::support::paths::path;
+use crate::support::{Rng, assert_close, assert_refused};
 use casteljau::glam::DVec2;
-use casteljau::{Curve, Error, Path};
+use casteljau::{Curve, Path};
 use std::f64::consts::PI;
-
-fn path(d: &str) -> Path {
-    d.parse().expect("path data")
-}
 
 fn rounded(d: &str, radius: f64) -> Path {
     path(d).round_corners(radius).expect("a radius")
@@ -34,10 +31,6 @@ fn assert_smooth(path: &Path, what: &str) {
     }
 }
 
-fn close(a: f64, b: f64, tolerance: f64) {
-    assert!((a - b).abs() <= tolerance, "{a} is not {b}");
-}
-
 #[test]
 fn a_square_has_the_area_and_length_of_the_closed_form() {
     for (s, r) in [(10.0, 2.0), (10.0, 0.01), (1e-6, 3e-7), (1e6, 4e5)] {
@@ -47,9 +40,9 @@ fn a_square_has_the_area_and_length_of_the_closed_form() {
             let count = result.subpath_count() as f64;
             assert_smooth(&result, &d);
             let first = Path::new(&[result.subpath(0).expect("a subpath")]);
-            close(first.area(), s * s - (4.0 - PI) * r * r, 2e-9 * r * s);
+            assert_close(first.area(), s * s - (4.0 - PI) * r * r, 2e-9 * r * s);
             let length = result.length(None).expect("a length");
-            close(length, count * (4.0 * s - (8.0 - 2.0 * PI) * r), 1e-8 * s);
+            assert_close(length, count * (4.0 * s - (8.0 - 2.0 * PI) * r), 1e-8 * s);
         }
     }
 }
@@ -80,7 +73,7 @@ fn arcs_of_any_angle_have_the_radius() {
             for curve in &curves[1..curves.len() - 1] {
                 for k in 0..=8 {
                     let distance = curve.eval(f64::from(k) / 8.0).distance(centre);
-                    close(distance, r, 2e-9 * r);
+                    assert_close(distance, r, 2e-9 * r);
                 }
             }
         }
@@ -92,16 +85,13 @@ fn arcs_that_would_overlap_are_reduced() {
     // A circle of the square, and no line of length 0 between its arcs.
     for r in [5.0, 7.0, 1e150] {
         let circle = rounded("M0 0H10V10H0Z", r);
-        close(circle.area(), 25.0 * PI, 1e-6);
-        assert!(
-            circle.segments().all(|curve| curve.degree() == 3),
-            "{circle}"
-        );
+        assert_close(circle.area(), 25.0 * PI, 1e-6);
+        assert!(circle.segments().all(|curve| curve.degree() == 3));
         assert_smooth(&circle, "a circle");
     }
     // Only the arcs at the short side are reduced, to a half of it.
     let slot = rounded("M0 0H10V2H0", 3.0);
-    close(
+    assert_close(
         slot.subpath(0)
             .expect("a subpath")
             .length(None)
@@ -134,11 +124,8 @@ fn the_circle_is_tangent_to_curves() {
                 let towards = arc.normal(0.5) * arc.curvature(0.5).signum();
                 let centre = arc.eval(0.5) + towards * radius;
                 for side in [first, second] {
-                    let nearest = path(side)
-                        .nearest(centre)
-                        .expect("finite")
-                        .expect("a point");
-                    close(nearest.distance, radius, 3e-9 * radius + 1e-12);
+                    let nearest = path(side).nearest(centre).unwrap().unwrap();
+                    assert_close(nearest.distance, radius, 3e-9 * radius + 1e-12);
                 }
             }
         }
@@ -186,10 +173,9 @@ fn what_is_no_corner_is_kept_bit_for_bit() {
         assert_eq!(result.segments().next(), given.segments().next());
     }
     let far = rounded("M0 0C1 2 3 2 4 0C5 -2 7 -2 8 0L8 5L4 5", 0.5);
-    let first: Vec<_> = far.segments().take(1).collect();
     assert_eq!(
-        first,
-        path("M0 0C1 2 3 2 4 0").segments().collect::<Vec<_>>()
+        far.segments().next(),
+        path("M0 0C1 2 3 2 4 0").segments().next()
     );
 }
 
@@ -202,8 +188,8 @@ fn an_arc_ends_where_the_path_turns_back() {
     let (before, after) = (DVec2::NEG_X, DVec2::new(-10.0, 7.0).normalize());
     let radius = 3.0 * (0.5 * before.angle_to(after).abs()).tan();
     let arc = result.segments().nth(1).expect("an arc");
-    close(arc.curvature(0.0), 1.0 / radius, 1e-4);
-    close(arc.start().x, 1.0, 1e-12);
+    assert_close(arc.curvature(0.0), 1.0 / radius, 1e-4);
+    assert_close(arc.start().x, 1.0, 1e-12);
 }
 
 #[test]
@@ -223,8 +209,7 @@ fn a_corner_between_segments_of_very_different_size_stays() {
 #[test]
 fn a_radius_must_be_finite_and_not_negative() {
     for radius in [-1.0, f64::NAN, f64::INFINITY] {
-        let error = path("M0 0H1V1").round_corners(radius);
-        assert!(matches!(error, Err(Error::Range { what: "radius", .. })));
+        assert_refused(path("M0 0H1V1").round_corners(radius), "radius: expected ");
     }
 }
 
@@ -235,9 +220,8 @@ fn corners_of_random_polygons_are_rounded() {
     let mut random = Rng(7);
     for case in 0..500 {
         let count = 3 + case % 5;
-        let points: Vec<String> = (0..count)
-            .map(|_| format!("{} {}", random.signed(), random.signed()))
-            .collect();
+        let mut point = || format!("{} {}", random.signed(), random.signed());
+        let points: Vec<String> = (0..count).map(|_| point()).collect();
         let d = format!("M{}Z", points.join("L"));
         for radius in [1e-3, 0.1, 10.0] {
             let result = rounded(&d, radius);
@@ -246,12 +230,8 @@ fn corners_of_random_polygons_are_rounded() {
                 assert!(turn.abs() < 1e-3, "{d}: a turn of {turn:e}");
             }
             for curve in result.segments().filter(|curve| curve.degree() == 3) {
-                let curvature = curve.curvature(0.5).abs();
-                assert!(
-                    curvature * radius > 1.0 - 1e-5,
-                    "{d}: a radius of {}",
-                    1.0 / curvature
-                );
+                let own = 1.0 / curve.curvature(0.5).abs();
+                assert!(radius / own > 1.0 - 1e-5, "{d}: a radius of {own}");
             }
         }
     }

@@ -1,9 +1,10 @@
 //! Closed forms: strokes of lines, corners, points and circles with each kind of join and cap.
 
+use crate::support::{assert_close, assert_refused};
+use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
 use casteljau::spline::OffsetJoin;
-use casteljau::{Error, Path};
 use std::f64::consts::PI;
 
 const TOLERANCE: f64 = 1e-6;
@@ -27,7 +28,7 @@ fn area(d: &str, width: f64, options: &StrokeOptions) -> f64 {
 }
 
 fn assert_near(got: f64, expected: f64) {
-    assert!((got - expected).abs() <= 1e-4, "{got}, expected {expected}");
+    assert_close(got, expected, 1e-4);
 }
 
 #[test]
@@ -58,31 +59,29 @@ fn areas_of_corners_with_joins() {
             let turn = degrees.to_radians();
             let to = DVec2::X * 10.0 + DVec2::from_angle(side * turn) * 10.0;
             let path = format!("M0 0H10L{} {}", to.x, to.y);
+            // The inner sides of the strips overlap.
             let half = (0.5 * turn).tan();
-            let inner = half.min(10.0);
-            let inner_area = if half <= 10.0 { inner } else { f64::NAN };
-            let strips = 40.0 - inner_area;
-            let miter = half;
-            let round = 0.5 * turn;
-            let bevel = 0.5 * turn.sin();
-            let with = |join, limit| {
-                let options = StrokeOptions {
-                    miter_limit: limit,
-                    ..options(join, StrokeCap::Butt)
-                };
-                area(&path, 2.0, &options)
-            };
-            if inner_area.is_nan() {
+            if half > 10.0 {
                 continue;
             }
+            let with = |join, miter_limit| {
+                let options = options(join, StrokeCap::Butt);
+                area(
+                    &path,
+                    2.0,
+                    &StrokeOptions {
+                        miter_limit,
+                        ..options
+                    },
+                )
+            };
+            let (strips, miter, bevel) = (40.0 - half, half, 0.5 * turn.sin());
             assert_near(with(OffsetJoin::Miter, 100.0), strips + miter);
-            assert_near(with(OffsetJoin::Round, 4.0), strips + round);
+            assert_near(with(OffsetJoin::Round, 4.0), strips + 0.5 * turn);
             assert_near(with(OffsetJoin::Bevel, 4.0), strips + bevel);
             let limit = 1.0 / (0.5 * turn).cos();
-            assert_near(
-                with(OffsetJoin::Miter, (limit * 0.999).max(1.0)),
-                strips + bevel,
-            );
+            let below = with(OffsetJoin::Miter, (limit * 0.999).max(1.0));
+            assert_near(below, strips + bevel);
             assert_near(with(OffsetJoin::Miter, limit * 1.001), strips + miter);
         }
     }
@@ -105,16 +104,11 @@ fn closed_paths_have_joins_instead_of_caps() {
         assert_near(with(OffsetJoin::Bevel, cap), 144.0 - 64.0 - 2.0);
         assert_near(with(OffsetJoin::Round, cap), 140.0 - 64.0 + PI);
     }
-    let outline = read(square)
-        .stroke(2.0, &StrokeOptions::default())
-        .expect("few");
-    assert_eq!(outline.subpath_count(), 2);
-    assert_eq!(outline.segment_count(), 8);
+    let stroke = |width| read(square).stroke(width, &StrokeOptions::default());
+    let outline = stroke(2.0).expect("few segments");
+    assert_eq!((outline.subpath_count(), outline.segment_count()), (2, 8));
     // Wider than the square: no hole is left.
-    let filled = read(square)
-        .stroke(20.5, &StrokeOptions::default())
-        .expect("few");
-    assert_near(filled.area(), 30.5 * 30.5);
+    assert_near(stroke(20.5).expect("few segments").area(), 30.5 * 30.5);
 }
 
 /// A ring; a stroke wider than the circle fills it, because normals pass through the centre.
@@ -154,10 +148,8 @@ fn dashes_of_strokes() {
         dash: dash.to_vec(),
         ..options(OffsetJoin::Miter, cap)
     };
-    assert_near(
-        area("M0 0H10", 2.0, &options(StrokeCap::Butt, &[3.0, 2.0])),
-        12.0,
-    );
+    let dashes = area("M0 0H10", 2.0, &options(StrokeCap::Butt, &[3.0, 2.0]));
+    assert_near(dashes, 12.0);
     // Dots: disks and squares along the path.
     let dots = area("M0 0L3 4", 1.0, &options(StrokeCap::Round, &[0.0, 2.0]));
     assert_near(dots, 3.0 * 0.25 * PI);
@@ -172,48 +164,26 @@ fn dashes_of_strokes() {
 
 #[test]
 fn refused_arguments() {
-    let line = read("M0 0H10");
-    let with = |change: fn(&mut StrokeOptions)| {
+    let (line, usual) = (read("M0 0H10"), StrokeOptions::default());
+    for width in [-1.0, f64::NAN, f64::INFINITY] {
+        assert_refused(line.stroke(width, &usual), "width: expected ");
+    }
+    type Change = fn(&mut StrokeOptions);
+    let changes: [(Change, &str); 5] = [
+        (|o| o.miter_limit = 0.5, "miter_limit: expected "),
+        (|o| o.tolerance = Some(0.0), "tolerance: expected a "),
+        (
+            |o| o.tolerance = Some(1e-30),
+            "tolerance: expected at least ",
+        ),
+        (|o| o.dash = vec![0.0], "sum of the pattern: expected "),
+        (|o| o.dash = vec![1.0, -1.0], "pattern[1]: expected "),
+    ];
+    for (change, message) in changes {
         let mut options = StrokeOptions::default();
         change(&mut options);
-        line.stroke(1.0, &options)
-    };
-    for width in [-1.0, f64::NAN, f64::INFINITY] {
-        let result = line.stroke(width, &StrokeOptions::default());
-        assert!(matches!(result, Err(Error::Range { what: "width", .. })));
+        assert_refused(line.stroke(1.0, &options), message);
     }
-    assert!(matches!(
-        with(|o| o.miter_limit = 0.5),
-        Err(Error::Range {
-            what: "miter_limit",
-            ..
-        })
-    ));
-    assert!(matches!(
-        with(|o| o.tolerance = Some(0.0)),
-        Err(Error::Range { .. })
-    ));
-    assert!(matches!(
-        with(|o| o.tolerance = Some(1e-30)),
-        Err(Error::Tolerance { .. })
-    ));
-    assert!(matches!(
-        with(|o| o.dash = vec![0.0]),
-        Err(Error::Range { .. })
-    ));
-    assert!(matches!(
-        with(|o| o.dash = vec![1.0, -1.0]),
-        Err(Error::Item { .. })
-    ));
-    assert!(
-        line.stroke(0.0, &StrokeOptions::default())
-            .expect("empty")
-            .is_empty()
-    );
-    assert!(
-        Path::default()
-            .stroke(1.0, &StrokeOptions::default())
-            .expect("empty")
-            .is_empty()
-    );
+    assert_eq!(line.stroke(0.0, &usual), Ok(Path::default()));
+    assert_eq!(Path::default().stroke(1.0, &usual), Ok(Path::default()));
 }

@@ -10,12 +10,15 @@ pub(crate) mod integral;
 pub(crate) mod measure;
 pub(crate) mod nets;
 #[cfg(not(target_family = "wasm"))]
+pub(crate) mod paths;
+#[cfg(not(target_family = "wasm"))]
 pub(crate) mod surfaces;
 pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
 pub(crate) use casteljau_generator::{Rng, adversarial};
+use std::fmt::{Debug, Display};
 
 /// The plane or space; points are made from three coordinates.
 pub(crate) trait Space: Point {
@@ -82,4 +85,35 @@ pub(crate) fn deep() -> bool {
 /// The number of cases: `usual`, or `many` if [`deep`].
 pub(crate) fn cases(usual: usize, many: usize) -> usize {
     if deep() { many } else { usual }
+}
+
+/// Numbers from a text, separated by blanks.
+pub(crate) fn numbers(text: &str) -> Vec<f64> {
+    let words = text.split_whitespace();
+    words.map(|word| word.parse().expect("a number")).collect()
+}
+
+/// De Casteljau's algorithm, without the library.
+pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
+    let mut row = points.to_vec();
+    for last in (1..row.len()).rev() {
+        for i in 0..last {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+    row[0]
+}
+
+/// Asserts that two numbers differ by at most `tolerance`.
+#[track_caller]
+pub(crate) fn assert_close(got: f64, expected: f64, tolerance: f64) {
+    let off = (got - expected).abs();
+    assert!(off <= tolerance, "{got:e}, not {expected:e}: {off:e} off");
+}
+
+/// Asserts that a call is refused with a message that starts with this text.
+#[track_caller]
+pub(crate) fn assert_refused<T: Debug, E: Display>(result: Result<T, E>, message: &str) {
+    let error = result.expect_err(message).to_string();
+    assert!(error.starts_with(message), "{error}, not {message}");
 }

@@ -1,31 +1,32 @@
 //! Grids: layout, positions and normals compared with the patch, shared edges, reuse of buffers, limits.
 
-use crate::support::Rng;
-use crate::support::nets::{RandomNet, assert_near};
+use crate::support::nets::{RandomNet, assert_near, nothing, patch, teapot, triangles, vector};
+use crate::support::{Rng, assert_refused};
 use casteljau::curve::bernstein;
-use casteljau::glam::{DVec3, Vec3};
-use casteljau::{Error, Grid, Indices, Mesh, Patch, Surface, TeapotOptions};
+use casteljau::glam::DVec3;
+use casteljau::{Grid, Indices, Mesh, Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn position(mesh: &Mesh, vertex: usize) -> Vec3 {
-    Vec3::from_slice(&mesh.positions[3 * vertex..])
+fn cells(segments_u: usize, segments_v: usize) -> Grid {
+    Grid {
+        segments_u,
+        segments_v,
+    }
 }
 
-fn normal(mesh: &Mesh, vertex: usize) -> Vec3 {
-    Vec3::from_slice(&mesh.normals[3 * vertex..])
+fn mesh(patch: &Patch, grid: Grid) -> Mesh {
+    patch.grid(grid, false).unwrap()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn layout_of_the_buffers() {
-    let grid = Grid {
-        segments_u: 3,
-        segments_v: 2,
-    };
+    let grid = cells(3, 2);
     assert_eq!((grid.vertex_count(), grid.triangle_count()), (12, 12));
-    let surface = Surface::teapot(TeapotOptions::default());
-    let mesh = surface.grid(grid, true).unwrap();
-    assert_eq!(mesh.vertex_count(), 32 * 12);
-    assert_eq!(mesh.triangle_count(), 32 * 12);
+    let mesh = teapot().grid(grid, true).unwrap();
+    assert_eq!(
+        (mesh.vertex_count(), mesh.triangle_count()),
+        (32 * 12, 32 * 12)
+    );
     assert_eq!(mesh.normals.len(), mesh.positions.len());
     assert_eq!(mesh.uvs.len(), 2 * mesh.vertex_count());
     assert_eq!(mesh.quads.as_ref().unwrap().len(), 32 * 6 * 4);
@@ -33,8 +34,7 @@ fn layout_of_the_buffers() {
     for (id, range) in (0_u32..).zip(&mesh.patch_ranges) {
         assert_eq!((range.first_vertex, range.vertices), (12 * id, 12));
         assert_eq!((range.first_index, range.indices), (36 * id, 36));
-        for vertex in 12 * id..12 * (id + 1) {
-            let vertex = vertex as usize;
+        for vertex in 12 * id as usize..12 * (id as usize + 1) {
             assert_eq!(mesh.patch_ids[vertex], id);
             let (iu, iv) = (vertex % 12 % 4, vertex % 12 / 4);
             assert_eq!(mesh.uvs[2 * vertex], iu as f32 / 3.0);
@@ -50,51 +50,42 @@ fn layout_of_the_buffers() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn faces_run_counter_clockwise_and_cover_the_square_once() {
-    let grid = Grid {
-        segments_u: 5,
-        segments_v: 3,
-    };
+    let grid = cells(5, 3);
     let mesh = Rng(1).patch(3, 3).grid(grid, true).unwrap();
     let uv = |vertex: usize| [0, 1].map(|k| f64::from(mesh.uvs[2 * vertex + k]));
+    let cross = |(&a, &b): (&usize, &usize)| uv(a)[0] * uv(b)[1] - uv(a)[1] * uv(b)[0];
     let area = |face: &[usize]| -> f64 {
         let next = face.iter().cycle().skip(1);
-        face.iter()
-            .zip(next)
-            .map(|(&a, &b)| (uv(a)[0] * uv(b)[1] - uv(a)[1] * uv(b)[0]) / 2.0)
-            .sum()
+        face.iter().zip(next).map(|pair| cross(pair) / 2.0).sum()
     };
-    let quads = mesh.quads.as_ref().unwrap();
-    for (list, corners) in [(&mesh.indices, 3), (quads, 4)] {
-        let all: Vec<usize> = list.iter().collect();
-        let cell = 1.0 / 15.0 * if corners == 3 { 0.5 } else { 1.0 };
+    let lists = [&mesh.indices, mesh.quads.as_ref().unwrap()];
+    let indices: [Vec<usize>; 2] = lists.map(|list| list.iter().collect());
+    for (all, corners, faces) in [(&indices[0], 3, 30), (&indices[1], 4, 15)] {
         for face in all.chunks(corners) {
-            assert!((area(face) - cell).abs() < 1e-7, "{face:?}");
+            assert!(
+                (area(face) - 1.0 / f64::from(faces)).abs() < 1e-7,
+                "{face:?}"
+            );
         }
-        assert_eq!(all.len() / corners, if corners == 3 { 30 } else { 15 });
+        assert_eq!(all.len() / corners, faces as usize);
     }
-    let listed: Vec<usize> = grid.triangles().flatten().collect();
-    assert_eq!(listed, mesh.indices.iter().collect::<Vec<_>>());
-    let listed: Vec<usize> = grid.quads().flatten().collect();
-    assert_eq!(listed, quads.iter().collect::<Vec<_>>());
+    assert!(grid.triangles().flatten().eq(indices[0].iter().copied()));
+    assert!(grid.quads().flatten().eq(indices[1].iter().copied()));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn triangles_face_where_the_normals_point() {
-    let mesh = Surface::teapot(TeapotOptions::default())
-        .grid(Grid::from(16), false)
-        .unwrap();
-    let indices: Vec<usize> = mesh.indices.iter().collect();
+    let mesh = teapot().grid(Grid::from(16), false).unwrap();
     let mut flat = 0;
-    for face in indices.chunks(3) {
-        let [a, b, c] = [face[0], face[1], face[2]].map(|i| position(&mesh, i).as_dvec3());
+    for face in triangles(&mesh) {
+        let [a, b, c] = face.map(|vertex| vector(&mesh.positions, vertex));
         let across = (b - a).cross(c - a);
         if across.length() < 1e-9 {
             flat += 1;
             continue;
         }
-        for &vertex in face {
-            assert!(across.dot(normal(&mesh, vertex).as_dvec3()) > 0.0);
-        }
+        let normals = face.map(|vertex| vector(&mesh.normals, vertex));
+        assert!(normals.iter().all(|&normal| across.dot(normal) > 0.0));
     }
     // Eight collapsed edges, one triangle for each of their sixteen segments.
     assert_eq!(flat, 128);
@@ -105,12 +96,8 @@ fn samples_are_points_and_normals_of_the_patch() {
     let mut random = Rng(2);
     for (m, n) in [(1, 1), (2, 3), (3, 3), (3, 2), (5, 4), (1, 64), (64, 1)] {
         for segments_u in [1, 2, 3, 4, 7, 8, 13] {
-            let grid = Grid {
-                segments_u,
-                segments_v: 3,
-            };
-            let patch = random.patch(m, n);
-            let mesh = patch.grid(grid, false).unwrap();
+            let (grid, patch) = (cells(segments_u, 3), random.patch(m, n));
+            let mesh = mesh(&patch, grid);
             let bounds = patch.control_bounds();
             let largest = bounds
                 .min
@@ -119,15 +106,11 @@ fn samples_are_points_and_normals_of_the_patch() {
                 .as_vec3()
                 .max_element();
             let slack = f64::from(4.0 * (largest.next_up() - largest));
-            for iv in 0..=3 {
-                for iu in 0..=segments_u {
-                    let (u, v) = grid.uv(iu, iv);
-                    let vertex = grid.vertex(iu, iv);
-                    let (p, q) = (position(&mesh, vertex).as_dvec3(), patch.eval(u, v));
-                    assert!((p - q).abs().max_element() <= slack, "{p} {q}");
-                    let vertex_normal = normal(&mesh, vertex).as_dvec3();
-                    assert_near(vertex_normal, patch.normal(u, v), 1e-6);
-                }
+            for (iv, iu) in (0..=3).flat_map(|iv| (0..=segments_u).map(move |iu| (iv, iu))) {
+                let ((u, v), vertex) = (grid.uv(iu, iv), grid.vertex(iu, iv));
+                let (p, q) = (vector(&mesh.positions, vertex), patch.eval(u, v));
+                assert!((p - q).abs().max_element() <= slack, "{p} {q}");
+                assert_near(vector(&mesh.normals, vertex), patch.normal(u, v), 1e-6);
             }
         }
     }
@@ -138,24 +121,39 @@ fn corners_are_exact() {
     let mut random = Rng(3);
     for _ in 0..100 {
         let patch = random.patch(3, 3);
-        let mesh = patch.grid(Grid::from(5), false).unwrap();
+        let mesh = mesh(&patch, Grid::from(5));
         for (vertex, index) in [(0, 0), (5, 3), (30, 12), (35, 15)] {
-            let corner = patch.control_points()[index].as_vec3();
-            assert_eq!(position(&mesh, vertex), corner);
+            let corner = patch.control_points()[index].as_vec3().as_dvec3();
+            assert_eq!(vector(&mesh.positions, vertex), corner);
         }
     }
 }
 
-/// The four edges of a grid of n × n cells: u = 0, u = 1, v = 0, v = 1.
-fn sides(mesh: &Mesh, n: usize) -> [Vec<[u32; 3]>; 4] {
-    let bits = |vertex: usize| position(mesh, vertex).to_array().map(f32::to_bits);
-    let line = |first: usize, step: usize| (0..=n).map(|k| bits(first + k * step)).collect();
-    [
-        line(0, n + 1),
-        line(n, n + 1),
-        line(0, 1),
-        line(n * (n + 1), 1),
-    ]
+/// The bits of the positions at v = 0, or at u = 1, of a grid of n × n cells.
+fn side(mesh: &Mesh, n: usize, along_v: bool) -> Vec<[u32; 3]> {
+    let (first, step) = if along_v { (n, n + 1) } else { (0, 1) };
+    let bits = |vertex: usize| [0, 1, 2].map(|axis| mesh.positions[3 * vertex + axis].to_bits());
+    (0..=n).map(|k| bits(first + k * step)).collect()
+}
+
+/// Asserts that patches with these points along an edge have the same positions there, whatever their other degree and
+/// points, and the reversed ones where the points are reversed.
+fn assert_shared(points: &[DVec3], random: &mut Rng, degrees: &[usize], n: usize) {
+    let grid = Grid::from(n);
+    let expected = side(&mesh(&along_v0(points, random, degrees[0]), grid), n, false);
+    let backwards: Vec<DVec3> = points.iter().rev().copied().collect();
+    for (points, reversed) in [(points, false), (&backwards, true)] {
+        for &degree in &degrees[1..] {
+            let below = side(&mesh(&along_v0(points, random, degree), grid), n, false);
+            let right = side(&mesh(&along_u1(points, random, degree), grid), n, true);
+            for mut got in [below, right] {
+                if reversed {
+                    got.reverse();
+                }
+                assert_eq!(got, expected);
+            }
+        }
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -164,21 +162,8 @@ fn shared_sides_are_bit_identical_from_both_patches() {
     for degree in [1, 2, 3, 5, 8] {
         for other in [1, 3, 4] {
             let side = random.net(degree, 0);
-            let first = along_v0(&side, &mut random, other);
-            let backwards: Vec<DVec3> = side.iter().rev().copied().collect();
             for n in [1, 2, 5, 16, 23] {
-                let grid = Grid::from(n);
-                let shared = &sides(&first.grid(grid, false).unwrap(), n)[2];
-                let reversed: Vec<_> = shared.iter().rev().copied().collect();
-                for (points, expected) in [(&side, shared), (&backwards, &reversed)] {
-                    // The neighbour's degree across the edge does not matter.
-                    let below = along_v0(points, &mut random, 3);
-                    let right = along_u1(points, &mut random, 2);
-                    let mesh = below.grid(grid, false).unwrap();
-                    assert_eq!(&sides(&mesh, n)[2], expected);
-                    let mesh = right.grid(grid, false).unwrap();
-                    assert_eq!(&sides(&mesh, n)[1], expected);
-                }
+                assert_shared(&side, &mut random, &[other, 3, 2], n);
             }
         }
     }
@@ -191,21 +176,13 @@ fn shared_sides_are_bit_identical_where_everything_cancels() {
     let mut random = Rng(9);
     for degree in [2, 3, 4] {
         for n in [7, 16, 23, 49] {
-            let grid = Grid::from(n);
             for k in 1..n {
                 let weights = bernstein(degree, k as f64 / n as f64).unwrap();
                 let mut side = random.net(degree, 0);
                 let others = side.iter().zip(&weights).take(degree);
                 let sum: DVec3 = others.map(|(&p, &w)| p * w).sum();
                 side[degree] = -sum / weights[degree];
-                let backwards: Vec<DVec3> = side.iter().rev().copied().collect();
-                let a = along_v0(&side, &mut random, 3);
-                let b = along_v0(&backwards, &mut random, 2);
-                let c = along_u1(&backwards, &mut random, 3);
-                let mut expected = sides(&a.grid(grid, false).unwrap(), n)[2].clone();
-                expected.reverse();
-                assert_eq!(sides(&b.grid(grid, false).unwrap(), n)[2], expected);
-                assert_eq!(sides(&c.grid(grid, false).unwrap(), n)[1], expected);
+                assert_shared(&side, &mut random, &[3, 2, 3], n);
             }
         }
     }
@@ -215,44 +192,44 @@ fn shared_sides_are_bit_identical_where_everything_cancels() {
 fn along_v0(side: &[DVec3], random: &mut Rng, degree_v: usize) -> Patch {
     let mut net = random.net(side.len() - 1, degree_v);
     net[..side.len()].copy_from_slice(side);
-    Patch::new(&net, side.len() - 1, degree_v).unwrap()
+    patch(&net, side.len() - 1, degree_v)
 }
 
 /// A random patch with these points along u = 1.
 fn along_u1(side: &[DVec3], random: &mut Rng, degree_u: usize) -> Patch {
     let mut net = random.net(degree_u, side.len() - 1);
-    for (row, &point) in net.chunks_mut(degree_u + 1).zip(side) {
-        row[degree_u] = point;
-    }
-    Patch::new(&net, degree_u, side.len() - 1).unwrap()
+    let rows = net.chunks_mut(degree_u + 1).zip(side);
+    rows.for_each(|(row, &point)| row[degree_u] = point);
+    patch(&net, degree_u, side.len() - 1)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn degenerate_and_extreme_patches_give_numbers() {
-    let point = Patch::new(&[DVec3::ONE; 16], 3, 3).unwrap();
-    let mesh = point.grid(Grid::from(4), false).unwrap();
-    for vertex in 0..mesh.vertex_count() {
-        assert_eq!(position(&mesh, vertex), Vec3::ONE);
-        assert_eq!(normal(&mesh, vertex), Vec3::ZERO);
+    let line: Vec<DVec3> = (0..16).map(|k| DVec3::X * f64::from(k % 4)).collect();
+    for net in [vec![DVec3::ONE; 16], line] {
+        let mesh = mesh(&patch(&net, 3, 3), Grid::from(5));
+        assert!(mesh.normals.iter().all(|&n| n == 0.0));
+        assert!(net[1] != DVec3::ONE || mesh.positions.iter().all(|&x| x == 1.0));
     }
     let net = Rng(5).net(3, 3);
     for size in [1e-300, 1e-30, 1e30, 1e149] {
         let scaled: Vec<DVec3> = net.iter().map(|&p| p * size).collect();
-        let patch = Patch::new(&scaled, 3, 3).unwrap();
-        let mesh = patch.grid(Grid::from(4), false).unwrap();
-        for vertex in 0..mesh.vertex_count() {
-            // Positions too large for f32 are infinite, not NaN; the normal keeps its direction.
-            assert!(!position(&mesh, vertex).is_nan());
-            assert!((normal(&mesh, vertex).length() - 1.0).abs() < 1e-6);
-        }
+        let mesh = mesh(&patch(&scaled, 3, 3), Grid::from(4));
+        // Positions too large for f32 are infinite, not NaN; the normal keeps its direction.
+        assert!(mesh.positions.iter().all(|x| !x.is_nan()));
+        let lengths = (0..mesh.vertex_count()).map(|vertex| vector(&mesh.normals, vertex).length());
+        assert!(
+            lengths
+                .into_iter()
+                .all(|length| (length - 1.0).abs() < 1e-6)
+        );
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn sixteen_bits_up_to_65536_vertices() {
-    let patch = Rng(6).patch(1, 1);
     for (n, small) in [(255, true), (256, false)] {
-        let mesh = patch.grid(Grid::from(n), false).unwrap();
+        let mesh = mesh(&Rng(6).patch(1, 1), Grid::from(n));
         assert_eq!(matches!(mesh.indices, Indices::U16(_)), small);
         assert_eq!(mesh.indices.iter().max(), Some(mesh.vertex_count() - 1));
     }
@@ -260,19 +237,14 @@ fn sixteen_bits_up_to_65536_vertices() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn an_earlier_mesh_is_reused() {
-    let teapot = Surface::teapot(TeapotOptions::default());
-    let mut mesh = teapot.grid(Grid::from(20), true).unwrap();
+    let mut mesh = teapot().grid(Grid::from(20), true).unwrap();
     let buffers = |mesh: &Mesh| (mesh.positions.as_ptr(), mesh.normals.as_ptr());
     let before = buffers(&mesh);
-    for (n, quads) in [(16, false), (20, true), (3, false)] {
-        teapot.grid_into(Grid::from(n), quads, &mut mesh).unwrap();
-        assert_eq!(mesh, teapot.grid(Grid::from(n), quads).unwrap());
-        assert_eq!(buffers(&mesh), before);
-    }
-    // From 16 to 32 bits and back, and to another surface.
-    for n in [50, 2] {
-        teapot.grid_into(Grid::from(n), true, &mut mesh).unwrap();
-        assert_eq!(mesh, teapot.grid(Grid::from(n), true).unwrap());
+    // The last two: from 16 to 32 bits and back.
+    for (n, quads) in [(16, false), (20, true), (3, false), (50, true), (2, true)] {
+        teapot().grid_into(Grid::from(n), quads, &mut mesh).unwrap();
+        assert_eq!(mesh, teapot().grid(Grid::from(n), quads).unwrap());
+        assert!(n == 50 || n == 2 || buffers(&mesh) == before);
     }
     let patch = Rng(7).patch(2, 4);
     patch.grid_into(Grid::from(4), false, &mut mesh).unwrap();
@@ -284,92 +256,78 @@ fn patches_of_different_degrees_in_one_surface() {
     let mut random = Rng(8);
     let degrees = [[3, 3], [2, 1], [3, 3], [1, 5]];
     let patches = degrees.map(|[m, n]| random.patch(m, n));
-    let vertices: Vec<DVec3> = patches
-        .iter()
-        .flat_map(|patch| patch.control_points().to_vec())
-        .collect();
+    let vertices = patches.each_ref().map(Patch::control_points).concat();
     let indices = (0..u32::try_from(vertices.len()).unwrap()).collect();
     let surface = Surface::with_degrees(vertices, indices, &degrees).unwrap();
     let grid = Grid::from(6);
-    let mesh = surface.grid(grid, false).unwrap();
+    let whole = surface.grid(grid, false).unwrap();
     for (k, patch) in patches.iter().enumerate() {
         assert_eq!(surface.patch(k).as_ref(), Some(patch));
         assert_eq!(surface.degrees(k), Some(degrees[k]));
         let numbers = 3 * grid.vertex_count();
-        let single = patch.grid(grid, false).unwrap();
-        let range = k * numbers..(k + 1) * numbers;
-        assert_eq!(mesh.positions[range.clone()], single.positions);
-        assert_eq!(mesh.normals[range], single.normals);
+        let (single, range) = (mesh(patch, grid), k * numbers..(k + 1) * numbers);
+        assert_eq!(whole.positions[range.clone()], single.positions);
+        assert_eq!(whole.normals[range], single.normals);
     }
     assert_eq!(surface.patch(4), None);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn an_empty_surface_gives_an_empty_mesh() {
-    let surface = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
-    let mesh = surface.grid(Grid::from(4), false).unwrap();
-    assert_eq!(mesh, Mesh::default());
-    assert_eq!(surface.control_bounds(), None);
+    assert_eq!(nothing().grid(grid, false), Ok(Mesh::default()));
+    assert_eq!(nothing().control_bounds(), None);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn segments_are_checked_before_anything_is_allocated() {
-    let teapot = Surface::teapot(TeapotOptions::default());
-    let mut mesh = teapot.grid(Grid::from(2), false).unwrap();
+    let mut mesh = teapot().grid(Grid::from(2), false).unwrap();
     let before = mesh.clone();
-    let mut refusal = |segments_u, segments_v| {
-        let grid = Grid {
-            segments_u,
-            segments_v,
-        };
-        let error = teapot.grid_into(grid, false, &mut mesh).unwrap_err();
-        assert_eq!(mesh, before);
-        error.to_string()
-    };
     let zero = "segments: expected a whole number from 1, got 0";
-    assert_eq!(refusal(0, 0), zero);
-    assert_eq!(refusal(0, 5), zero);
-    assert_eq!(refusal(5, 0), zero);
-    let million = "segments: expected at most 663, this needs 1000000";
-    assert_eq!(refusal(1_000_000, 1_000_000), million);
     let long = "segments: expected at most 220751, this needs 1000000";
-    assert_eq!(refusal(1_000_000, 1), long);
-    assert_eq!(refusal(1, 1_000_000), long);
-    assert!(refusal(usize::MAX, usize::MAX).contains("at most 663"));
+    for (u, v, message) in [
+        (0, 0, zero),
+        (0, 5, zero),
+        (5, 0, zero),
+        (
+            1_000_000,
+            1_000_000,
+            "segments: expected at most 663, this needs 1000000",
+        ),
+        (1_000_000, 1, long),
+        (1, 1_000_000, long),
+        (usize::MAX, usize::MAX, "segments: expected at most 663"),
+    ] {
+        assert_refused(teapot().grid_into(cells(u, v), false, &mut mesh), message);
+        assert_eq!(mesh, before);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn surfaces_that_do_not_add_up() {
     let vertices = vec![DVec3::ZERO; 16];
     let indices: Vec<u32> = (0..16).collect();
-    let surface = |vertices: &[DVec3], indices: &[u32], m, n| {
-        Surface::new(vertices.to_vec(), indices.to_vec(), m, n)
+    let surface = |vertices: &[DVec3], indices: &[u32], n| {
+        Surface::new(vertices.to_vec(), indices.to_vec(), 3, n)
     };
-    assert!(surface(&vertices, &indices, 3, 3).is_ok());
-    for count in [1, 15, 17, 31] {
-        let list = vec![0; count];
-        let error = surface(&vertices, &list, 3, 3).unwrap_err();
-        assert!(matches!(error, Error::Count { got, .. } if got == count));
+    assert!(surface(&vertices, &indices, 3).is_ok());
+    let count =
+        "patches: expected (degree_u + 1)·(degree_v + 1) vertex indices for each patch, got ";
+    for got in [1, 15, 17, 31] {
+        assert_refused(
+            surface(&vertices, &vec![0; got], 3),
+            &format!("{count}{got}"),
+        );
     }
-    let mut wrong = [indices.clone(), indices.clone()].concat();
+    let mut wrong = indices.repeat(2);
     wrong[20] = 16;
-    let error = surface(&vertices, &wrong, 3, 3).unwrap_err();
     let message = "patches[1]: expected vertex indices below 16, got 16";
-    assert_eq!(error.to_string(), message);
+    assert_refused(surface(&vertices, &wrong, 3), message);
     let mut broken = vertices.clone();
     broken[3].y = f64::NAN;
-    let error = surface(&broken, &indices, 3, 3).unwrap_err();
-    assert!(matches!(error, Error::NotFinite { index: 3, .. }));
-    let error = surface(&vertices, &indices, 3, 0).unwrap_err();
-    assert!(matches!(
-        error,
-        Error::Range {
-            what: "degree_v",
-            ..
-        }
-    ));
-    let error = Surface::with_degrees(vertices, indices, &[[3, 3], [1, 1]]).unwrap_err();
-    assert!(matches!(error, Error::Count { got: 16, .. }));
+    assert_refused(
+        surface(&broken, &indices, 3),
+        "vertices[3]: expected a finite number",
+    );
+    assert_refused(surface(&vertices, &indices, 0), "degree_v: ");
+    let degrees = [[3, 3], [1, 1]];
+    let surface = Surface::with_degrees(vertices, indices, &degrees);
+    assert_refused(surface, &format!("{count}16"));
 }
 
 /// Counts and indices beyond the range of integers do not overflow.

@@ -1,20 +1,13 @@
 //! Surfaces as large as those of CAD: 2,500 patches, 40,000 with `CASTELJAU_DEEP=1`.
 
+use crate::support::{deep, real};
 use casteljau::glam::DVec3;
 use casteljau::mesh::TessellationOptions;
 use casteljau::{Grid, Surface};
 
 /// The number of patches along each side.
 fn side() -> usize {
-    if std::env::var_os("CASTELJAU_DEEP").is_some() {
-        200
-    } else {
-        50
-    }
-}
-
-fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
+    if deep() { 200 } else { 50 }
 }
 
 /// The height of the hills.
@@ -48,30 +41,21 @@ fn queries_of_a_terrain() {
     assert!(area > flat && area < 1.2 * flat, "{area}");
     let middle = 0.37 * real(side);
     let above = DVec3::new(middle, middle, 5.0);
-    let hits = surface
-        .intersect_ray(above, DVec3::NEG_Z)
-        .expect("a direction");
+    let hits = surface.intersect_ray(above, DVec3::NEG_Z).unwrap();
     assert_eq!(hits.len(), 1);
     assert!((hits[0].point.x - middle).abs() < 1e-9);
-    let nearest = surface
-        .nearest(above)
-        .expect("a finite point")
-        .expect("patches");
-    assert!(nearest.distance <= 5.0 - hits[0].point.z);
-    assert!(nearest.distance > 4.5);
+    let nearest = surface.nearest(above).unwrap().unwrap().distance;
+    assert!(nearest <= 5.0 - hits[0].point.z && nearest > 4.5);
 }
 
 #[test]
 fn meshes_of_a_terrain() {
     let side = side();
     let surface = terrain(side);
-    let mesh = surface
-        .tessellate(&TessellationOptions::tolerance(0.02))
-        .expect("few triangles");
-    assert!(mesh.triangle_count() >= 2 * side * side);
-    let pieces = surface.subdivide(0.02).expect("few pieces");
-    assert!(pieces.len() >= side * side);
-    let grid = surface.grid(Grid::from(4), false).expect("few triangles");
+    let mesh = surface.tessellate(&TessellationOptions::tolerance(0.02));
+    assert!(mesh.unwrap().triangle_count() >= 2 * side * side);
+    assert!(surface.subdivide(0.02).unwrap().len() >= side * side);
+    let grid = surface.grid(Grid::from(4), false).unwrap();
     assert_eq!(grid.triangle_count(), 32 * side * side);
     assert_eq!(surface.topology().shared.len(), 2 * side * (side - 1));
 }

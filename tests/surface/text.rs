@@ -1,9 +1,10 @@
 //! Surfaces as text. The table of valid and invalid texts is also read by tests/js/surface-text.test.js.
 
 use crate::support::Rng;
+use crate::support::nets::{nothing, teapot};
 use casteljau::glam::DVec3;
 use casteljau::models::Up;
-use casteljau::{Surface, TeapotOptions};
+use casteljau::{MAX_COORDINATE, Surface};
 use serde_json::Value;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -52,41 +53,30 @@ fn there_and_back(surface: &Surface) {
 
 #[test]
 fn text_of_known_surfaces_reads_back() {
-    there_and_back(&Surface::teapot(TeapotOptions::default()));
+    there_and_back(&teapot());
     there_and_back(&Surface::teacup(Up::Y));
     there_and_back(&Surface::teaspoon(Up::Z));
-    there_and_back(&Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap());
+    there_and_back(&nothing());
 }
 
 #[test]
 fn text_of_adversarial_numbers_reads_back() {
     let mut random = Rng(5);
+    let small = [0.0, -0.0, 5e-324, f64::MIN_POSITIVE, 1e-7, 1e-6, 0.1];
     let edges = [
-        0.0,
-        -0.0,
-        5e-324,
-        f64::MIN_POSITIVE,
-        casteljau::MAX_COORDINATE,
-        1e21,
-        1e-6,
-        1e-7,
-        0.1,
-        1e15,
-        1e16,
-        123e18,
-        1e23,
-    ];
+        &small[..],
+        &[1e15, 1e16, 123e18, 1e21, 1e23, MAX_COORDINATE],
+    ]
+    .concat();
     for case in 0..2000 {
         let (m, n) = (1 + case % 4, 1 + case % 3);
         let mut number = || {
-            let adversarial = f64::from_bits(random.next());
-            let edge = edges[usize::try_from(random.next() % 13).unwrap()];
-            if random.next().is_multiple_of(3)
-                || !(..=casteljau::MAX_COORDINATE).contains(&adversarial.abs())
-            {
-                edge
-            } else {
+            let (adversarial, edge) = (f64::from_bits(random.next()), random.pick(&edges));
+            let allowed = adversarial.abs() <= MAX_COORDINATE;
+            if allowed && random.chance(2.0 / 3.0) {
                 adversarial
+            } else {
+                edge
             }
         };
         let count = (m + 1) * (n + 1);
@@ -98,32 +88,25 @@ fn text_of_adversarial_numbers_reads_back() {
 
 #[test]
 fn bpt_joins_what_coincides() {
-    let teapot = Surface::teapot(TeapotOptions::default());
     let mut text = String::from("32\n");
-    for patch in teapot.patches() {
+    for patch in teapot().patches() {
         text += "3 3\n";
         for p in patch.control_points() {
             text += &format!("{:.5} {} {:.5}\n", p.x, p.y, p.z);
         }
     }
     // Five decimals represent all coordinates of the teapot.
-    assert_eq!(Surface::parse(&text).unwrap(), teapot);
+    assert_eq!(Surface::parse(&text).unwrap(), teapot());
 }
 
 #[test]
 fn large_texts_take_their_time_once() {
     // A quarter of a million points; a reader with quadratic time would need hours.
-    let text = "15000\n".to_owned() + &"3 3\n1 2 3\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n4 5 6\n".repeat(15_000);
-    let surface = Surface::parse(&text).unwrap();
-    assert_eq!(
-        (surface.patch_count(), surface.vertices().len()),
-        (15_000, 3)
-    );
-    for bad in [
-        "1 ".repeat(1 << 22),
-        "\n".repeat(1 << 22),
-        "9".repeat(1 << 22),
-    ] {
-        assert!(Surface::parse(&bad).is_err());
+    let patch = format!("3 3\n1 2 3\n{}4 5 6\n", "0 0 0\n".repeat(14));
+    let surface = Surface::parse(&format!("15000\n{}", patch.repeat(15_000))).unwrap();
+    let counts = (surface.patch_count(), surface.vertices().len());
+    assert_eq!(counts, (15_000, 3));
+    for bad in ["1 ", "\n", "9"] {
+        assert!(Surface::parse(&bad.repeat(1 << 22)).is_err());
     }
 }

@@ -1,21 +1,12 @@
 //! Isocurves of surfaces, and their projected drawing.
 
-use crate::support::Rng;
-use crate::support::nets::{RandomNet, assert_near};
+use crate::support::measure::from_plane_segment;
+use crate::support::nets::{RandomNet, assert_near, single, teapot};
+use crate::support::{Rng, assert_refused};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
-use casteljau::{Curve, Error, Surface, TeapotOptions};
+use casteljau::{Curve, Point, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-fn teapot() -> Surface {
-    Surface::teapot(TeapotOptions::default())
-}
-
-/// A surface of one patch.
-fn single(net: Vec<DVec3>, m: usize, n: usize) -> Surface {
-    let indices = (0..u32::try_from(net.len()).unwrap()).collect();
-    Surface::new(net, indices, m, n).unwrap()
-}
 
 /// A recorded drawing: a list of strokes, each a list of joined curves.
 #[derive(Default)]
@@ -50,9 +41,8 @@ impl PathSink for Record {
 
 fn draw(surface: &Surface, matrix: &DMat4, lines: usize, tolerance: f64) -> Record {
     let mut record = Record::default();
-    surface
-        .trace_projected(&mut record, matrix, lines, Some(tolerance))
-        .unwrap();
+    let drawn = surface.trace_projected(&mut record, matrix, lines, Some(tolerance));
+    drawn.unwrap();
     record
 }
 
@@ -69,12 +59,7 @@ fn perspective(distance: f64) -> DMat4 {
         dvec4(zoom, 0.0, 0.0, 0.0),
         dvec4(400.0, 400.0, 0.0, 1.0),
         dvec4(0.0, -zoom, 0.0, 0.0),
-        dvec4(
-            400.0 * distance,
-            400.0 * distance + 1.5 * zoom,
-            0.0,
-            distance,
-        ),
+        dvec4(400.0, 400.0, 0.0, 1.0) * distance + dvec4(0.0, 1.5 * zoom, 0.0, 0.0),
     )
 }
 
@@ -95,7 +80,7 @@ fn each_line_once() {
 #[wasm_bindgen_test(unsupported = test)]
 fn lines_are_isocurves_of_the_patch() {
     let net = Rng(1).net(2, 4);
-    let surface = single(net, 2, 4);
+    let surface = single(&net, 2, 4);
     let patch = surface.patch(0).unwrap();
     let curves = surface.isocurves(4).unwrap();
     assert_eq!(curves.len(), 10);
@@ -134,8 +119,8 @@ fn perspective_keeps_the_tolerance() {
     let mut random = Rng(2);
     let mut surfaces = vec![teapot()];
     for (m, n) in [(1, 1), (2, 3), (5, 6)] {
-        let net = random.net(m, n).iter().map(|&p| 2.0 * p).collect();
-        surfaces.push(single(net, m, n));
+        let net: Vec<DVec3> = random.net(m, n).iter().map(|&p| 2.0 * p).collect();
+        surfaces.push(single(&net, m, n));
     }
     for surface in &surfaces {
         let curves = surface.isocurves(2).unwrap();
@@ -156,18 +141,15 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
     let reference: Vec<DVec2> = (0..=DENSE)
         .map(|k| project(matrix, curve.eval(k as f64 / DENSE as f64)))
         .collect();
-    let per_piece = DENSE / stroke.len();
-    let drawn: Vec<DVec2> = stroke
-        .iter()
-        .flat_map(|piece| piece.sample(per_piece.max(8)).unwrap())
-        .collect();
+    let per_piece = (DENSE / stroke.len()).max(8);
+    let drawn = samples(stroke, per_piece);
     // An estimate of the distance of a polyline of samples from its curve: a quarter of the error of omitting every
     // other sample.
     let sag = |line: &[DVec2]| {
-        let curvatures = line
+        let off = line
             .windows(3)
-            .map(|p| distance_to_line(p[1], &[p[0], p[2]]));
-        curvatures.fold(0.0, f64::max)
+            .map(|p| from_plane_segment(p[1], p[0], p[2]));
+        off.fold(0.0, f64::max)
     };
     let slack = 1e-9 + 0.5 * sag(&reference).max(sag(&drawn));
     assert!(slack < 0.5 * tolerance, "too few samples: {slack}");
@@ -181,13 +163,16 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
     assert!((reference[DENSE] - drawn[drawn.len() - 1]).length() < 1e-9);
 }
 
+fn samples<P: Point>(curves: &[Curve<P>], count: usize) -> Vec<P> {
+    let samples = curves.iter().map(|curve| curve.sample(count).unwrap());
+    samples.flatten().collect()
+}
+
 fn distance_to_line(p: DVec2, line: &[DVec2]) -> f64 {
-    let to_chord = |pair: &[DVec2]| {
-        let along = pair[1] - pair[0];
-        let t = (p - pair[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-        (p - pair[0] - along * t.clamp(0.0, 1.0)).length()
-    };
-    line.windows(2).map(to_chord).fold(f64::INFINITY, f64::min)
+    let chords = line
+        .windows(2)
+        .map(|pair| from_plane_segment(p, pair[0], pair[1]));
+    chords.fold(f64::INFINITY, f64::min)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -197,15 +182,9 @@ fn what_lies_behind_the_eye_is_left_out() {
     let far = teapot().vertices().iter().map(|p| p.y).fold(0.0, f64::max);
     let drawn = draw(&teapot(), &matrix, 4, 0.1);
     assert!(!drawn.0.is_empty());
-    let before: Vec<DVec3> = (teapot().isocurves(4).unwrap().iter())
-        .flat_map(|curve| curve.sample(400).unwrap())
-        .filter(|p| p.y > 0.05 * far)
-        .collect();
-    let lines: Vec<Vec<DVec2>> = drawn
-        .0
-        .iter()
-        .map(|stroke| stroke.iter().flat_map(|c| c.sample(32).unwrap()).collect())
-        .collect();
+    let mut before = samples(&teapot().isocurves(4).unwrap(), 400);
+    before.retain(|p| p.y > 0.05 * far);
+    let lines: Vec<Vec<DVec2>> = drawn.0.iter().map(|stroke| samples(stroke, 32)).collect();
     for p in before.iter().step_by(331).map(|&p| project(&matrix, p)) {
         let distances = lines.iter().map(|line| distance_to_line(p, line));
         let distance = distances.fold(f64::INFINITY, f64::min);
@@ -218,8 +197,8 @@ fn what_lies_behind_the_eye_is_left_out() {
 #[wasm_bindgen_test(unsupported = test)]
 fn extreme_surfaces_draw_numbers_or_nothing() {
     for size in [1e-300, 1e149] {
-        let net = Rng(3).net(3, 3).iter().map(|&p| p * size).collect();
-        let surface = single(net, 3, 3);
+        let net: Vec<DVec3> = Rng(3).net(3, 3).iter().map(|&p| p * size).collect();
+        let surface = single(&net, 3, 3);
         for matrix in [DMat4::IDENTITY, perspective(5.0), DMat4::ZERO] {
             for stroke in draw(&surface, &matrix, 2, 0.1).0 {
                 for piece in stroke {
@@ -228,39 +207,22 @@ fn extreme_surfaces_draw_numbers_or_nothing() {
             }
         }
     }
-    let point = single(vec![DVec3::ONE; 16], 3, 3);
+    let point = single(&[DVec3::ONE; 16], 3, 3);
     assert!(draw(&point, &DMat4::IDENTITY, 2, 0.1).0.len() <= 6);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn refusals() {
-    let surface = teapot();
-    let message = |error: Error| error.to_string();
-    assert_eq!(
-        message(surface.isocurves(0).unwrap_err()),
-        "lines: expected a whole number from 1, got 0"
-    );
-    let error = surface.isocurves(usize::MAX).unwrap_err();
-    assert!(matches!(error, Error::TooMany { what: "lines", .. }));
-    let mut pen = Record::default();
-    let mut matrix = DMat4::IDENTITY;
+    let lines = "lines: expected a whole number from 1, got 0";
+    assert_refused(teapot().isocurves(0), lines);
+    assert_refused(teapot().isocurves(usize::MAX), "lines: expected at most ");
+    let (mut pen, mut matrix) = (Record::default(), DMat4::IDENTITY);
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = surface
-            .trace_projected(&mut pen, &matrix, 4, Some(tolerance))
-            .unwrap_err();
-        assert!(matches!(
-            error,
-            Error::Range {
-                what: "tolerance",
-                ..
-            }
-        ));
+        let drawn = teapot().trace_projected(&mut pen, &matrix, 4, Some(tolerance));
+        assert_refused(drawn, "tolerance: expected ");
     }
     matrix.z_axis.y = f64::NAN;
-    let error = surface
-        .trace_projected(&mut pen, &matrix, 4, None)
-        .unwrap_err();
-    let expected = "matrix[9]: expected a finite number, got NaN";
-    assert_eq!(message(error), expected);
+    let drawn = teapot().trace_projected(&mut pen, &matrix, 4, None);
+    assert_refused(drawn, "matrix[9]: expected a finite number, got NaN");
     assert!(pen.0.is_empty());
 }

@@ -1,7 +1,7 @@
 //! Checks of every mesh of a surface.
 
 use super::limits::{MAX_DEGREES, limit};
-use super::shapes::{SIDES, along, diagonal, largest};
+use super::shapes::{SIDES, along, diagonal, largest, meshed};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
 use casteljau::mesh::{Indices, TessellationOptions, Weld};
@@ -17,7 +17,7 @@ pub(crate) struct Three {
 
 impl Three {
     pub(crate) fn new(surface: &Surface, options: &TessellationOptions) -> Self {
-        let of = |weld| surface.tessellate(&options.weld(weld)).unwrap();
+        let of = |weld| meshed(surface, *options, weld);
         Self {
             own: of(Weld::None),
             normal: of(Weld::Normal),
@@ -30,29 +30,31 @@ impl Three {
         for mesh in [&self.own, &self.normal, &self.position] {
             assert_layout(mesh, patches);
         }
-        let triangles = |mesh: &Mesh| -> Vec<[u32; 9]> {
-            let corner =
-                |index: usize| [0, 1, 2].map(|axis| mesh.positions[3 * index + axis].to_bits());
-            let numbers: Vec<u32> = mesh.indices.iter().flat_map(corner).collect();
-            numbers.as_chunks().0.to_vec()
-        };
-        let own = triangles(&self.own);
-        assert!(
-            own == triangles(&self.normal),
-            "weld \"normal\" moves positions"
-        );
-        assert!(
-            own == triangles(&self.position),
-            "weld \"position\" moves positions"
-        );
-        assert_eq!(self.own.patch_ranges.len(), patches);
-        let same = |a: &Mesh, b: &Mesh| {
-            a.patch_ranges
+        let bits = |mesh: &Mesh| -> Vec<u32> {
+            let corners = mesh
+                .indices
                 .iter()
-                .zip(&b.patch_ranges)
-                .all(|(a, b)| (a.first_index, a.indices) == (b.first_index, b.indices))
+                .flat_map(|vertex| 3 * vertex..3 * vertex + 3);
+            corners
+                .map(|number| mesh.positions[number].to_bits())
+                .collect()
         };
-        assert!(same(&self.own, &self.normal) && same(&self.own, &self.position));
+        let ranges = |mesh: &Mesh| -> Vec<[u32; 2]> {
+            let ranges = mesh.patch_ranges.iter();
+            ranges
+                .map(|range| [range.first_index, range.indices])
+                .collect()
+        };
+        for (mesh, weld) in [(&self.normal, "normal"), (&self.position, "position")] {
+            assert!(
+                bits(mesh) == bits(&self.own),
+                "weld \"{weld}\" moves positions"
+            );
+            assert!(
+                ranges(mesh) == ranges(&self.own),
+                "weld \"{weld}\" changes ranges"
+            );
+        }
         self.assert_normals_shared();
     }
 
@@ -62,10 +64,7 @@ impl Three {
         let shared: Vec<DVec3> = vectors(&self.normal.normals).collect();
         for (a, b) in self.own.indices.iter().zip(self.normal.indices.iter()) {
             let degrees = degrees_between(own[a], shared[b]);
-            assert!(
-                degrees < 0.100_1,
-                "a corner's normal is {degrees}° from its vertex's"
-            );
+            assert!(degrees < 0.100_1, "a corner's normal is {degrees}° off");
         }
     }
 }
@@ -80,20 +79,13 @@ pub(crate) fn assert_layout<T: Copy + Into<f64>>(mesh: &Mesh<T>, patches: usize)
     let mut used = vec![false; vertices];
     mesh.indices.iter().for_each(|index| used[index] = true);
     let own = !mesh.patch_ids.is_empty();
-    assert!(
-        own || used.iter().all(|&used| used),
-        "a vertex without triangles"
-    );
+    assert!(own || !used.contains(&false), "a vertex without triangles");
     assert_eq!(mesh.uvs.len(), if own { 2 * vertices } else { 0 });
     for numbers in [&mesh.positions, &mesh.normals] {
         assert!(numbers.iter().all(|&x| x.into().is_finite()));
     }
-    for normal in vectors(&mesh.normals) {
-        assert!(
-            (normal.length() - 1.0).abs() < 1e-6,
-            "a normal of length {}",
-            normal.length()
-        );
+    for length in vectors(&mesh.normals).map(|normal| normal.length()) {
+        assert!((length - 1.0).abs() < 1e-6, "a normal of length {length}");
     }
     assert_ranges(mesh, patches, own);
 }
@@ -104,13 +96,8 @@ fn assert_ranges<T>(mesh: &Mesh<T>, patches: usize, own: bool) {
     let indices: Vec<usize> = mesh.indices.iter().collect();
     let (mut vertex, mut index) = (0, 0);
     for (patch, range) in mesh.patch_ranges.iter().enumerate() {
-        let [first_vertex, vertices, first_index, count] = [
-            range.first_vertex,
-            range.vertices,
-            range.first_index,
-            range.indices,
-        ]
-        .map(|n| n as usize);
+        let (first_vertex, vertices) = (range.first_vertex as usize, range.vertices as usize);
+        let (first_index, count) = (range.first_index as usize, range.indices as usize);
         assert_eq!(first_index, index);
         index += count;
         if !own {
@@ -142,41 +129,32 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
         for axis in 0..3 {
             // Half an f32 ulp; for numbers just above a power of two the larger ulp.
             let max = exact[axis].abs() * f64::from(f32::EPSILON) / 2.0 + slack;
+            let off = (p[axis] - exact[axis]).abs();
             assert!(
-                (p[axis] - exact[axis]).abs() <= max,
+                off <= max,
                 "a vertex off its patch at {uv:?}: {p} for {exact}"
             );
         }
         let expected = limit(patch, u, v).expect("patches that are curves have no vertices");
         let degrees = degrees_between(normal, expected);
-        assert!(
-            degrees < MAX_DEGREES,
-            "patch {} {uv:?}: a normal off by {degrees}°",
-            mesh.patch_ids[k]
-        );
+        assert!(degrees < MAX_DEGREES, "{uv:?}: a normal off by {degrees}°");
     }
 }
 
 /// Checks that every normal with weld "normal" is the normal of a patch at the vertex's position.
 pub(crate) fn assert_normals_of_patches(three: &Three) {
     let soup = Soup::new(&three.own);
-    let key = |location: DVec3, normal: DVec3| {
-        (
-            location.to_array().map(f64::to_bits),
-            normal.to_array().map(f64::to_bits),
-        )
-    };
+    let key = |p: DVec3, normal: DVec3| [p + 0.0, normal].map(|v| v.to_array().map(f64::to_bits));
     let locations = soup
         .position_of
         .iter()
         .map(|&location| soup.points[location as usize]);
-    let known: HashSet<_> = locations
-        .zip(vectors(&three.own.normals))
-        .map(|(p, n)| key(p, n))
-        .collect();
-    for (p, normal) in vectors(&three.normal.positions).zip(vectors(&three.normal.normals)) {
+    let own = locations.zip(vectors(&three.own.normals));
+    let known: HashSet<_> = own.map(|(p, normal)| key(p, normal)).collect();
+    let welded = vectors(&three.normal.positions).zip(vectors(&three.normal.normals));
+    for (p, normal) in welded {
         assert!(
-            known.contains(&key(p + 0.0, normal)),
+            known.contains(&key(p, normal)),
             "a normal of no patch at {p}"
         );
     }
@@ -188,12 +166,8 @@ pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> 
     assert!(!mesh.uvs.is_empty(), "for meshes with uvs");
     let soup = Soup::new(mesh);
     soup.assert_no_collapsed_triangle();
-    let open: HashSet<(usize, usize)> = surface
-        .topology()
-        .open
-        .iter()
-        .map(|s| (s.patch, s.edge as usize))
-        .collect();
+    let open = surface.topology().open.into_iter();
+    let open: HashSet<(usize, usize)> = open.map(|s| (s.patch, s.edge as usize)).collect();
     let boundary: HashSet<(u32, u32)> = soup.boundary(sheets).into_iter().collect();
     let mut on_open_sides = 0;
     for (locations, corners) in soup.triangles.iter().zip(&soup.corners) {
@@ -201,10 +175,10 @@ pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> 
             let (a, b) = (locations[k], locations[(k + 1) % 3]);
             if boundary.contains(&(a, b)) {
                 let ends = [corners[k], corners[(k + 1) % 3]];
+                let location = soup.points[a as usize];
                 assert!(
                     on_side_of(mesh, ends, &open),
-                    "an open edge inside at {}",
-                    soup.points[a as usize]
+                    "an open edge inside at {location}"
                 );
                 on_open_sides += 1;
             }

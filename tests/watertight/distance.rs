@@ -2,6 +2,7 @@
 //! without knowledge of which triangle belongs to which part of a patch.
 
 use super::soup::Soup;
+use crate::support::real;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface};
 
@@ -46,13 +47,8 @@ impl Span {
 
 impl Tree {
     pub(crate) fn new(soup: &Soup) -> Self {
-        let triangles = (0..soup.triangles.len())
-            .map(|k| soup.corners_at(k))
-            .collect();
-        let mut tree = Self {
-            nodes: Vec::new(),
-            triangles,
-        };
+        let (nodes, triangles) = (Vec::new(), soup.all_corners().collect());
+        let mut tree = Self { nodes, triangles };
         tree.build(0, tree.triangles.len());
         tree
     }
@@ -60,11 +56,12 @@ impl Tree {
     fn build(&mut self, from: usize, to: usize) {
         let span = Span::around(self.triangles[from..to].as_flattened().iter().copied());
         let this = self.nodes.len();
+        let second = 0;
         self.nodes.push(Node {
             span,
             from,
             to,
-            second: 0,
+            second,
         });
         if to - from <= FEW {
             return;
@@ -122,25 +119,16 @@ fn nearest(p: DVec3, &[a, b, c]: &[DVec3; 3]) -> DVec3 {
         return p - normal * ((p - a).dot(normal) / normal.length_squared());
     }
     let ends = [on_edge(p, a, b), on_edge(p, b, c), on_edge(p, c, a)];
-    let [first, second, third] = ends;
-    let closer = |q: DVec3, r: DVec3| {
-        if (p - r).length_squared() < (p - q).length_squared() {
-            r
-        } else {
-            q
-        }
-    };
-    closer(closer(first, second), third)
+    let distance = |q: &DVec3| (p - *q).length_squared();
+    let nearest = ends
+        .into_iter()
+        .min_by(|q, r| distance(q).total_cmp(&distance(r)));
+    nearest.expect("three edges")
 }
 
 fn on_edge(p: DVec3, a: DVec3, b: DVec3) -> DVec3 {
-    let along = b - a;
-    let length = along.length_squared();
-    let t = if length > 0.0 {
-        ((p - a).dot(along) / length).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let (along, square) = (b - a, (b - a).length_squared());
+    let t = ((p - a).dot(along) / square.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
     a + along * t
 }
 
@@ -149,8 +137,8 @@ pub(crate) fn greatest(surface: &Surface, soup: &Soup, samples: usize) -> (f64, 
     let tree = Tree::new(soup);
     let per_line = (samples / surface.patch_count()).isqrt().max(4);
     let patches = surface.patches().enumerate();
-    let of_patches = patches.map(|(k, patch)| (of_patch(&tree, &patch, per_line), k));
-    of_patches.fold(
+    let distances = patches.map(|(k, patch)| (of_patch(&tree, &patch, per_line), k));
+    distances.fold(
         (0.0, 0),
         |max, this| if this.0 > max.0 { this } else { max },
     )
@@ -168,13 +156,13 @@ fn of_patch(tree: &Tree, patch: &Patch, per_line: usize) -> f64 {
             } else {
                 per_line - 1 - step
             };
-            let u = (i as f64 + wander(i, j)) / per_line as f64;
-            let v = (j as f64 + wander(j, i)) / per_line as f64;
+            let u = (real(i) + wander(i, j)) / real(per_line);
+            let v = (real(j) + wander(j, i)) / real(per_line);
             max = max.max(tree.distance(patch.eval(u, v), &mut hint));
         }
     }
     for k in 0..=per_line {
-        let t = k as f64 / per_line as f64;
+        let t = real(k) / real(per_line);
         for (u, v) in [(t, 0.0), (1.0, t), (t, 1.0), (0.0, t)] {
             max = max.max(tree.distance(patch.eval(u, v), &mut hint));
         }

@@ -2,14 +2,16 @@
 //! distances, volumes.
 
 use super::distance::greatest;
-use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_points, teapot};
+use super::shapes::{diagonal, gumbo, is_point, lines, meshed, part, segments, side_points};
+use super::shapes::{teapot, tolerance};
 use super::soup::{Soup, vectors};
+use crate::support::assert_close;
 use crate::support::surfaces::listing;
-use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::mesh::{Indices, TessellationOptions, Weld};
+use casteljau::mesh::{Indices, Weld};
 use casteljau::models::Up;
-use casteljau::surface::{EdgeUse, Topology};
+use casteljau::surface::Topology;
+use casteljau::{Grid, Mesh, Surface};
 
 #[test]
 fn sides_of_the_known_surfaces() {
@@ -19,21 +21,20 @@ fn sides_of_the_known_surfaces() {
         [t.shared.len(), t.open.len(), t.collapsed.len()]
     };
     assert_eq!(counts(&teapot()), [52, 16, 8]);
-    let parts: Vec<usize> = teapot()
-        .topology()
-        .components
-        .iter()
-        .map(Vec::len)
-        .collect();
-    assert_eq!(parts, [16, 4, 4, 8]);
-    assert_eq!(counts(&Surface::teacup(Up::Z))[..2], [46, 12]);
-    assert_eq!(counts(&Surface::teaspoon(Up::Z))[..2], [28, 8]);
-    for (name, expected) in [
-        ("teapot", [52, 16]),
-        ("teacup", [46, 12]),
-        ("teaspoon", [28, 8]),
+    let parts = teapot().topology().components;
+    assert_eq!(
+        parts.iter().map(Vec::len).collect::<Vec<_>>(),
+        [16, 4, 4, 8]
+    );
+    let [cup, spoon] = [Surface::teacup(Up::Z), Surface::teaspoon(Up::Z)];
+    for (surface, expected) in [
+        (cup, [46, 12]),
+        (spoon, [28, 8]),
+        (listing("teapot"), [52, 16]),
+        (listing("teacup"), [46, 12]),
+        (listing("teaspoon"), [28, 8]),
     ] {
-        assert_eq!(counts(&listing(name))[..2], expected, "{name}");
+        assert_eq!(counts(&surface)[..2], expected);
     }
     if let Some(surface) = gumbo() {
         assert_eq!(counts(&surface), [247, 8, 10]);
@@ -43,27 +44,20 @@ fn sides_of_the_known_surfaces() {
 /// Compares each edge with each other edge.
 #[test]
 fn sides_are_joined_where_their_points_are() {
-    for surface in [
-        Some(teapot()),
-        Some(Surface::teacup(Up::Y)),
-        Some(listing("teaspoon")),
-        gumbo(),
-    ]
-    .into_iter()
-    .flatten()
-    {
+    let surfaces = [teapot(), Surface::teacup(Up::Y), listing("teaspoon")];
+    for surface in surfaces.into_iter().chain(gumbo()) {
         let topology = surface.topology();
+        let components = topology.components.clone();
         let mut expected = Topology {
-            components: topology.components.clone(),
+            components,
             ..Topology::default()
         };
         for uses in lines(&surface) {
-            let EdgeUse {
-                patch, edge: side, ..
-            } = uses[0];
-            let point = is_point(&side_points(&surface.patch(patch).unwrap(), side));
+            let patch = surface.patch(uses[0].patch).unwrap();
             match uses.len() {
-                1 if point => expected.collapsed.extend(uses),
+                1 if is_point(&side_points(&patch, uses[0].edge)) => {
+                    expected.collapsed.extend(uses)
+                }
                 1 => expected.open.extend(uses),
                 2 => expected.shared.push(uses),
                 _ => expected.non_manifold.push(uses),
@@ -74,61 +68,50 @@ fn sides_are_joined_where_their_points_are() {
     }
 }
 
+fn even(n: usize, weld: Weld) -> Mesh {
+    meshed(&teapot(), segments(n, n), weld)
+}
+
 #[test]
 fn vertices_and_triangles_of_even_segments() {
     for n in [1, 2, 3, 16, 21] {
-        let count = |weld| {
-            teapot()
-                .tessellate(&segments(n, n).weld(weld))
-                .unwrap()
-                .vertex_count()
-        };
-        assert_eq!(count(Weld::Position), 32 * n * n + 4 * n + 1);
-        assert_eq!(count(Weld::None), 32 * (n + 1) * (n + 1));
+        let counts = [Weld::Position, Weld::None].map(|weld| even(n, weld).vertex_count());
+        assert_eq!(counts, [32 * n * n + 4 * n + 1, 32 * (n + 1) * (n + 1)]);
     }
-    let mesh = teapot()
-        .tessellate(&segments(16, 16).weld(Weld::Position))
-        .unwrap();
-    assert_eq!(mesh.vertex_count(), 8_257);
-    assert_eq!(mesh.triangle_count(), 16_256);
+    let mesh = even(16, Weld::Position);
+    assert_eq!(
+        (mesh.vertex_count(), mesh.triangle_count()),
+        (8_257, 16_256)
+    );
     assert_eq!(Soup::new(&mesh).boundary(1).len(), 256);
-    let bits = |n| {
-        teapot()
-            .tessellate(&segments(n, n).weld(Weld::Position))
-            .unwrap()
-            .indices
-    };
-    assert!(matches!(bits(45), Indices::U16(_)));
-    assert!(matches!(bits(46), Indices::U32(_)));
+    assert!(matches!(even(45, Weld::Position).indices, Indices::U16(_)));
+    assert!(matches!(even(46, Weld::Position).indices, Indices::U32(_)));
 }
 
-/// Samples find slightly less than the maximum distance.
+/// Of tessellations and of grids. Samples find slightly less than the maximum distance.
 #[test]
 fn distance_of_even_segments() {
     for (n, expected) in [(4, 0.0949), (8, 0.0250), (16, 0.00626), (32, 0.00157)] {
-        let mesh = teapot()
-            .tessellate(&segments(n, n).weld(Weld::Position))
-            .unwrap();
-        let soup = Soup::new(&mesh);
-        let (_, patch) = greatest(&teapot(), &soup, 32 * 64 * 64);
-        let (max, _) = greatest(&part(&teapot(), &[patch]), &soup, 600 * 600);
-        assert!(
-            max > 0.98 * expected && max < 1.004 * expected,
-            "{n}: {max} for {expected}"
-        );
+        let grid = teapot().grid(Grid::from(n), false).unwrap();
+        for mesh in [even(n, Weld::Position), grid] {
+            let soup = Soup::new(&mesh);
+            let (_, patch) = greatest(&teapot(), &soup, 32 * 64 * 64);
+            let (max, _) = greatest(&part(&teapot(), &[patch]), &soup, 600 * 600);
+            let share = max / expected;
+            assert!(share > 0.98 && share < 1.004, "{n}: {max} for {expected}");
+        }
     }
 }
 
 #[test]
 fn normals_of_knob_and_bottom() {
     for weld in [Weld::Position, Weld::Normal, Weld::None] {
-        let mesh = teapot().tessellate(&segments(5, 5).weld(weld)).unwrap();
+        let mesh = even(5, weld);
         let mut seen = 0;
         for (p, normal) in vectors(&mesh.positions).zip(vectors(&mesh.normals)) {
-            let at = |z: f64| (p - DVec3::new(0.0, 0.0, z)).length() < 1e-6;
             for (z, expected) in [(3.15, DVec3::Z), (0.0, DVec3::NEG_Z)] {
-                if at(z) {
-                    assert!((normal - expected).length() < 1e-6, "{normal} at {p}");
+                if p.distance(DVec3::Z * z) < 1e-6 {
+                    assert!(normal.distance(expected) < 1e-6, "{normal} at {p}");
                     seen += 1;
                 }
             }
@@ -141,11 +124,8 @@ fn normals_of_knob_and_bottom() {
 #[test]
 fn triangles_at_a_thousandth_of_the_diagonal() {
     let count = |surface: &Surface| {
-        let tolerance = TessellationOptions::tolerance(diagonal(surface) * 1e-3);
-        surface
-            .tessellate(&tolerance.weld(Weld::Normal))
-            .unwrap()
-            .triangle_count()
+        let options = tolerance(diagonal(surface) * 1e-3);
+        meshed(surface, options, Weld::Normal).triangle_count()
     };
     let triangles = count(&teapot());
     println!("teapot: {triangles}");
@@ -153,32 +133,21 @@ fn triangles_at_a_thousandth_of_the_diagonal() {
     if let Some(surface) = gumbo() {
         let triangles = count(&surface);
         println!("gumbo: {triangles}");
-        assert!(
-            (triangles as f64 / 25_444.0 - 1.0).abs() <= 0.2,
-            "{triangles}"
-        );
+        assert_close(triangles as f64 / 25_444.0, 1.0, 0.2);
     }
 }
 
 #[test]
 fn closed_body_of_gumbo() {
     let Some(surface) = gumbo() else { return };
-    let components = surface.topology().components;
-    let open: Vec<usize> = surface
-        .topology()
-        .open
-        .iter()
-        .map(|side| side.patch)
-        .collect();
-    let closed = components
-        .iter()
-        .filter(|patches| !patches.iter().any(|k| open.contains(k)));
-    let body = closed.max_by_key(|patches| patches.len()).unwrap();
-    let body = part(&surface, body);
+    let parts = surface.topology().components.into_iter();
+    let parts = parts.map(|patches| part(&surface, &patches));
+    let closed = parts.filter(|part| part.topology().open.is_empty());
+    let body = closed.max_by_key(Surface::patch_count).unwrap();
     let mut last = f64::INFINITY;
     for relative in [1e-2, 1e-3, 1e-4] {
-        let options = TessellationOptions::tolerance(diagonal(&surface) * relative);
-        let soup = Soup::new(&body.tessellate(&options.weld(Weld::None)).unwrap());
+        let options = tolerance(diagonal(&surface) * relative);
+        let soup = Soup::new(&meshed(&body, options, Weld::None));
         assert!(soup.boundary(1).is_empty(), "an open edge");
         let off = (soup.volume() - 2556.7737).abs() / 2556.7737;
         println!("{relative:e}: volume off by {off:.1e}");
@@ -192,9 +161,6 @@ fn closed_body_of_gumbo() {
 #[test]
 fn area_of_the_teacup() {
     let cup = Surface::teacup(Up::Z);
-    let mesh = cup
-        .tessellate(&TessellationOptions::tolerance(diagonal(&cup) * 1e-5).weld(Weld::Normal))
-        .unwrap();
-    let area = Soup::new(&mesh).area();
-    assert!((area / 9.981_697_616 - 1.0).abs() < 2e-4, "{area}");
+    let mesh = meshed(&cup, tolerance(diagonal(&cup) * 1e-5), Weld::Normal);
+    assert_close(Soup::new(&mesh).area() / 9.981_697_616, 1.0, 2e-4);
 }

@@ -4,11 +4,10 @@ use super::checks::{
     Three, assert_normals_of_patches, assert_on_surface, assert_watertight, tolerances,
 };
 use super::distance::greatest;
-use super::shapes::{all, diagonal, segments};
+use super::shapes::{all, diagonal, segments, tolerance};
 use super::soup::Soup;
 use crate::support::{cases, deep};
 use casteljau::Surface;
-use casteljau::mesh::TessellationOptions;
 
 /// The number of tolerances from 0.1 to 1e-5 of the diagonal.
 const TOLERANCES: i32 = 12;
@@ -23,63 +22,40 @@ const COARSE: f64 = 0.02;
 fn within_every_tolerance() {
     let count = if deep() { TOLERANCES } else { QUICK_TOLERANCES };
     for (name, surface) in all() {
-        for tolerance in tolerances(&surface, count) {
-            let three = Three::new(&surface, &TessellationOptions::tolerance(tolerance));
-            let relative = tolerance / diagonal(&surface);
+        for allowed in tolerances(&surface, count) {
+            let three = Three::new(&surface, &tolerance(allowed));
+            let relative = allowed / diagonal(&surface);
             let sheets = if relative > COARSE { 2 } else { 1 };
             check(name, &surface, &three, sheets, f64::from);
             let soup = Soup::new(&three.position);
             let samples = cases(20_000, 4 * soup.triangles.len());
             let (max, patch) = greatest(&surface, &soup, samples);
-            println!(
-                "{name} {relative:.1e}: {} triangles, {:.2} of the tolerance",
-                soup.triangles.len(),
-                max / tolerance
-            );
-            assert!(
-                max <= tolerance,
-                "{name}, patch {patch}: {max} for {tolerance}"
-            );
+            let (share, count) = (max / allowed, soup.triangles.len());
+            println!("{name} {relative:.1e}: {count} triangles, {share:.2} of the tolerance");
+            assert!(max <= allowed, "{name}, patch {patch}: {max} for {allowed}");
         }
     }
 }
 
 #[test]
 fn any_number_of_segments() {
-    let counts = [
-        (1, 1),
-        (2, 2),
-        (3, 3),
-        (7, 7),
-        (16, 16),
-        (1, 5),
-        (6, 4),
-        (9, 2),
-        (3, 14),
-    ];
+    let counts = ([1, 2, 3, 7, 16, 1, 6, 9, 3], [1, 2, 3, 7, 16, 5, 4, 2, 14]);
     for (name, surface) in all() {
-        for (u, v) in counts {
+        for (u, v) in counts.0.into_iter().zip(counts.1) {
             let three = Three::new(&surface, &segments(u, v));
             // Samples of both directions are joined on edges: parameters are multiples of 1 / (u·v).
             let full = (u * v) as f64;
-            check(
-                name,
-                &surface,
-                &three,
-                if u.min(v) == 1 { 2 } else { 1 },
-                |t| (f64::from(t) * full).round() / full,
-            );
+            let parameter = |t| (f64::from(t) * full).round() / full;
+            let sheets = if u.min(v) == 1 { 2 } else { 1 };
+            check(name, &surface, &three, sheets, parameter);
         }
     }
 }
 
-fn check(
-    name: &str,
-    surface: &Surface,
-    three: &Three,
-    sheets: u32,
-    parameter: impl Fn(f32) -> f64,
-) {
+fn check<F>(name: &str, surface: &Surface, three: &Three, sheets: u32, parameter: F)
+where
+    F: Fn(f32) -> f64,
+{
     three.assert_alike(surface.patch_count());
     let open = assert_watertight(surface, &three.own, sheets);
     assert_eq!(open == 0, surface.topology().open.is_empty(), "{name}");

@@ -2,13 +2,13 @@
 
 use super::networks;
 use super::random::{check, options};
-use super::shapes::teapot;
+use super::shapes::{meshed, teapot, tolerance};
 use super::soup::Soup;
-use crate::support::Rng;
-use crate::support::cases;
+use crate::support::nets::points;
+use crate::support::{Rng, cases};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::mesh::{TessellationOptions, Weld};
+use casteljau::mesh::Weld;
 
 #[test]
 fn topology_is_kept() {
@@ -29,44 +29,34 @@ fn move_one(rng: &mut Rng, surface: &Surface) -> Surface {
     let vertices = surface.vertices();
     let (index, other) = (rng.below(vertices.len()), rng.below(vertices.len()));
     let size = surface.control_bounds().unwrap().diagonal();
-    let by = if rng.chance(0.5) {
-        DVec3::ZERO
-    } else {
-        rng.point(3) * size
-    };
-    surface.move_point(index, vertices[other] + by).unwrap()
+    let by = size * rng.pick(&[0.0, 1.0]);
+    let to = vertices[other] + rng.point(3) * by;
+    surface.move_point(index, to).unwrap()
 }
 
 #[test]
 fn onto_another_point_and_away() {
     let surface = teapot();
     let expected = surface.topology();
-    let meshed = |s: &Surface| {
-        s.tessellate(&TessellationOptions::tolerance(0.05).weld(Weld::Position))
-            .unwrap()
-    };
-    let before = meshed(&surface);
+    let mesh = |surface: &Surface| meshed(surface, tolerance(0.05), Weld::Position);
+    let before = mesh(&surface);
     for (index, target) in [(0, 1), (3, 12), (40, 200), (289, 0)] {
         let home = surface.vertices()[index];
         let moved = surface
             .move_point(index, surface.vertices()[target])
             .unwrap();
         assert_eq!(moved.topology(), expected);
-        Soup::new(&meshed(&moved)).assert_no_collapsed_triangle();
+        Soup::new(&mesh(&moved)).assert_no_collapsed_triangle();
         let back = moved.move_point(index, home).unwrap();
         assert_eq!(back.topology(), expected);
-        assert_eq!(meshed(&back), before);
+        assert_eq!(mesh(&back), before);
     }
 }
 
 /// A vertex that is listed twice moves as one vertex.
 #[test]
 fn copies_of_a_vertex_move_along() {
-    let square = |x: f64| [0.0, 1.0].map(|y| [x, x + 1.0].map(|x| DVec3::new(x, y, 0.0)));
-    let vertices: Vec<DVec3> = [square(0.0), square(1.0)]
-        .as_flattened()
-        .as_flattened()
-        .to_vec();
+    let vertices = points("0 0 0  1 0 0  0 1 0  1 1 0  1 0 0  2 0 0  1 1 0  2 1 0");
     let surface = Surface::new(vertices, (0..8).collect(), 1, 1).unwrap();
     let topology = surface.topology();
     assert_eq!((topology.shared.len(), topology.open.len()), (1, 6));

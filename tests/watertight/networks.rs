@@ -1,4 +1,4 @@
-//! Rng networks of patches: mixed degrees, edges shared in all orientations, tubes, Möbius bands, collapsed edges,
+//! Random networks of patches: mixed degrees, edges shared in all orientations, tubes, Möbius bands, collapsed edges,
 //! touching corners, three patches at an edge, patches that are curves or points, vertices listed twice.
 
 use crate::support::Rng;
@@ -12,6 +12,7 @@ struct Draft {
 }
 
 /// The vertex indices, and the length of a row.
+#[derive(Clone)]
 struct Net {
     vertices: Vec<usize>,
     columns: usize,
@@ -76,10 +77,8 @@ impl Quilt {
     }
 
     fn draft(&self, rng: &mut Rng) -> Draft {
-        let (width, height) = (
-            self.degrees_u.iter().sum::<usize>(),
-            self.degrees_v.iter().sum::<usize>(),
-        );
+        let [width, height]: [usize; 2] =
+            [&self.degrees_u, &self.degrees_v].map(|d| d.iter().sum());
         let vertex = |i: usize, j: usize| {
             let around = self.closed_u && i == width;
             let j = if around && self.twisted {
@@ -97,17 +96,13 @@ impl Quilt {
                 let vertices = locations
                     .map(|(i, j)| vertex(column + i, row + j))
                     .collect();
-                nets.push(Net {
-                    vertices,
-                    columns: m + 1,
-                });
+                let columns = m + 1;
+                nets.push(Net { vertices, columns });
             }
         }
         let count = (width + 1) * (height + 1);
-        Draft {
-            vertices: locations(rng, count, width + 1),
-            nets,
-        }
+        let vertices = locations(rng, count, width + 1);
+        Draft { vertices, nets }
     }
 }
 
@@ -124,11 +119,7 @@ fn steps(lengths: &[usize]) -> Vec<(usize, usize)> {
 fn locations(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
     let kind = rng.below(5);
     let scale = rng.magnitude(-6.0, 6.0);
-    let shift = if rng.chance(0.2) {
-        rng.point(3) * scale * 100.0
-    } else {
-        DVec3::ZERO
-    };
+    let shift = rng.point(3) * scale * rng.pick(&[0.0, 0.0, 0.0, 0.0, 100.0]);
     let mut location = |k: usize| match kind {
         0 | 1 => rng.point(3) * 2.0,
         2 => DVec3::new((k % columns) as f64, (k / columns) as f64, 0.0) + rng.point(3) * 0.4,
@@ -144,22 +135,23 @@ impl Net {
     }
 
     fn transpose(&mut self) {
-        let columns =
-            (0..self.columns).flat_map(|i| self.vertices.iter().skip(i).step_by(self.columns));
-        let vertices: Vec<usize> = columns.copied().collect();
-        self.columns = self.rows();
-        self.vertices = vertices;
+        let (columns, rows) = (self.columns, self.rows());
+        let transposed = (0..columns * rows).map(|k| self.vertices[k % rows * columns + k / rows]);
+        self.vertices = transposed.collect();
+        self.columns = rows;
     }
 }
 
 impl Draft {
+    fn any(&mut self, rng: &mut Rng) -> &mut Net {
+        let at = rng.below(self.nets.len());
+        &mut self.nets[at]
+    }
+
     fn collapse_side(&mut self, rng: &mut Rng) {
-        let net = &self.nets[rng.below(self.nets.len())];
-        let side: Vec<usize> = if rng.chance(0.5) {
-            net.vertices[..net.columns].to_vec()
-        } else {
-            net.vertices.iter().step_by(net.columns).copied().collect()
-        };
+        let net = self.any(rng);
+        let (step, count) = rng.pick(&[(1, net.columns), (net.columns, net.rows())]);
+        let side: Vec<usize> = (0..count).map(|k| net.vertices[k * step]).collect();
         side[1..]
             .iter()
             .for_each(|&vertex| self.replace(vertex, side[0]));
@@ -185,39 +177,33 @@ impl Draft {
     }
 
     fn repeat_patch(&mut self, rng: &mut Rng) {
-        let Net { vertices, columns } = &self.nets[rng.below(self.nets.len())];
-        let net = Net {
-            vertices: vertices.clone(),
-            columns: *columns,
-        };
+        let net = self.any(rng).clone();
         self.nets.push(net);
     }
 
     /// Attaches a patch to an edge, shared or not.
     fn attach_patch(&mut self, rng: &mut Rng) {
-        let net = &self.nets[rng.below(self.nets.len())];
+        let net = self.any(rng).clone();
         let (columns, degree) = (net.columns, 1 + rng.below(3));
         let mut vertices = net.vertices[..columns].to_vec();
         for _ in 0..degree * columns {
             vertices.push(self.vertices.len());
-            self.vertices
-                .push(self.vertices[rng.below(self.vertices.len())] + rng.point(3));
+            let near = rng.pick(&self.vertices);
+            self.vertices.push(near + rng.point(3));
         }
         self.nets.push(Net { vertices, columns });
     }
 
     /// Makes a patch a curve: all rows equal the first one.
     fn make_curve(&mut self, rng: &mut Rng) {
-        let at = rng.below(self.nets.len());
-        let net = &mut self.nets[at];
+        let net = self.any(rng);
         for k in net.columns..net.vertices.len() {
             net.vertices[k] = net.vertices[k - net.columns];
         }
     }
 
     fn make_point(&mut self, rng: &mut Rng) {
-        let at = rng.below(self.nets.len());
-        let net = &mut self.nets[at];
+        let net = self.any(rng);
         let first = net.vertices[0];
         net.vertices.fill(first);
     }
@@ -233,7 +219,7 @@ impl Draft {
 
     /// Makes an edge equal forwards and backwards.
     fn mirror_row(&mut self, rng: &mut Rng) {
-        let net = &self.nets[rng.below(self.nets.len())];
+        let net = self.any(rng);
         let row = net.vertices[..net.columns].to_vec();
         for k in 0..row.len() / 2 {
             self.replace(row[row.len() - 1 - k], row[k]);
@@ -250,19 +236,17 @@ impl Draft {
             net.vertices.reverse();
         }
         if rng.chance(0.5) {
-            let columns = net.columns;
-            net.vertices
-                .chunks_mut(columns)
-                .for_each(<[usize]>::reverse);
+            let rows = net.vertices.chunks_mut(net.columns);
+            rows.for_each(<[usize]>::reverse);
         }
     }
 
     fn surface(self) -> Surface {
-        let degrees: Vec<[usize; 2]> = self
+        let degrees = self
             .nets
             .iter()
-            .map(|net| [net.columns - 1, net.rows() - 1])
-            .collect();
+            .map(|net| [net.columns - 1, net.rows() - 1]);
+        let degrees: Vec<[usize; 2]> = degrees.collect();
         let indices = self.nets.iter().flat_map(|net| &net.vertices);
         let indices = indices
             .map(|&vertex| u32::try_from(vertex).unwrap())

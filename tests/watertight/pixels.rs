@@ -2,8 +2,9 @@
 
 use super::checks::assert_watertight;
 use super::distance::Tree;
-use super::shapes::teapot;
-use super::soup::Soup;
+use super::shapes::{meshed, teapot, tolerance};
+use super::soup::{Soup, area};
+use crate::support::nets::{net, samples, single};
 use casteljau::Surface;
 use casteljau::glam::{DMat4, DVec2, DVec3, DVec4};
 use casteljau::mesh::{TessellationOptions, View, Weld};
@@ -17,57 +18,61 @@ fn camera(eye: DVec3, target: DVec3, field_of_view: f64) -> DMat4 {
     let up = back.cross(right);
     let zoom = 1.0 / (field_of_view.to_radians() / 2.0).tan();
     let row = |axis: DVec3, scale: f64| (axis * scale).extend(-axis.dot(eye) * scale);
-    let [x, y, w] = [
-        row(right, zoom * VIEWPORT.y / VIEWPORT.x),
-        row(up, zoom),
-        row(-back, 1.0),
-    ];
-    DMat4::from_rows(x, y, DVec4::W, w)
+    let x = row(right, zoom * VIEWPORT.y / VIEWPORT.x);
+    DMat4::from_rows(x, row(up, zoom), DVec4::W, row(-back, 1.0))
 }
 
 fn view(view_projection: DMat4, pixels: f64) -> TessellationOptions {
+    let viewport = VIEWPORT;
     TessellationOptions::pixels(View {
         pixels,
         view_projection,
-        viewport: VIEWPORT,
+        viewport,
     })
 }
 
-/// The position of a point on the screen in pixels; `None` if it is not visible.
-fn seen(matrix: &DMat4, p: DVec3) -> Option<DVec2> {
+/// The position of a point on the screen in pixels, and whether it is visible.
+fn seen(matrix: &DMat4, p: DVec3) -> (DVec2, bool) {
     let clip = *matrix * p.extend(1.0);
     let location = DVec2::new(clip.x, clip.y) / clip.w;
-    (clip.w > 0.0 && location.abs().max_element() <= 1.0).then(|| location * VIEWPORT / 2.0)
+    let is_visible = clip.w > 0.0 && location.abs().max_element() <= 1.0;
+    (location * VIEWPORT / 2.0, is_visible)
 }
 
 /// The maximum distance on the screen between points of the surface and the nearest points of the mesh.
 fn greatest(surface: &Surface, matrix: &DMat4, pixels: f64) -> (f64, usize) {
-    let mesh = surface
-        .tessellate(&view(*matrix, pixels).weld(Weld::None))
-        .unwrap();
+    let mesh = meshed(surface, view(*matrix, pixels), Weld::None);
     assert_watertight(surface, &mesh, 2);
     let tree = Tree::new(&Soup::new(&mesh));
     let (mut max, mut hint, mut count): (f64, usize, usize) = (0.0, 0, 0);
     for patch in surface.patches() {
-        for k in 0..60 * 60 {
-            let p = patch.eval(f64::from(k % 60) / 59.0, f64::from(k / 60) / 59.0);
-            let Some(location) = seen(matrix, p) else {
-                continue;
-            };
-            count += 1;
-            let q = tree.nearest(p, &mut hint).unwrap();
-            let clip = *matrix * q.extend(1.0);
-            let near = DVec2::new(clip.x, clip.y) / clip.w * VIEWPORT / 2.0;
-            max = max.max((location - near).length());
+        for (u, v) in samples(59) {
+            let p = patch.eval(u, v);
+            let (location, is_visible) = seen(matrix, p);
+            if is_visible {
+                count += 1;
+                let q = tree.nearest(p, &mut hint).unwrap();
+                max = max.max(location.distance(seen(matrix, q).0));
+            }
         }
     }
     assert!(count > 1_000, "only {count} samples are seen");
     (max, mesh.triangle_count())
 }
 
+/// Checks the distances, and returns the numbers of triangles.
+fn assert_within(surface: &Surface, matrix: &DMat4, all: &[f64]) -> Vec<usize> {
+    let of = |&pixels: &f64| {
+        let (max, triangles) = greatest(surface, matrix, pixels);
+        println!("{pixels} px: {triangles} triangles, {max:.3} px at most");
+        assert!(max <= pixels, "{max} for {pixels} px");
+        triangles
+    };
+    all.iter().map(of).collect()
+}
+
 #[test]
 fn no_farther_than_asked_for() {
-    let surface = teapot();
     let middle = DVec3::new(0.0, 0.0, 1.5);
     let cameras = [
         camera(DVec3::new(9.0, 4.0, 5.0), middle, 40.0),
@@ -76,82 +81,48 @@ fn no_farther_than_asked_for() {
         camera(DVec3::new(0.5, 0.5, 4.0), DVec3::new(3.0, 0.0, 2.0), 120.0),
     ];
     for matrix in &cameras {
-        let mut fewest = usize::MAX;
-        for pixels in [0.5, 2.0, 10.0] {
-            let (max, triangles) = greatest(&surface, matrix, pixels);
-            println!("{pixels} px: {triangles} triangles, {max:.3} px at most");
-            assert!(max <= pixels, "{max} for {pixels} px");
-            assert!(triangles < fewest);
-            fewest = triangles;
-        }
+        let triangles = assert_within(&teapot(), matrix, &[0.5, 2.0, 10.0]);
+        assert!(triangles[0] > triangles[1] && triangles[1] > triangles[2]);
     }
 }
 
 /// Pieces that start close to the eye and end at a great distance.
 #[test]
 fn a_plain_with_waves() {
-    let net: Vec<DVec3> = (0..16)
-        .map(|k| {
-            let (i, j) = (f64::from(k % 4), f64::from(k / 4));
-            DVec3::new(
-                4.0 * i - 6.0,
-                5.0 * j,
-                if (i + j) % 2.0 == 0.0 { 0.9 } else { -0.9 },
-            )
-        })
-        .collect();
-    let plain = Surface::new(net, (0..16).collect(), 3, 3).unwrap();
+    let height = |i: f64, j: f64| 0.9 - 1.8 * ((i + j) % 2.0);
+    let net = net(3, 3, |i, j| {
+        DVec3::new(4.0 * i - 6.0, 5.0 * j, height(i, j))
+    });
+    let plain = single(&net, 3, 3);
     let matrix = camera(DVec3::new(0.0, -1.0, 1.2), DVec3::new(0.0, 9.0, 0.0), 90.0);
-    for pixels in [1.0, 5.0, 10.0, 20.0, 40.0] {
-        let (max, triangles) = greatest(&plain, &matrix, pixels);
-        println!("{pixels} px: {triangles} triangles, {max:.3} px at most");
-        assert!(max <= pixels, "{max} for {pixels} px");
-    }
+    assert_within(&plain, &matrix, &[1.0, 5.0, 10.0, 20.0, 40.0]);
 }
 
 #[test]
 fn what_is_nearer_is_finer() {
-    let surface = teapot();
     // Along the axis from the spout to the handle, at eye level.
     let eye = DVec3::new(5.0, 0.0, 2.0);
     let options = view(camera(eye, DVec3::new(0.0, 0.0, 1.5), 60.0), 0.5);
-    let soup = Soup::new(&surface.tessellate(&options.weld(Weld::Position)).unwrap());
-    let mean_area = |near: bool| {
-        let all = (0..soup.triangles.len()).map(|k| soup.corners_at(k));
-        let some = all.filter(|[a, ..]| if near { a.x > 2.2 } else { a.x < -2.2 });
-        let areas: Vec<f64> = some
-            .map(|[a, b, c]| (b - a).cross(c - a).length())
-            .collect();
+    let soup = Soup::new(&meshed(&teapot(), options, Weld::Position));
+    let mean_area = |is_part: fn(f64) -> bool| {
+        let part = soup.all_corners().filter(|[a, ..]| is_part(a.x));
+        let areas: Vec<f64> = part.map(area).collect();
         areas.iter().sum::<f64>() / areas.len() as f64
     };
-    assert!(
-        2.0 * mean_area(true) < mean_area(false),
-        "{} and {}",
-        mean_area(true),
-        mean_area(false)
-    );
+    let (near, far) = (mean_area(|x| x > 2.2), mean_area(|x| x < -2.2));
+    assert!(2.0 * near < far, "{near} and {far}");
 }
 
 #[test]
 fn a_pixel_of_an_orthographic_view_is_a_length() {
-    let surface = teapot();
-    let matrix =
-        DMat4::from_diagonal(DVec4::new(0.25, 1.0 / 2.25, 0.1, 1.0)) * DMat4::from_rotation_x(-1.2);
-    let count = |options: &TessellationOptions| {
-        surface
-            .tessellate(&options.weld(Weld::Normal))
-            .unwrap()
-            .triangle_count() as f64
-    };
+    let scale = DMat4::from_diagonal(DVec4::new(0.25, 1.0 / 2.25, 0.1, 1.0));
+    let by_pixels = view(scale * DMat4::from_rotation_x(-1.2), 0.8);
+    let by_length = tolerance(0.8 * 8.0 / 1_280.0);
+    let counts =
+        [by_pixels, by_length].map(|o| meshed(&teapot(), o, Weld::Normal).triangle_count());
     // 8 units are 1,280 pixels. Parts outside the viewport may be coarser.
-    let (by_pixels, by_length) = (
-        count(&view(matrix, 0.8)),
-        count(&TessellationOptions::tolerance(0.8 * 8.0 / 1_280.0)),
-    );
-    assert!(
-        by_pixels <= by_length && by_pixels > 0.6 * by_length,
-        "{by_pixels} and {by_length}"
-    );
+    let share = counts[0] as f64 / counts[1] as f64;
+    assert!(share <= 1.0 && share > 0.6, "{counts:?}");
 }
 
 #[test]
@@ -179,13 +150,10 @@ fn strange_cameras_neither_hang_nor_fail() {
     ];
     for (k, matrix) in cameras.iter().enumerate() {
         for pixels in [1.0, 0.3, 1e300] {
-            let triangles = teapot()
-                .tessellate(&view(*matrix, pixels).weld(Weld::None))
-                .map(|mesh| {
-                    assert_watertight(&teapot(), &mesh, 8);
-                    mesh.triangle_count()
-                });
-            println!("camera {k}, {pixels:e} px: {triangles:?}");
+            let options = view(*matrix, pixels).weld(Weld::None);
+            let mesh = teapot().tessellate(&options);
+            let sides = mesh.map(|mesh| assert_watertight(&teapot(), &mesh, 8));
+            println!("camera {k}, {pixels:e} px: {sides:?} open edges");
         }
     }
 }

@@ -1,17 +1,19 @@
-//! Rng surfaces: joined patches have no cracks, and the mesh keeps its tolerance.
+//! Random surfaces: joined patches have no cracks, and the mesh keeps its tolerance.
 
 use super::checks::Three;
 use super::distance::greatest;
 use super::networks;
-use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, side_points};
+use super::shapes::{
+    SIDES, along, diagonal, is_point, largest, lines, part, segments, side_points,
+};
 use super::soup::{Corners, Soup, add, vectors};
-use crate::support::Rng;
-use crate::support::cases;
 use crate::support::threads::on_all;
+use crate::support::{Rng, cases};
 use casteljau::glam::DVec3;
 use casteljau::mesh::{Detail, TessellationOptions, Weld};
-use casteljau::surface::{EdgeUse, PatchEdge};
+use casteljau::surface::PatchEdge;
 use casteljau::{Mesh, Surface};
+use std::collections::HashSet;
 
 const CASES: usize = 20_000;
 const DEEP_CASES: usize = 200_000;
@@ -84,8 +86,9 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
                 }
             }
         }
+        let rim = Soup::rim(&soup.triangles[from..from + count]);
         assert!(
-            expected == Soup::rim(&soup.triangles[from..from + count]),
+            expected == rim,
             "patch {patch}: {:?}",
             surface.degrees(patch)
         );
@@ -96,33 +99,25 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
 fn assert_lines_agree(surface: &Surface, joined: &Surface, mesh: &Mesh) {
     let points: Vec<DVec3> = vectors(&mesh.positions).collect();
     for uses in lines(joined) {
-        let EdgeUse {
-            patch, edge: side, ..
-        } = uses[0];
+        let (patch, side) = (uses[0].patch, uses[0].edge);
         let controls = side_points(&surface.patch(patch).unwrap(), side);
         let collapsed = is_point(&side_points(&joined.patch(patch).unwrap(), side));
         let mut seen: Option<Vec<DVec3>> = None;
         for used in &uses {
-            let mut line: Vec<DVec3> = polyline(mesh, used.patch, used.edge)
-                .iter()
-                .map(|&k| points[k])
-                .collect();
+            let vertices = polyline(mesh, used.patch, used.edge).into_iter();
+            let mut line: Vec<DVec3> = vertices.map(|k| points[k]).collect();
             if line.is_empty() {
                 continue;
             }
             if used.reversed {
                 line.reverse();
             }
-            let ends = [line[0], line[line.len() - 1]];
-            assert_eq!(
-                ends,
-                [controls[0], controls[controls.len() - 1]].map(|p| p.as_vec3().as_dvec3())
-            );
+            let ends = |line: &[DVec3]| [line[0], line[line.len() - 1]];
+            let expected = ends(&controls).map(|p| p.as_vec3().as_dvec3());
+            assert_eq!(ends(&line), expected);
             assert!(!collapsed || is_point(&line));
-            assert!(
-                *seen.get_or_insert_with(|| line.clone()) == line,
-                "a crack along {uses:?}"
-            );
+            let first = seen.get_or_insert_with(|| line.clone());
+            assert!(*first == line, "a crack along {uses:?}");
         }
     }
 }
@@ -143,14 +138,11 @@ fn assert_covers(mesh: &Mesh) {
         }
         assert!(sum < 1.0 + 1e-6);
         let first = range.first_vertex as usize;
-        let locations = first..first + range.vertices as usize;
-        let distinct: std::collections::HashSet<_> = locations
-            .map(|k| [0, 1, 2].map(|axis| mesh.positions[3 * k + axis].to_bits()))
-            .collect();
-        assert!(
-            distinct.len() < range.vertices as usize || sum > 1.0 - 1e-6,
-            "only {sum} of the square"
-        );
+        let vertices = range.vertices as usize;
+        let bits = |k: usize| [0, 1, 2].map(|axis| mesh.positions[3 * k + axis].to_bits());
+        let distinct: HashSet<_> = (first..first + vertices).map(bits).collect();
+        let covered = distinct.len() < vertices || sum > 1.0 - 1e-6;
+        assert!(covered, "only {sum} of the square");
     }
 }
 
@@ -171,11 +163,8 @@ fn assert_locations(surface: &Surface, options: &TessellationOptions) {
     for (patch, range) in patches.iter().zip(&mesh.patch_ranges) {
         let partials = patch.partials(0.371, 0.618);
         let size = patch.control_bounds().diagonal();
-        let normal = partials.u.cross(partials.v).length();
-        assert!(
-            range.vertices > 0 || normal <= 1e-9 * size * size,
-            "a patch with an inside has no vertices"
-        );
+        let flat = partials.u.cross(partials.v).length() <= 1e-9 * size * size;
+        assert!(range.vertices > 0 || flat, "an inside without vertices");
     }
 }
 
@@ -186,10 +175,5 @@ fn distance_of_sheets(surface: &Surface, mesh: &Mesh, soup: &Soup) -> f64 {
     if patches.is_empty() {
         return 0.0;
     }
-    greatest(
-        &super::shapes::part(surface, &patches),
-        soup,
-        16 * patches.len(),
-    )
-    .0
+    greatest(&part(surface, &patches), soup, 16 * patches.len()).0
 }

@@ -1,15 +1,12 @@
 //! The surfaces of the tests.
 
+pub(crate) use crate::support::nets::{part, scaled, teapot};
 pub(crate) use crate::support::surfaces::gumbo;
 use casteljau::glam::DVec3;
-use casteljau::mesh::TessellationOptions;
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::models::Up;
 use casteljau::surface::{EdgeUse, PatchEdge};
-use casteljau::{Grid, Patch, Surface, TeapotOptions};
-
-pub(crate) fn teapot() -> Surface {
-    Surface::teapot(TeapotOptions::default())
-}
+use casteljau::{Grid, Mesh, Patch, Surface};
 
 /// All four, with a name; Gumbo is reported as skipped where its data are absent.
 pub(crate) fn all() -> Vec<(&'static str, Surface)> {
@@ -33,25 +30,19 @@ pub(crate) fn largest(surface: &Surface) -> f64 {
 }
 
 pub(crate) fn segments(u: usize, v: usize) -> TessellationOptions {
+    let (segments_u, segments_v) = (u, v);
     TessellationOptions::segments(Grid {
-        segments_u: u,
-        segments_v: v,
+        segments_u,
+        segments_v,
     })
 }
 
-/// The selected patches of a surface.
-pub(crate) fn part(surface: &Surface, patches: &[usize]) -> Surface {
-    let nets = patches.iter().map(|&k| surface.patch_indices(k).unwrap());
-    let degrees: Vec<_> = patches
-        .iter()
-        .map(|&k| surface.degrees(k).unwrap())
-        .collect();
-    Surface::with_degrees(
-        surface.vertices().to_vec(),
-        nets.flatten().copied().collect(),
-        &degrees,
-    )
-    .unwrap()
+pub(crate) fn tolerance(tolerance: f64) -> TessellationOptions {
+    TessellationOptions::tolerance(tolerance)
+}
+
+pub(crate) fn meshed(surface: &Surface, options: TessellationOptions, weld: Weld) -> Mesh {
+    surface.tessellate(&options.weld(weld)).unwrap()
 }
 
 /// The patch edges in the order of their names.
@@ -72,18 +63,23 @@ pub(crate) fn along(side: PatchEdge, [u, v]: [f64; 2]) -> Option<f64> {
 /// The control points of an edge, in the direction of its parameter.
 pub(crate) fn side_points(patch: &Patch, side: PatchEdge) -> Vec<DVec3> {
     let (points, columns) = (patch.control_points(), patch.degree_u() + 1);
-    let last = points.len() - columns;
-    match side {
-        PatchEdge::U0 => points.iter().step_by(columns).copied().collect(),
-        PatchEdge::U1 => points
-            .iter()
-            .skip(columns - 1)
-            .step_by(columns)
-            .copied()
-            .collect(),
-        PatchEdge::V0 => points[..columns].to_vec(),
-        PatchEdge::V1 => points[last..].to_vec(),
-    }
+    let (from, step) = match side {
+        PatchEdge::U0 => (0, columns),
+        PatchEdge::U1 => (columns - 1, columns),
+        PatchEdge::V0 => (0, 1),
+        PatchEdge::V1 => (points.len() - columns, 1),
+    };
+    let count = if step == 1 {
+        columns
+    } else {
+        points.len() / columns
+    };
+    points[from..]
+        .iter()
+        .step_by(step)
+        .take(count)
+        .copied()
+        .collect()
 }
 
 /// Every edge with all edges that are the same line, found by comparing each pair. Each edge occurs once; an edge that
@@ -94,27 +90,19 @@ pub(crate) fn lines(surface: &Surface) -> Vec<Vec<EdgeUse>> {
         for side in SIDES {
             let points = side_points(&net, side);
             let backwards: Vec<_> = points.iter().rev().copied().collect();
-            let point = is_point(&points);
-            let found = lines
-                .iter_mut()
-                .find(|(other, _)| *other == points || *other == backwards);
-            match found {
-                Some((other, uses)) if !point => {
-                    let reversed = *other != points;
-                    uses.push(EdgeUse {
-                        patch,
-                        edge: side,
-                        reversed,
-                    });
+            let mut same = lines.iter_mut();
+            let same = same.find(|(other, _)| *other == points || *other == backwards);
+            let mut used = EdgeUse {
+                patch,
+                edge: side,
+                reversed: false,
+            };
+            match same {
+                Some((other, uses)) if !is_point(&points) => {
+                    used.reversed = *other != points;
+                    uses.push(used);
                 }
-                _ => lines.push((
-                    points,
-                    vec![EdgeUse {
-                        patch,
-                        edge: side,
-                        reversed: false,
-                    }],
-                )),
+                _ => lines.push((points, vec![used])),
             }
         }
     }

@@ -1,5 +1,7 @@
 //! A mesh as a triangle soup: vertices with bit-identical positions are merged.
 
+use crate::support::nets::triangles;
+pub(crate) use crate::support::nets::vectors;
 use casteljau::Mesh;
 use casteljau::glam::DVec3;
 use std::collections::HashMap;
@@ -34,12 +36,7 @@ impl Soup {
             });
             position_of.push(location);
         }
-        let indices: Vec<usize> = mesh.indices.iter().collect();
-        assert!(
-            indices.iter().all(|&index| index < position_of.len()),
-            "an index past the vertices"
-        );
-        let corners: Vec<[usize; 3]> = indices.as_chunks().0.to_vec();
+        let corners = triangles(mesh);
         Self {
             points,
             triangles: corners.iter().map(|t| t.map(|v| position_of[v])).collect(),
@@ -56,10 +53,7 @@ impl Soup {
     /// Asserts that no triangle has two corners at the same position.
     pub(crate) fn assert_no_collapsed_triangle(&self) {
         for &[a, b, c] in &self.triangles {
-            assert!(
-                a != b && b != c && c != a,
-                "a triangle without three places"
-            );
+            assert!(a != b && b != c && c != a, "corners at one place");
         }
     }
 
@@ -82,10 +76,7 @@ impl Soup {
                 [a, b] if a == b && a <= sheets => {}
                 [1, 0] => open.push((low, high)),
                 [0, 1] => open.push((high, low)),
-                _ => panic!(
-                    "an edge with {uses:?} triangles at {}",
-                    self.points[low as usize]
-                ),
+                _ => panic!("{uses:?} triangles at {}", self.points[low as usize]),
             }
         }
         open.sort_unstable();
@@ -103,22 +94,24 @@ impl Soup {
         chain
     }
 
+    /// The positions of the corners of all triangles.
+    pub(crate) fn all_corners(&self) -> impl Iterator<Item = [DVec3; 3]> {
+        (0..self.triangles.len()).map(|k| self.corners_at(k))
+    }
+
     /// The enclosed volume, by the divergence theorem: Σ a · (b × c) / 6.
     pub(crate) fn volume(&self) -> f64 {
-        let triangles = 0..self.triangles.len();
-        let sum = triangles
-            .map(|k| self.corners_at(k))
-            .map(|[a, b, c]| a.dot(b.cross(c)));
-        sum.sum::<f64>() / 6.0
+        let parts = self.all_corners().map(|[a, b, c]| a.dot(b.cross(c)));
+        parts.sum::<f64>() / 6.0
     }
 
     pub(crate) fn area(&self) -> f64 {
-        let triangles = 0..self.triangles.len();
-        let sum = triangles
-            .map(|k| self.corners_at(k))
-            .map(|[a, b, c]| (b - a).cross(c - a).length());
-        sum.sum::<f64>() / 2.0
+        self.all_corners().map(area).sum()
     }
+}
+
+pub(crate) fn area([a, b, c]: [DVec3; 3]) -> f64 {
+    (b - a).cross(c - a).length() / 2.0
 }
 
 /// Adds an edge; opposite edges cancel, and an edge from a position to itself is ignored.
@@ -137,13 +130,4 @@ pub(crate) fn add(chain: &mut Corners, from: u32, to: u32) {
 
 pub(crate) fn edges_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
     [(a, b), (b, c), (c, a)]
-}
-
-/// Vectors from consecutive triples of numbers.
-pub(crate) fn vectors<T: Copy + Into<f64>>(numbers: &[T]) -> impl Iterator<Item = DVec3> {
-    numbers
-        .as_chunks()
-        .0
-        .iter()
-        .map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()))
 }

@@ -1,10 +1,11 @@
 //! Tubes and ribbons on degenerate surfaces, and rejected input.
 
-use super::{euler, ribbons, single, teapot, triangles, tubes, vector, volume};
-use crate::support::Rng;
-use crate::support::nets::RandomNet;
+use super::{euler, ribbons, tubes};
+use crate::support::nets::{RandomNet, net, nothing, scaled, single, teapot};
+use crate::support::nets::{triangles, vectors, volume};
+use crate::support::{Rng, assert_refused};
 use casteljau::glam::{DAffine3, DVec3};
-use casteljau::mesh::{Wire, WireframeOptions};
+use casteljau::mesh::{PatchRange, Wire, WireframeOptions};
 use casteljau::models::Up;
 use casteljau::{Mesh, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -27,80 +28,52 @@ fn ranges_tell_which_patch_drew() {
 fn results_follow_the_surface() {
     let turn =
         DAffine3::from_rotation_y(0.7) * DAffine3::from_translation(DVec3::new(1.0, 2.0, 3.0));
-    let count = |mesh: &Mesh| (mesh.vertex_count(), mesh.triangle_count());
     let cup = Surface::teacup(Up::Z);
-    let (plain, turned) = (
-        ribbons(&cup, 2, 0.02),
-        ribbons(&cup.transform(&turn).expect("a finite image"), 2, 0.02),
-    );
-    assert!(count(&plain).0.abs_diff(count(&turned).0) < 20);
+    let bands = [&cup, &cup.transform(&turn).unwrap()].map(|s| ribbons(s, 2, 0.02).vertex_count());
+    assert!(bands[0].abs_diff(bands[1]) < 20);
+    let before = tubes(&cup, 2, 0.02, 8);
     for scale in [1e-9, 1e9] {
-        let scaled = cup
-            .transform(&DAffine3::from_scale(DVec3::splat(scale)))
-            .expect("a finite image");
-        let mesh = tubes(&scaled, 2, 0.02 * scale, 8);
-        assert!(count(&mesh).0.abs_diff(count(&tubes(&cup, 2, 0.02, 8)).0) < 100);
-        let share = volume(&mesh) / volume(&tubes(&cup, 2, 0.02, 8)) / scale.powi(3);
+        let mesh = tubes(&scaled(&cup, scale), 2, 0.02 * scale, 8);
+        assert!(mesh.vertex_count().abs_diff(before.vertex_count()) < 100);
+        let share = volume(&mesh) / volume(&before) / scale.powi(3);
         assert!((share - 1.0).abs() < 1e-3, "{share}");
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn degenerate_lines() {
-    let point = single(vec![DVec3::ONE; 16], 3, 3);
-    assert_eq!(tubes(&point, 3, 0.1, 8), empty(1));
-    assert_eq!(ribbons(&point, 3, 0.1), empty(1));
-    let nothing = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
-    assert_eq!(tubes(&nothing, 3, 0.1, 8), empty(0));
+    let point = single(&[DVec3::ONE; 16], 3, 3);
+    for (surface, patches) in [(&point, 1), (&nothing(), 0)] {
+        let patch_ranges = vec![PatchRange::default(); patches];
+        let empty = Mesh {
+            patch_ranges,
+            ..Mesh::default()
+        };
+        assert_eq!(tubes(surface, 3, 0.1, 8), empty);
+        assert_eq!(ribbons(surface, 3, 0.1), empty);
+    }
     // A patch that is a curve has no normals; on the next ones lines turn back or have cusps.
-    let along = |xs: [f64; 4]| {
-        let row = move |y: f64| xs.map(|x| DVec3::new(x, y, 0.0));
-        [0.0, 0.0, 0.0, 0.0].map(row).concat()
-    };
     let cusp = [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)];
-    let cusps: Vec<DVec3> = (0..16)
-        .map(|i| DVec3::new(cusp[i % 4].0, cusp[i % 4].1, (i / 4) as f64))
-        .collect();
-    for net in [
-        along([0.0, 1.0, 2.0, 3.0]),
-        along([0.0, 3.0, -2.0, 1.0]),
-        along([0.0; 4]),
-        cusps,
-    ] {
-        let surface = single(net, 3, 3);
+    let flat = [[0.0, 1.0, 2.0, 3.0], [0.0, 3.0, -2.0, 1.0], [0.0; 4]];
+    let rows = flat.map(|xs| xs.map(|x| (x, 0.0)));
+    for (row, depth) in rows.map(|row| (row, 0.0)).into_iter().chain([(cusp, 1.0)]) {
+        let mut net = net(3, 3, |_, j| DVec3::Z * j * depth);
+        (0..16).for_each(|k| (net[k].x, net[k].y) = row[k % 4]);
+        let surface = single(&net, 3, 3);
         euler(&tubes(&surface, 2, 0.01, 7));
         check_ribbons(&ribbons(&surface, 2, 0.01));
     }
     // The cusp ends a line: both arms are separate bodies.
-    let cusps = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
-    let net = [0.0, 1.0]
-        .map(|z| cusps.map(|[x, y]| DVec3::new(x, y, z)))
-        .concat();
-    assert_eq!(
-        euler(&tubes(&single(net, 3, 1), 1, 0.01, 8)),
-        2 * (2 + 2 * 2)
-    );
-}
-
-fn empty(patches: usize) -> Mesh {
-    Mesh {
-        patch_ranges: vec![casteljau::mesh::PatchRange::default(); patches],
-        ..Mesh::default()
-    }
+    let net = [0.0, 1.0].map(|z| cusp.map(|(x, y)| DVec3::new(x, y, z)));
+    let mesh = tubes(&single(net.as_flattened(), 3, 1), 1, 0.01, 8);
+    assert_eq!(euler(&mesh), 2 * (2 + 2 * 2));
 }
 
 fn check_ribbons(mesh: &Mesh) {
-    let finite = |list: &[f32]| list.iter().all(|x| x.is_finite());
-    assert!(finite(&mesh.positions) && finite(&mesh.normals));
-    for vertex in 0..mesh.vertex_count() {
-        assert!((vector(&mesh.normals, vertex).length() - 1.0).abs() < 3e-7);
-    }
-    assert!(
-        triangles(mesh)
-            .iter()
-            .flatten()
-            .all(|&v| v < mesh.vertex_count())
-    );
+    assert!(vectors(&mesh.positions).all(|p| p.is_finite()));
+    assert!(vectors(&mesh.normals).all(|n| (n.length() - 1.0).abs() < 3e-7));
+    let (mut all, count) = (triangles(mesh).into_iter().flatten(), mesh.vertex_count());
+    assert!(all.all(|vertex| vertex < count));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -109,8 +82,8 @@ fn adversarial_nets() {
     for case in 0..300 {
         let (m, n) = (1 + case % 5, 1 + case / 5 % 4);
         let scale = [1.0, 1e-30, 1e30][case % 3];
-        let net = random.net(m, n).into_iter().map(|p| p * scale);
-        let surface = single(net.collect(), m, n);
+        let net: Vec<DVec3> = random.net(m, n).iter().map(|&p| p * scale).collect();
+        let surface = single(&net, m, n);
         let size = [0.001, 0.1, 3.0][case % 7 % 3] * scale;
         euler(&tubes(&surface, 1 + case % 3, size, 3 + case % 6));
         check_ribbons(&ribbons(&surface, 1 + case % 3, size));
@@ -119,39 +92,50 @@ fn adversarial_nets() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn refused() {
-    let of = |lines, wire| {
-        let result = teapot().wireframe(&WireframeOptions { lines, wire });
-        result.unwrap_err().to_string()
-    };
     let tube = |radius, sides| Wire::Tube { radius, sides };
     let ribbon = |width| Wire::Ribbon { width };
-    assert_eq!(
-        of(0, ribbon(0.1)),
-        "lines: expected a whole number from 1, got 0"
-    );
-    assert_eq!(
-        of(1, tube(0.1, 2)),
-        "sides: expected a whole number from 3, got 2"
-    );
-    assert_eq!(
-        of(1, tube(0.0, 8)),
-        "radius: expected a finite number above 0, got 0"
-    );
-    assert_eq!(
-        of(1, ribbon(f64::NAN)),
-        "width: expected a finite number above 0, got NaN"
-    );
-    assert_eq!(
-        of(1, ribbon(f64::INFINITY)),
-        "width: expected a finite number above 0, got inf"
-    );
-    assert!(of(1, tube(1e-9, 8)).starts_with("radius: expected at least "));
-    assert!(of(1, ribbon(1e-9)).starts_with("width: expected at least "));
-    assert!(of(1, ribbon(1e39)).starts_with("vertices: expected coordinates that f32 can hold"));
-    assert!(of(1_000_000, ribbon(0.1)).starts_with("vertices: expected at most "));
-    assert!(of(usize::MAX, ribbon(0.1)).starts_with("vertices: expected at most "));
-    assert!(of(2, tube(0.1, usize::MAX)).starts_with("vertices: expected at most "));
-    assert!(of(1, tube(2.0, 100_000)).contains("expected at "));
+    let many = usize::MAX;
+    for (lines, wire, message) in [
+        (
+            0,
+            ribbon(0.1),
+            "lines: expected a whole number from 1, got 0",
+        ),
+        (
+            1,
+            tube(0.1, 2),
+            "sides: expected a whole number from 3, got 2",
+        ),
+        (
+            1,
+            tube(0.0, 8),
+            "radius: expected a finite number above 0, got 0",
+        ),
+        (
+            1,
+            ribbon(f64::NAN),
+            "width: expected a finite number above 0, got NaN",
+        ),
+        (
+            1,
+            ribbon(f64::INFINITY),
+            "width: expected a finite number above 0, got inf",
+        ),
+        (1, tube(1e-9, 8), "radius: expected at least "),
+        (1, ribbon(1e-9), "width: expected at least "),
+        (
+            1,
+            ribbon(1e39),
+            "vertices: expected coordinates that f32 can hold",
+        ),
+        (1_000_000, ribbon(0.1), "vertices: expected at most "),
+        (many, ribbon(0.1), "vertices: expected at most "),
+        (2, tube(0.1, many), "vertices: expected at most "),
+        (1, tube(2.0, 100_000), "radius: expected at least "),
+    ] {
+        let result = teapot().wireframe(&WireframeOptions { lines, wire });
+        assert_refused(result, message);
+    }
 }
 
 /// Gumbo, the most difficult model: many corners and edges are collapsed.

@@ -4,42 +4,22 @@ mod limits;
 mod ribbons;
 mod tubes;
 
-use casteljau::glam::DVec3;
+use crate::support::nets::{triangles, vector};
 use casteljau::mesh::{Wire, WireframeOptions};
-use casteljau::{Mesh, Surface, TeapotOptions};
+use casteljau::{Mesh, Surface};
 use std::collections::HashMap;
 
-pub(crate) fn teapot() -> Surface {
-    Surface::teapot(TeapotOptions::default())
-}
-
-pub(crate) fn single(net: Vec<DVec3>, m: usize, n: usize) -> Surface {
-    let indices = (0..u32::try_from(net.len()).unwrap()).collect();
-    Surface::new(net, indices, m, n).unwrap()
+fn mesh(surface: &Surface, lines: usize, wire: Wire) -> Mesh {
+    let options = WireframeOptions { lines, wire };
+    surface.wireframe(&options).unwrap()
 }
 
 pub(crate) fn tubes(surface: &Surface, lines: usize, radius: f64, sides: usize) -> Mesh {
-    let wire = Wire::Tube { radius, sides };
-    surface
-        .wireframe(&WireframeOptions { lines, wire })
-        .unwrap()
+    mesh(surface, lines, Wire::Tube { radius, sides })
 }
 
 pub(crate) fn ribbons(surface: &Surface, lines: usize, width: f64) -> Mesh {
-    let wire = Wire::Ribbon { width };
-    surface
-        .wireframe(&WireframeOptions { lines, wire })
-        .unwrap()
-}
-
-pub(crate) fn vector(list: &[f32], vertex: usize) -> DVec3 {
-    let [x, y, z] = [0, 1, 2].map(|axis| f64::from(list[3 * vertex + axis]));
-    DVec3::new(x, y, z)
-}
-
-pub(crate) fn triangles(mesh: &Mesh) -> Vec<[usize; 3]> {
-    let indices: Vec<usize> = mesh.indices.iter().collect();
-    indices.chunks(3).map(|t| [t[0], t[1], t[2]]).collect()
+    mesh(surface, lines, Wire::Ribbon { width })
 }
 
 /// Checks lengths and normals, and that ranges cover the mesh; returns V − E + F of a closed mesh.
@@ -66,10 +46,4 @@ pub(crate) fn euler(mesh: &Mesh) -> isize {
     }
     let count = |n: usize| isize::try_from(n).unwrap();
     count(vertices) - count(edges.len() / 2) + count(mesh.triangle_count())
-}
-
-pub(crate) fn volume(mesh: &Mesh) -> f64 {
-    let corner = |vertex| vector(&mesh.positions, vertex);
-    let tetrahedron = |t: [usize; 3]| corner(t[0]).dot(corner(t[1]).cross(corner(t[2]))) / 6.0;
-    triangles(mesh).into_iter().map(tetrahedron).sum()
 }

@@ -1,15 +1,15 @@
 //! Ribbons: bands in the tangent planes of a surface.
 
-use super::{ribbons, single, triangles, vector};
+use super::ribbons;
 use crate::support::Rng;
-use crate::support::nets::RandomNet;
+use crate::support::nets::{RandomNet, single, triangles, vector};
 use casteljau::glam::DVec3;
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn ribbons_lie_in_the_tangent_planes() {
-    let surface = single(Rng(8).net(3, 3), 3, 3);
+    let surface = single(&Rng(8).net(3, 3), 3, 3);
     let width = 0.04;
     let mesh = ribbons(&surface, 1, width);
     let patch = surface.patch(0).unwrap();
@@ -23,20 +23,13 @@ fn ribbons_lie_in_the_tangent_planes() {
         assert!(normal.dot(right - left).abs() < 1e-7);
         // The middle is a point of an edge, and the normal is the patch's normal there.
         let middle = 0.5 * (left + right);
-        let locations =
-            (0..4).flat_map(|side| (0..=4000).map(move |k| (side, f64::from(k) / 4000.0)));
-        let uv = |(side, t): (usize, f64)| [(0.0, t), (1.0, t), (t, 0.0), (t, 1.0)][side];
-        let nearest = locations
-            .map(|location| {
-                (
-                    patch.eval(uv(location).0, uv(location).1).distance(middle),
-                    location,
-                )
-            })
-            .fold((1.0, (0, 0.0)), |a, b| if b.0 < a.0 { b } else { a });
+        let edges = (0..=4000).map(|k| f64::from(k) / 4000.0);
+        let edges = edges.flat_map(|t| [(0.0, t), (1.0, t), (t, 0.0), (t, 1.0)]);
+        let nearest = edges
+            .map(|(u, v)| (patch.eval(u, v).distance(middle), u, v))
+            .fold((1.0, 0.0, 0.0), |a, b| if b.0 < a.0 { b } else { a });
         assert!(nearest.0 < 2e-3);
-        let (u, v) = uv(nearest.1);
-        assert!(normal.dot(patch.normal(u, v)) > 0.999);
+        assert!(normal.dot(patch.normal(nearest.1, nearest.2)) > 0.999);
     }
     for [a, b, c] in triangles(&mesh) {
         let [p, q, r] = [a, b, c].map(|vertex| vector(&mesh.positions, vertex));
@@ -50,13 +43,10 @@ fn ribbons_turn_with_the_surface() {
     // z = 20xy: every line is straight, but the surface turns about it by almost half a turn from end to end.
     let net = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
     let net = net.map(|(x, y)| DVec3::new(x - 0.5, y - 0.5, 20.0 * (x - 0.5) * (y - 0.5)));
-    let mesh = ribbons(&single(net.to_vec(), 1, 1), 2, 0.01);
+    let mesh = ribbons(&single(&net, 1, 1), 2, 0.01);
     assert!(mesh.vertex_count() > 2 * 3 * 6);
-    let mut sides = 0;
     for [a, b, ..] in triangles(&mesh) {
         let turn = vector(&mesh.normals, a).dot(vector(&mesh.normals, b));
         assert!(turn >= (PI / 4.0).cos() - 1e-6);
-        sides += 1;
     }
-    assert_eq!(sides, mesh.triangle_count());
 }

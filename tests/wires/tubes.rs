@@ -1,8 +1,9 @@
 //! Tubes: closed bodies around the isocurves of a surface.
 
-use super::{euler, single, teapot, tubes, vector, volume};
+use super::{euler, tubes};
 use crate::support::Rng;
-use crate::support::nets::RandomNet;
+use crate::support::measure::from_segment;
+use crate::support::nets::{RandomNet, net, single, teapot, vector, vectors, volume};
 use casteljau::glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -10,8 +11,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[wasm_bindgen_test(unsupported = test)]
 fn straight_tubes_are_capsules() {
     // Four straight edges of a rectangle of 3 × 2.
-    let square = [[0.0, 0.0], [3.0, 0.0], [0.0, 2.0], [3.0, 2.0]];
-    let surface = single(square.map(|[x, y]| DVec3::new(x, y, 1.0)).to_vec(), 1, 1);
+    let surface = single(&net(1, 1, |i, j| DVec3::new(3.0 * i, 2.0 * j, 1.0)), 1, 1);
     for sides in [3, 4, 5, 8, 16, 64] {
         let radius = 0.1;
         let mesh = tubes(&surface, 1, radius, sides);
@@ -24,8 +24,7 @@ fn straight_tubes_are_capsules() {
             share < polygon && share > polygon * polygon - 0.03,
             "{sides}: {share}"
         );
-        for vertex in 0..mesh.vertex_count() {
-            let p = vector(&mesh.positions, vertex);
+        for p in vectors(&mesh.positions) {
             let beyond = |x: f64, max: f64| (x - x.clamp(0.0, max)).abs();
             // On the capsule around one of the edges.
             let along_x = |y: f64| DVec3::new(beyond(p.x, 3.0), p.y - y, p.z - 1.0).length();
@@ -51,7 +50,7 @@ fn teapot_s_tubes_are_closed_bodies() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn centres_lie_on_the_lines() {
-    let surface = single(Rng(3).net(3, 3), 3, 3);
+    let surface = single(&Rng(3).net(3, 3), 3, 3);
     let (radius, sides) = (0.02, 8);
     let mesh = tubes(&surface, 2, radius, sides);
     euler(&mesh);
@@ -63,48 +62,31 @@ fn centres_lie_on_the_lines() {
     let mut centres = Vec::new();
     for vertex in 0..mesh.vertex_count() {
         let centre = vector(&mesh.positions, vertex) - vector(&mesh.normals, vertex) * radius;
-        let nearest = samples
-            .iter()
-            .map(|p| p.distance(centre))
-            .fold(1.0, f64::min);
+        let distances = samples.iter().map(|p| p.distance(centre));
+        let nearest = distances.fold(1.0, f64::min);
         assert!(nearest < 2e-3, "{centre} is {nearest} off");
         centres.push(centre);
     }
     // The line is within r (1 − cos(π/8)) of the polygon of the centres: the rings are dense enough.
     let tolerance = radius * (1.0 - (PI / 8.0).cos());
     for p in samples.iter().step_by(7) {
-        let nearest = centres
-            .windows(sides + 1)
-            .flat_map(|w| [(w[0], w[sides]), (w[0], w[1])]);
-        let distance = nearest
-            .map(|(a, b)| distance_to_segment(*p, a, b))
-            .fold(1.0, f64::min);
-        assert!(
-            distance <= tolerance + 1e-6,
-            "{p}: {distance} > {tolerance}"
-        );
+        let windows = centres.windows(sides + 1);
+        let off = windows.flat_map(|w| [w[sides], w[1]].map(|end| from_segment(*p, w[0], end)));
+        let off = off.fold(1.0, f64::min);
+        assert!(off <= tolerance + 1e-6, "{p}: {off} > {tolerance}");
     }
-}
-
-fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let along = b - a;
-    let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-    p.distance(a + along * t.clamp(0.0, 1.0))
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn tubes_of_plane_lines_do_not_twist() {
     // All lines of a plane patch: the component of a corner's normal perpendicular to the plane is constant along the
     // line.
-    let net = (0..16).map(|i| {
-        let (x, y) = (f64::from(i % 4), f64::from(i / 4));
+    let net = net(3, 3, |x, y| {
         DVec3::new(x + 0.4 * y * y, y + 0.3 * x * x, 0.0)
     });
     // Rotated, so that the first corners are neither in the plane nor perpendicular to it.
     let turn = DAffine3::from_rotation_x(0.8) * DAffine3::from_rotation_y(0.5);
-    let surface = single(net.collect(), 3, 3)
-        .transform(&turn)
-        .expect("a finite image");
+    let surface = single(&net, 3, 3).transform(&turn).unwrap();
     let sides = 6;
     let mesh = tubes(&surface, 1, 0.05, sides);
     assert_eq!(euler(&mesh), 8);
