@@ -25,7 +25,7 @@ export async function openSurface(t, attributes = "", { more, ...options } = {})
   const page = await openPage(
     t,
     { html: surfacePage(attributes, more) },
-    { viewport, reducedMotion: "reduce", warnings: WARNINGS, ...options },
+    { viewport, reducedMotion: "reduce", messages: WARNINGS, ...options },
   );
   await ready(page);
   return page;
