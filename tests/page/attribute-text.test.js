@@ -78,20 +78,6 @@ test("<bezier-surface> takes attributes' texts as properties, and undefined for 
   assert.deepEqual(removed, before);
 });
 
-test("<bezier-surface>: undefined means the model and the first view", async (t) => {
-  const page = await openPage(t, { html: PAGE });
-  await page.waitForFunction("globalThis.ready");
-  const [first, last] = await page.evaluate(() => {
-    const element = /** @type {any} */ (document.createElement("bezier-surface"));
-    const first = element.view;
-    element.view = { turn: 10, zoom: 3 };
-    element.view = undefined;
-    element.surface = undefined;
-    return [first, element.view];
-  });
-  assert.deepEqual(last, first);
-});
-
 test("<bezier-easing> takes attributes' texts as properties, `form` too", async (t) => {
   const attributes = { value: "ease-in", name: "easing", required: "", disabled: "" };
   const { after, removed } = await given(t, "bezier-easing", attributes);

@@ -32,18 +32,9 @@ test("either of the two may be defined first", async (test) => {
     customElements.define(
       "late-figure",
       class extends HTMLElement {
-        figure = {
-          points: [
-            [0, 0],
-            [1, 1],
-          ],
-          names: ["A", "B"],
-          basis: "bezier",
-          matrix: null,
-          t: 0.75,
-          segment: 0,
-          pieces: [],
-        };
+        figure = JSON.parse(
+          '{"points":[[0,0],[1,1]],"names":["A","B"],"basis":"bezier","matrix":null,"t":0.75,"segment":0,"pieces":[]}',
+        );
         steer() {}
       },
     ),
