@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Acting } from "../../js/elements/applet/acting.js";
 import { BezierApplet } from "../../js/elements/applet/element.js";
+import { elementOf } from "./element-node.js";
 import * as edits from "../../js/elements/applet/edits.js";
 import { FIELDS } from "../../js/elements/applet/fields.js";
 import { figureOf } from "../../js/elements/applet/figure.js";
@@ -12,27 +13,11 @@ import { turnedBy15 } from "../../js/elements/applet/snap.js";
 import { BASES, firstState, MODES, withPoints } from "../../js/elements/applet/state.js";
 import { description, jointWords } from "../../js/elements/applet/words.js";
 
-/** The element with a document's part: attributes that change are reported. */
-class InNode extends BezierApplet {
-  setAttribute(name, value) {
-    const before = this.getAttribute(name);
-    super.setAttribute(name, value);
-    this.attributeChangedCallback(name, before, String(value));
-  }
-  removeAttribute(name) {
-    const before = this.getAttribute(name);
-    super.removeAttribute(name);
-    this.attributeChangedCallback(name, before, null);
-  }
-}
-customElements.define("bezier-applet-in-node", InNode);
-
 /** An element with these attributes, and the events that it has fired. */
 function element(attributes = {}) {
-  const applet = /** @type {any} */ (new InNode());
+  const applet = elementOf(BezierApplet, attributes);
   const events = [];
   for (const type of ["input", "change"]) applet.addEventListener(type, () => events.push(type));
-  for (const [name, value] of Object.entries(attributes)) applet.setAttribute(name, value);
   return { applet, events };
 }
 /** Points as text, and the reverse. */

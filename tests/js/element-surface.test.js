@@ -8,12 +8,8 @@ import { figureOf } from "../../js/elements/surface/figure.js";
 import { Geometry } from "../../js/elements/surface/geometry.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
 import { Subject } from "../../js/elements/surface/subject.js";
+import { elementOf } from "./element-node.js";
 
-globalThis.CSSStyleSheet ??= /** @type {any} */ (
-  class {
-    replaceSync() {}
-  }
-);
 const { BezierSurface } = await import("../../js/elements/surface/element.js");
 
 /** What the element shows with these attributes, or of a surface of the page's own. */
@@ -138,8 +134,7 @@ test("a probe has its nearest point; what is no point has none", () => {
 });
 
 test("a surface of another entry point is taken; what is none is refused; undefined means the model and the first view", () => {
-  customElements.define("bezier-surface-in-node", BezierSurface);
-  const element = /** @type {any} */ (new BezierSurface());
+  const element = elementOf(BezierSurface);
   const first = element.view;
   element.surface = flat(/** @type {any} */ (SurfaceOfOtherEntry));
   assert.deepEqual([element.surface.patchCount, element.figure.model], [1, "teapot"]);

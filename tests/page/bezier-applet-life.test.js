@@ -46,15 +46,6 @@ test("nothing runs before it is near; what the page put in is shown until then",
   assert.equal(await page.locator("#still").isVisible(), false);
 });
 
-test("without script the poster is there", async (t) => {
-  const page = await openPage(
-    t,
-    { html: appletPage("", '<svg viewBox="0 0 670 480" id="still"><rect width="670" height="480"/></svg>') },
-    { javaScriptEnabled: false },
-  );
-  assert.ok(await page.locator("#still").isVisible());
-});
-
 test("moved about it keeps its state and works; taken away it stops", async (t) => {
   const page = await openApplet(t, "controls", { more: `<section id="there"></section>` });
   await drag(page, 1, 30, 30);
@@ -117,11 +108,10 @@ test("light, dark, as the page is: the theme", async (t) => {
   await ask(page, () => a.removeAttribute("theme"));
   await settled(page);
   assert.equal(await paper(page), WHITE);
-});
-
-test("a custom property colours the curve", async (t) => {
-  const page = await openApplet(t, 'style="--bz-curve: rgb(255, 0, 0)"');
-  assert.match(await ask(page, () => a.toSVG()), /rgb\(255, 0, 0\)/);
+  await page.evaluate(() => a.style.setProperty("--bz-curve", "rgb(255, 0, 0)"));
+  await page.emulateMedia({ colorScheme: "dark" });
+  await settled(page);
+  assert.match(await ask(page, () => a.toSVG()), /rgb\(255, 0, 0\)/, "a custom property colours the curve");
 });
 
 test("forced colours, print and less motion", async (t) => {

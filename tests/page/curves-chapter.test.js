@@ -7,29 +7,10 @@ import { done, nearApplet as near, openCurves as open, task } from "./chapter-pa
 import { dragBy } from "./hands.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
-const SECTIONS = [
-  "parameter",
-  "quadratic",
-  "de-casteljau",
-  "bernstein",
-  "properties",
-  "splitting",
-  "derivatives",
-  "joining",
-  "higher-degrees",
-  "splines",
-  "recursive-rendering",
-  "arc-length",
-  "bounding-boxes",
-  "nearest-point",
-  "intersections",
-  "offsets",
-  "circles",
-  "boolean-operations",
-  "uses",
-  "basis-matrix",
-  "cost-and-numerical-stability",
-];
+const SECTIONS =
+  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles boolean-operations uses basis-matrix cost-and-numerical-stability".split(
+    " ",
+  );
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
 const FIGURES =
@@ -202,7 +183,12 @@ test("what can be seen before the scripts: pictures of the applets, the text, th
   const page = await openPage(t, "/curves/", { javaScriptEnabled: false });
   assert.ok((await page.locator("bezier-applet > svg path").count()) > 100);
   assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
-  assert.ok((await page.locator("lesson-sample pre").count()) === 2 * SECTIONS.length);
+  assert.equal(await page.locator("lesson-sample pre:visible").count(), 2 * SECTIONS.length, "both languages");
+  assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
+  for (const picture of await page.locator("bezier-applet > svg:first-of-type").all()) {
+    const { width, height } = await boxOf(picture);
+    assert.ok(width > 200 && height > 140, `${width} × ${height}`);
+  }
 });
 
 /** Scrolls through the page, so that everything starts. */

@@ -172,6 +172,14 @@ test("in a form: value, name, reset, required, validity, label, fieldset", async
   assert.deepEqual((await state(0)).slice(0, 3), [false, false, "Not this one."]);
 });
 
+test("its form can be named by an id, as frameworks set a property", async (t) => {
+  const page = await openCompanions(t, '<form id="f"></form><bezier-easing></bezier-easing>');
+  const forms = await on(page, "bezier-easing", (element) =>
+    ["f", undefined].map((form) => Object.assign(element, { form }).form?.id ?? null),
+  );
+  assert.deepEqual(forms, ["f", null]);
+});
+
 test("a click on its label goes into it; what is missing is shown and focused when the form is sent", async (t) => {
   const page = await openCompanions(t, FORM);
   await page.getByText("Motion").click({ position: { x: 3, y: 3 } });

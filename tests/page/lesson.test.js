@@ -53,13 +53,6 @@ test("all samples of the chapters run in the browser as they do in Node", async 
   }
 });
 
-test("without scripts both languages can be read, and tasks are prompts", async (t) => {
-  const page = await open(t, "/curves/", { javaScriptEnabled: false });
-  const sample = page.locator("lesson-sample").first();
-  assert.equal(await sample.locator("pre:visible").count(), 2);
-  assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
-});
-
 /** A task with a prediction, about an applet. */
 async function openTask(t, name) {
   const page = await open(t, "/curves/");

@@ -5,26 +5,10 @@ import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
-const SECTIONS = [
-  "patches",
-  "evaluation",
-  "curves",
-  "splitting",
-  "normals",
-  "joining",
-  "tessellation",
-  "cracks",
-  "adaptive",
-  "reyes",
-  "forward-differencing",
-  "gpu",
-  "teapot",
-  "wireframe",
-  "rays",
-  "ray-tracing",
-  "files",
-  "other-representations",
-];
+const SECTIONS =
+  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot wireframe rays ray-tracing files other-representations".split(
+    " ",
+  );
 /** Browsers lend about sixteen. */
 const MOST_CONTEXTS = 10;
 
