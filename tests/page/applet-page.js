@@ -1,6 +1,7 @@
 // What the tests of the applet share: the tutorial's page, hands and eyes.
 import { frames, openPage } from "./browser.js";
 import { centreOf, pullFrom } from "./hands.js";
+import { countPixels } from "./pixels.js";
 
 export { assertNear } from "./hands.js"; // for tests/browsers
 
@@ -51,25 +52,9 @@ export async function drag(page, index, dx, dy) {
   await drawn(page);
 }
 
-/** How many pixels of a colour (red, green, blue) lie within `reach` of a place of the picture, in CSS pixels. */
-export function countColour(page, /** @type {number[]} */ [x, y], colour, reach = 2) {
-  const look = ([x, y, red, green, blue, reach]) => {
-    const canvas = document.querySelector("canvas");
-    const scale = canvas.width / canvas.clientWidth;
-    const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-    const context = /** @type {any} */ (copy.getContext("2d", { willReadFrequently: true }));
-    context.drawImage(canvas, 0, 0);
-    const size = Math.max(1, Math.round(2 * reach * scale));
-    const { data } = context.getImageData(Math.round((x - reach) * scale), Math.round((y - reach) * scale), size, size);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
-      if (data[i + 3] > 200 && far < 40) count++;
-    }
-    return count;
-  };
-  return page.evaluate(look, [x, y, ...colour, reach]);
-}
+/** How many pixels of a colour (red, green, blue) lie within 2 CSS pixels of a place of the picture. */
+export const countColour = (page, place, colour) =>
+  countPixels(page.locator("canvas").first(), { colour, at: place, reach: 2, alpha: 200 });
 
 /** Colours of the light theme. */
 export const BLUE = [0, 114, 178];

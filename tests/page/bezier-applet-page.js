@@ -1,6 +1,7 @@
 // What the tests of <bezier-applet> share: a page with one element, hands and eyes.
 import { openPage } from "./browser.js";
 import { centreOf, pullFrom } from "./hands.js";
+import { countPixels } from "./pixels.js";
 
 export const appletPage = (attributes = "", inside = "", more = "") =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark"><title>A curve</title>
@@ -98,16 +99,6 @@ export const button = (page, name) => page.locator("bezier-applet").getByRole("b
 /** The message below the picture. */
 export const message = (page) => page.evaluate(() => a.shadowRoot.querySelector(".message").innerText.trim());
 
-/** How many pixels of the picture, round a place, differ from those of the paper. */
-export const ink = (page, /** @type {number[]} */ [x, y], half = 4) =>
-  page.evaluate(
-    ([x, y, half]) => {
-      const canvas = a.shadowRoot.querySelector("canvas");
-      const scale = canvas.width / 670;
-      const data = canvas
-        .getContext("2d")
-        .getImageData((x - half) * scale, (y - half) * scale, 2 * half * scale, 2 * half * scale).data;
-      return data.filter((value, i) => i % 4 === 3 && value > 128).length;
-    },
-    [x, y, half],
-  );
+/** How many pixels of the picture, round a place, are drawn on. */
+export const ink = (page, at, reach = 4) =>
+  countPixels(page.locator("bezier-applet canvas").first(), { at, reach, alpha: 128 });

@@ -66,8 +66,12 @@ test("of twenty elements only those near what is seen hold the graphics card, an
     "<script",
     "<script>const ask = HTMLCanvasElement.prototype.getContext; globalThis.contexts = new Set(); HTMLCanvasElement.prototype.getContext = function (...args) { const got = ask.apply(this, args); if (got) contexts.add(got); return got; };</script><script",
   );
-  const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 }, reducedMotion: "reduce" });
-  page.on("console", (message) => /context/i.test(message.text()) && page.problems.push(message.text()));
+  const options = {
+    viewport: { width: 800, height: 600 },
+    reducedMotion: /** @type {const} */ ("reduce"),
+    messages: /context/i,
+  };
+  const page = await openPage(t, { html }, options);
   await ready(page);
   const living = () => page.evaluate(() => [...contexts].filter((each) => !each.isContextLost()).length);
   const elements = page.locator("bezier-surface");
@@ -84,16 +88,6 @@ test("of twenty elements only those near what is seen hold the graphics card, an
     }, k);
     assert.ok((await living()) <= 8, `${await living()} at ${k}`);
   }
-  const inked = await page.evaluate(async () => {
-    const bitmap = await createImageBitmap(await document.querySelectorAll("bezier-surface")[10].toBlob());
-    const context = /** @type {any} */ (
-      Object.assign(document.createElement("canvas"), {
-        width: bitmap.width,
-        height: bitmap.height,
-      }).getContext("2d")
-    );
-    context.drawImage(bitmap, 0, 0);
-    return context.getImageData(0, 0, bitmap.width, bitmap.height).data.filter((x, i) => i % 4 === 3 && x > 128).length;
-  });
+  const { inked } = await look(page, 10);
   assert.ok(inked > 10000, `${inked} pixels`);
 });

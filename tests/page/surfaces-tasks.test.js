@@ -33,18 +33,6 @@ test("the square is dragged, and turned by arrow keys", async (t) => {
   assert.ok(Math.abs(u1 - (u - 0.1)) < 1e-9 && Math.abs(v1 - (v + 0.01)) < 1e-9);
 });
 
-test("a point of the net is pulled down until the centre is half a unit high", async (t) => {
-  const page = await open(t);
-  const element = await near(page, "nine-surface");
-  await task(page, "centre-height", 2);
-  const handle = element.locator('.handle[data-index="4"]');
-  await handle.focus();
-  const height = () => page.evaluate(() => document.querySelector("#nine-surface").figure.points[4][2]);
-  for (let i = 0; i < 20 && (await height()) > 2.3; i++) await handle.press("Shift+ArrowDown");
-  for (let i = 0; i < 20 && (await height()) > 2.1; i++) await handle.press("ArrowDown");
-  assert.match(await done(page, "centre-height"), /the patch is 0\.(4[7-9]|5[0-3]) units high/);
-});
-
 test("a patch is split elsewhere, and an edge between two patches made smooth", async (t) => {
   const page = await open(t);
   await near(page, "halves-surface");
