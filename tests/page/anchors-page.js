@@ -18,13 +18,14 @@ export async function anchorsOf(t, path) {
  * @param {import("node:test").TestContext} t
  * @param {string} path
  * @param {readonly string[]} ids
- * @param {import("playwright-core").BrowserContextOptions & { readsAddress?: boolean }} [options] readsAddress: the page's
- *   scripts read the address, and mark the document when they have
+ * @param {import("playwright-core").BrowserContextOptions & { readsAddress?: boolean, once?: boolean }} [options]
+ *   readsAddress: the page's scripts read the address, and mark the document when they have; once: the page is loaded
+ *   once, and the other anchors are gone to from there
  */
-export async function assertAnchorsLand(t, path, ids, { readsAddress = true, ...options } = {}) {
+export async function assertAnchorsLand(t, path, ids, { readsAddress = true, once = false, ...options } = {}) {
   const page = await openPage(t, "about:blank", { viewport: { width: 1280, height: 800 }, ...options });
   for (const id of ids) {
-    await page.goto("about:blank"); // a new document: otherwise only the fragment changes
+    if (!once) await page.goto("about:blank"); // a new document: otherwise only the fragment changes
     await page.goto(`${path}#${id}`);
     await page.waitForSelector(readsAddress ? "html[data-address]" : "html");
     for (let i = 0; i < 2; i++) await intersectionsReported(page); // what is near has been drawn, and moved what is below

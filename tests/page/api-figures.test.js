@@ -7,18 +7,9 @@ import { inputsOf } from "../../www/api/build/sample.js";
 import { openPage } from "./browser.js";
 
 /** Where the pointer goes while it drags a point, in pixels from its start; some figures need several for another result. */
-const MOVES = [
-  [30, 10],
-  [-30, 25],
-  [10, -40],
-  [60, 40],
-  [-70, -30],
-  [90, -60],
-  [-20, 80],
-  [120, 10],
-  [-120, 40],
-  [0, -110],
-];
+const MOVES = "30,10 -30,25 10,-40 60,40 -70,-30 90,-60 -20,80 120,10 -120,40 0,-110"
+  .split(" ")
+  .map((move) => move.split(",").map(Number));
 
 /** Keys that move a slider or make another choice. */
 const KEYS = [..."uullddrrlluurrrrddddlllluuuu"].map(

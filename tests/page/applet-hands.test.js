@@ -1,8 +1,9 @@
 // Keyboard, touch, double clicks, stacks of handles.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, doubleClick, doubleTap } from "./browser.js";
-import { assertNear, centre, drawn, handle, openTutorial, points } from "./applet-page.js";
+import { centre, drawn, handle, openTutorial, points } from "./applet-page.js";
+import { boxOf } from "./browser.js";
+import { assertNear, doubleClick, doubleTap, fingersOn } from "./hands.js";
 
 /** The accessible name of what has the focus, inside the shadow root. */
 const focused = (page) =>
@@ -46,6 +47,8 @@ test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
   assertNear([await app("t")], [0.51], 1e-9);
   await press(page.getByLabel("hull"), "Space");
   assert.equal((await app("layers")).hull, true);
+  await press(page.getByRole("button", { name: "Add a point" }), "Enter");
+  assert.equal(await page.locator('[part="handle"]').count(), 10);
   const before = await points(page);
   await press(page.getByRole("button", { name: /Randomize/ }), "Enter");
   assert.notDeepEqual(await points(page), before);
@@ -109,22 +112,6 @@ test("a double click on an empty place appends a segment that ends there; on a p
   assert.equal((await points(page)).length, 10, "neither a point nor two places apart count");
 });
 
-test("the button adds where there is room", async (t) => {
-  const page = await openTutorial(t);
-  const before = await points(page);
-  for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Add a point" }).click();
-  await drawn(page);
-  const after = await points(page);
-  assert.equal(after.length, 13);
-  assert.deepEqual(after.slice(0, 7), before);
-  for (const index of [9, 12]) {
-    const others = after.filter((_, i) => i < index - 2);
-    const room = Math.min(...others.map(([x, y]) => Math.hypot(x - after[index][0], y - after[index][1])));
-    assert.ok(room > 60, `P${index} has ${room} pixels around it`);
-  }
-  assert.equal(await page.locator('[part="handle"]').count(), 13);
-});
-
 test("of two overlapping handles the nearer is taken; a second press takes the other", async (t) => {
   const page = await openTutorial(t);
   const all = (await points(page)).with(4, [335, 236]); // 11.7 from P3
@@ -152,15 +139,14 @@ test("touch: two fingers move two points at once, and neither scrolls the page",
   const page = await openTutorial(t, { hasTouch: true, isMobile: true, viewport: { width: 700, height: 600 } });
   const before = await points(page);
   const [a, b] = [await centre(page, 1), await centre(page, 4)];
-  const finger = (/** @type {number[]} */ [x, y], id) => ({ x: Math.round(x), y: Math.round(y), id });
-  const client = await page.context().newCDPSession(page);
-  const touch = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
-  await touch("touchStart", [finger(a, 1)]);
-  await touch("touchStart", [finger(a, 1), finger(b, 2)]);
-  for (let i = 1; i <= 5; i++) {
-    await touch("touchMove", [finger([a[0] + 10 * i, a[1] + 8 * i], 1), finger([b[0] - 9 * i, b[1] - 12 * i], 2)]);
-  }
-  await touch("touchEnd", []);
+  const touch = await fingersOn(page);
+  const places = (i) => [
+    [a[0] + 10 * i, a[1] + 8 * i],
+    [b[0] - 9 * i, b[1] - 12 * i],
+  ];
+  await touch("touchStart", a);
+  for (let i = 0; i <= 5; i++) await touch(i ? "touchMove" : "touchStart", ...places(i));
+  await touch("touchEnd");
   await drawn(page);
   const after = await points(page);
   assertNear(after[1], [before[1][0] + 50, before[1][1] + 40], 1.01);
@@ -178,12 +164,12 @@ test("touch: a double tap on an empty place appends; a cancelled touch restores"
   assert.equal(before.length, 10);
   assertNear(before[9], [402, 71], 2);
   const [px, py] = await centre(page, 1);
-  const client = await page.context().newCDPSession(page);
-  await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x: px, y: py }] });
-  await client.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: px + 60, y: py + 50 }] });
+  const touch = await fingersOn(page);
+  await touch("touchStart", [px, py]);
+  await touch("touchMove", [px + 60, py + 50]);
   await drawn(page);
   assert.notDeepEqual(await points(page), before);
-  await client.send("Input.dispatchTouchEvent", { type: "touchCancel", touchPoints: [] });
+  await touch("touchCancel");
   await drawn(page);
   assert.deepEqual(await points(page), before);
 });

@@ -1,6 +1,9 @@
 // What the tests of the applet share: the tutorial's page, hands and eyes.
-import assert from "node:assert/strict";
-import { boxOf, openPage } from "./browser.js";
+import { frames, openPage } from "./browser.js";
+import { centreOf, pullFrom } from "./hands.js";
+import { countPixels } from "./pixels.js";
+
+export { assertNear } from "./hands.js"; // for tests/browsers
 
 /** The tutorial's own two lines, to the letter. */
 export const TUTORIAL = `<canvas style="margin-bottom: 10px;" id="beziercanvas" width="670px" height="480px">You don't support canvas</canvas>
@@ -19,7 +22,7 @@ export const tutorialPage = (more = "") =>
  */
 export async function openTutorial(t, { more, ...options } = {}) {
   const viewport = { width: 800, height: 1000 };
-  const page = await openPage(t, { html: tutorialPage(more) }, { viewport, warnings: /./, ...options });
+  const page = await openPage(t, { html: tutorialPage(more) }, { viewport, messages: /./, ...options });
   await handle(page, 0).waitFor();
   return page;
 }
@@ -31,21 +34,14 @@ export const handle = (page, index) => page.locator(`[part="handle"][data-index=
 export const points = (page) => page.evaluate(() => bezierApp().points);
 
 /** Waits until what was changed has been drawn. */
-export const drawn = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const drawn = (page) => frames(page);
 
 /** Where a handle's centre is in the window. */
-export async function centre(page, index) {
-  const { x, y, width, height } = await boxOf(handle(page, index));
-  return [x + width / 2, y + height / 2];
-}
+export const centre = (page, index) => centreOf(handle(page, index));
 
 /** Presses on a point and moves it by so many pixels, in steps; the button stays down. */
 export async function pull(page, index, dx, dy) {
-  const [x, y] = await centre(page, index);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx, y + dy, { steps: 6 });
+  await pullFrom(page, await centre(page, index), dx, dy);
   await drawn(page);
 }
 
@@ -56,25 +52,9 @@ export async function drag(page, index, dx, dy) {
   await drawn(page);
 }
 
-/** How many pixels of a colour (red, green, blue) lie within `reach` of a place of the picture, in CSS pixels. */
-export function countColour(page, /** @type {number[]} */ [x, y], colour, reach = 2) {
-  const look = ([x, y, red, green, blue, reach]) => {
-    const canvas = document.querySelector("canvas");
-    const scale = canvas.width / canvas.clientWidth;
-    const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-    const context = /** @type {any} */ (copy.getContext("2d", { willReadFrequently: true }));
-    context.drawImage(canvas, 0, 0);
-    const size = Math.max(1, Math.round(2 * reach * scale));
-    const { data } = context.getImageData(Math.round((x - reach) * scale), Math.round((y - reach) * scale), size, size);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
-      if (data[i + 3] > 200 && far < 40) count++;
-    }
-    return count;
-  };
-  return page.evaluate(look, [x, y, ...colour, reach]);
-}
+/** How many pixels of a colour (red, green, blue) lie within 2 CSS pixels of a place of the picture. */
+export const countColour = (page, place, colour) =>
+  countPixels(page.locator("canvas").first(), { colour, at: place, reach: 2, alpha: 200 });
 
 /** Colours of the light theme. */
 export const BLUE = [0, 114, 178];
@@ -85,16 +65,6 @@ export const GREEN = [0, 158, 115];
 export function cubicAt(/** @type {number[][]} */ [p0, p1, p2, p3], t) {
   const s = 1 - t;
   return [0, 1].map((k) => s ** 3 * p0[k] + 3 * s * s * t * p1[k] + 3 * s * t * t * p2[k] + t ** 3 * p3[k]);
-}
-
-/** Each pair of coordinates within a distance. */
-export function assertNear(actual, expected, within, words) {
-  assert.equal(actual.length, expected.length, words);
-  const far = Math.max(...actual.map((value, i) => Math.abs(value - expected[i])));
-  assert.ok(
-    far <= within,
-    `${words ?? "near"}: ${JSON.stringify(actual)} and ${JSON.stringify(expected)} differ by ${far}`,
-  );
 }
 
 /** What P2, P3, P4 are to each other: the sine of the angle between P2P3 and P3P4, its cosine, the two lengths. */

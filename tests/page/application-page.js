@@ -6,7 +6,7 @@ export const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor:
 /** The applications and their elements. @type {Record<string, string>} */
 export const TAGS = { "/easing/": "easing-lab", "/camera/": "camera-path", "/glyph/": "glyph-editor" };
 
-/** Opens an application and waits until it has drawn. */
+/** Opens an application, and waits until it has drawn. */
 export async function open(t, path, options = {}) {
   const page = await openPage(t, path, {
     viewport: { width: 1000, height: 1000 },

@@ -1,5 +1,7 @@
 // What the tests of <bezier-applet> share: a page with one element, hands and eyes.
-import { boxOf, openPage } from "./browser.js";
+import { openPage } from "./browser.js";
+import { centreOf, pullFrom } from "./hands.js";
+import { countPixels } from "./pixels.js";
 
 export const appletPage = (attributes = "", inside = "", more = "") =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark"><title>A curve</title>
@@ -54,24 +56,23 @@ export async function set(page, properties) {
 
 export const points = (page) => page.evaluate(() => a.points);
 
+/** The points as the attribute has them: "70,330 110,90 …". */
+export const pointsText = (page) => page.evaluate(() => a.points.join(" "));
+
+/** The seven points that are there at first. */
+export const FIRST = "70,330 110,90 235,120 325,230 433,362 590,400 600,130";
+
 /** A value of the page's, computed from the element `a`. */
 export const ask = (page, what) => page.evaluate(what);
 
 export const handle = (page, index) => page.locator(`bezier-applet [data-index="${index}"]`);
 
 /** The middle of a handle, on the screen. */
-export async function centre(page, index) {
-  const { x, y, width, height } = await boxOf(handle(page, index));
-  return [x + width / 2, y + height / 2];
-}
+export const centre = (page, index) => centreOf(handle(page, index));
 
 /** Presses a point and pulls it, without letting go. */
 export async function pull(page, index, dx, dy) {
-  const [x, y] = await centre(page, index);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx / 2, y + dy / 2);
-  await page.mouse.move(x + dx, y + dy);
+  await pullFrom(page, await centre(page, index), dx, dy, 2);
   await settled(page);
 }
 
@@ -98,22 +99,6 @@ export const button = (page, name) => page.locator("bezier-applet").getByRole("b
 /** The message below the picture. */
 export const message = (page) => page.evaluate(() => a.shadowRoot.querySelector(".message").innerText.trim());
 
-/** How many pixels of the picture, round a place, differ from those of the paper. */
-export const ink = (page, /** @type {number[]} */ [x, y], half = 4) =>
-  page.evaluate(
-    ([x, y, half]) => {
-      const canvas = a.shadowRoot.querySelector("canvas");
-      const scale = canvas.width / 670;
-      const data = canvas
-        .getContext("2d")
-        .getImageData((x - half) * scale, (y - half) * scale, 2 * half * scale, 2 * half * scale).data;
-      return data.filter((value, i) => i % 4 === 3 && value > 128).length;
-    },
-    [x, y, half],
-  );
-
-/** A cubic at t. */
-export const cubicAt = (p, t) => {
-  const weights = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3];
-  return [0, 1].map((axis) => weights.reduce((sum, weight, i) => sum + weight * p[i][axis], 0));
-};
+/** How many pixels of the picture, round a place, are drawn on. */
+export const ink = (page, at, reach = 4) =>
+  countPixels(page.locator("bezier-applet canvas").first(), { at, reach, alpha: 128 });

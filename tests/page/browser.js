@@ -42,10 +42,17 @@ const VIEWPORT = { width: 1280, height: 720 };
  * @property {string[]} [globals] the names of the global variables after loading
  * @property {import("node:test").TestContext} [test] the test that uses it, or the last one that did
  * @property {boolean} busy whether a test uses it
+ * @property {boolean} [loaded] whether the page is one that stays as it is for the next test
  */
 
-/** @type {Map<string, Kept>} by those options of the context that cannot be changed later */
+/** @type {Map<string, Kept>} by those options of the context that cannot be changed later, and the path of a page that stays */
 const kept = new Map();
+
+/**
+ * @typedef {import("playwright-core").BrowserContextOptions & {
+ *   baseURL?: string, fresh?: boolean, keep?: boolean, messages?: RegExp
+ * }} PageOptions baseURL: another server; messages: those of the console that count as errors, besides errors
+ */
 
 /**
  * Opens a page of the built site (site/, and dist/ under /dist/).
@@ -55,21 +62,22 @@ const kept = new Map();
  *       const other = await openPage(t, { html: `<script src="bezier-app.js"></script>…` });   // at the site's root
  *
  * The tests of a file share a context. A page as text that differs from the last one only in the content of `<main>` is not
- * loaded again: the content is replaced, and global variables of the last test are deleted. After a failed test, and
- * with `fresh` (for a page that writes into its storage when it is closed), the page has a context of its own.
+ * loaded again: the content is replaced, and global variables of the last test are deleted. With `keep`, the tests of a
+ * file that open the same path use one page, which is loaded once: each test gets it as the last one has left it, with the
+ * window and the media reset. After a failed test, and with `fresh` (for a page that writes into its storage when it is
+ * closed), the page has a context of its own.
  *
  * When the test ends it fails if the console showed an error, unless `page.problems` was emptied by the test itself.
  *
  * @param {import("node:test").TestContext} t
  * @param {string | { html: string }} what a path of the site, or a page as text
- * @param {import("playwright-core").BrowserContextOptions & { baseURL?: string, fresh?: boolean, warnings?: RegExp }} [options]
- *   baseURL: another server; warnings: those that count as errors
+ * @param {PageOptions} [options]
  * @returns {Promise<import("playwright-core").Page & { problems: string[] }>}
  */
-export async function openPage(t, what, { fresh = false, warnings, ...options } = {}) {
+export async function openPage(t, what, { fresh = false, keep = false, messages, ...options } = {}) {
   const baseURL = options.baseURL ?? (await site()).url;
   const fixed = Object.entries({ ...options, baseURL }).filter(([name]) => !CHANGEABLE.includes(name));
-  const key = JSON.stringify(fixed);
+  const key = JSON.stringify(keep ? [what, fixed] : fixed);
   let slot = fresh ? undefined : kept.get(key);
   if (slot && !slot.busy && !slot.test?.passed) {
     await slot.context.close();
@@ -78,31 +86,31 @@ export async function openPage(t, what, { fresh = false, warnings, ...options } 
   const parts = typeof what === "string" ? undefined : /^(.*<main>)(.*)(<\/main>.*)$/s.exec(what.html);
   const [frame, content] = parts && !parts[2].includes("<script") ? [parts[1] + parts[3], parts[2]] : [];
   const replaces = slot && !slot.busy && frame !== undefined && slot.frame === frame;
+  const stays = keep && slot?.loaded && !slot.busy;
   if (!slot || slot.busy) {
     const context = await (await launch()).newContext({ ...options, baseURL });
     context.setDefaultTimeout(LONGEST_WAIT_MS);
     const own = { context, page: await newPage(context), busy: false };
     if (!fresh && !slot) kept.set(key, own);
     slot = own;
-  } else if (!replaces) {
+  } else if (!replaces && !stays) {
     await slot.page.close(); // again, if it is closed already
     slot.page = await newPage(slot.context);
   }
   const current = slot;
   const { page, context } = current;
-  Object.assign(current, { busy: true, test: t, frame });
+  Object.assign(current, { busy: true, test: t, frame, loaded: keep });
   page.problems = [];
   /** @param {import("playwright-core").ConsoleMessage} message */
   const listen = (message) => {
-    const counts = message.type() === "error" || (message.type() === "warning" && warnings?.test(message.text()));
-    if (counts) page.problems.push(message.text());
+    if (message.type() === "error" || messages?.test(message.text())) page.problems.push(message.text());
   };
   const fail = (error) => page.problems.push(String(error.error()));
   context.on("console", listen).on("weberror", fail);
   t.after(async () => {
     if (kept.get(key) === current) {
-      await page.evaluate(leave).catch(() => {}); // the page may be closed, or have no storage
-      if (frame === undefined) await page.close();
+      if (!keep) await page.evaluate(leave, frame !== undefined).catch(() => {}); // the page may be closed, or have no storage
+      if (!keep && frame === undefined) await page.close();
       current.busy = false;
     } else await context.close();
     context.off("console", listen).off("weberror", fail);
@@ -110,7 +118,7 @@ export async function openPage(t, what, { fresh = false, warnings, ...options } 
   });
   await adjust(page, options);
   if (replaces) await page.evaluate(replaceContent, /** @type {any} */ ([content, current.globals]));
-  else {
+  else if (!stays) {
     await page.goto(typeof what === "string" ? what : await written(what.html));
     if (frame !== undefined) current.globals = await page.evaluate(() => Object.getOwnPropertyNames(globalThis));
   }
@@ -137,9 +145,9 @@ async function adjust(page, { viewport, colorScheme, reducedMotion, forcedColors
   await page.mouse.move(0, 0);
 }
 
-/** Runs in the page at the end of a test: ends what moves, and empties what the pages of a context share. */
-function leave() {
-  document.querySelector("main")?.replaceChildren();
+/** Runs in the page at the end of a test: empties what the pages of a context share, and a page that is not closed. */
+function leave(stays) {
+  if (stays) document.querySelector("main").replaceChildren();
   localStorage.clear();
   sessionStorage.clear();
 }
@@ -229,52 +237,6 @@ export const intersectionsReported = (page) =>
     }
     await (await fetch(location.href)).text();
   });
-
-/** Between the two clicks of a double click, in seconds. */
-const DOUBLE_CLICK_S = 0.1;
-
-/**
- * Clicks twice at a place. The events carry times of their own, so that it is a double click on a slow machine, too.
- *
- * @param {import("playwright-core").Page} page
- * @param {[number, number]} place in the window
- */
-export async function doubleClick(page, [x, y]) {
-  await page.mouse.move(x, y);
-  const client = await page.context().newCDPSession(page);
-  const first = Date.now() / 1000;
-  for (const [clickCount, timestamp] of [
-    [1, first],
-    [2, first + DOUBLE_CLICK_S],
-  ]) {
-    for (const type of ["mousePressed", "mouseReleased"]) {
-      await client.send("Input.dispatchMouseEvent", {
-        type: /** @type {any} */ (type),
-        x,
-        y,
-        button: "left",
-        clickCount,
-        timestamp,
-      });
-    }
-  }
-}
-
-/**
- * Taps twice, at two places near each other; see doubleClick.
- *
- * @param {import("playwright-core").Page} page with a touch screen
- * @param {...[number, number]} places in the window
- */
-export async function doubleTap(page, ...places) {
-  const client = await page.context().newCDPSession(page);
-  const first = Date.now() / 1000;
-  for (const [k, [x, y]] of places.entries()) {
-    const timestamp = first + k * DOUBLE_CLICK_S;
-    await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }], timestamp });
-    await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [], timestamp });
-  }
-}
 
 function site() {
   shared.site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });

@@ -15,11 +15,6 @@ test("the package works in a page by import", async (t) => {
   assert.equal(kind, "function");
 });
 
-test("the classic script defines bezierApp", async (t) => {
-  const opened = await openPage(t, { html: page('<script src="bezier-app.js"></script>') });
-  assert.equal(await opened.evaluate(() => typeof globalThis.bezierApp), "function");
-});
-
 test("a console error and a thrown error are noticed", async (t) => {
   const opened = await openPage(t, { html: page('<script>console.error("one"); throw new Error("two")</script>') });
   assert.deepEqual(
@@ -27,8 +22,4 @@ test("a console error and a thrown error are noticed", async (t) => {
     ["one", "two"],
   );
   opened.problems.length = 0;
-});
-
-test("the site's pages load", async (t) => {
-  for (const path of ["/"]) await openPage(t, path);
 });

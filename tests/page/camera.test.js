@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Spline } from "casteljau";
 import { close, open, slide, state } from "./application-page.js";
-import { boxOf } from "./browser.js";
+import { frames } from "./browser.js";
+import { centreOf, dragBy, pullFrom } from "./hands.js";
 
 test("camera: equal times are equal ways at even speed only", async (t) => {
   const page = await open(t, "/camera/");
@@ -63,12 +64,7 @@ test("camera: points are moved by hand and keys, added, deleted; the address has
   const points = () => page.evaluate(() => document.querySelector("camera-path").state.points);
   const before = await points();
   const handle = page.locator(".handle").nth(3);
-  await handle.scrollIntoViewIfNeeded();
-  const box = await boxOf(handle);
-  await page.mouse.move(box.x + 12, box.y + 12);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 52, box.y - 8, { steps: 3 });
-  await page.mouse.up();
+  await dragBy(page, handle, 40, -20);
   const after = await points();
   const moved = after[3].map((value, k) => value - before[3][k]);
   assert.ok(moved[0] > 0.5 && moved[1] > 0.2 && moved[2] === 0, String(moved));
@@ -95,10 +91,7 @@ test("camera: Escape takes a drag back; playing moves, pausing stops", async (t)
   const before = await points();
   const handle = page.locator(".handle").nth(2);
   await handle.scrollIntoViewIfNeeded();
-  const box = await boxOf(handle);
-  await page.mouse.move(box.x + 12, box.y + 12);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 62, box.y + 12, { steps: 2 });
+  await pullFrom(page, await centreOf(handle), 50, 0, 2);
   assert.notEqual(await points(), before);
   await page.keyboard.press("Escape");
   assert.equal(await points(), before);
@@ -107,7 +100,7 @@ test("camera: Escape takes a drag back; playing moves, pausing stops", async (t)
   await page.waitForFunction(() => document.querySelector("camera-path").progress > 0.01);
   await page.getByRole("button", { name: "Pause" }).click();
   const stood = await page.evaluate(() => document.querySelector("camera-path").progress);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await frames(page);
   assert.equal(await page.evaluate(() => document.querySelector("camera-path").progress), stood);
 });
 

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
 import { companionsPage, on, openCompanions, settled, shown, text } from "./companions-page.js";
+import { ledgerScript } from "./ledger.js";
 
 const t = (page, selector = "bezier-bernstein") =>
   on(page, selector, ({ shadowRoot }) => Number(shadowRoot.querySelector('input[type="range"]').value));
@@ -32,18 +33,9 @@ test("either of the two may be defined first", async (test) => {
     customElements.define(
       "late-figure",
       class extends HTMLElement {
-        figure = {
-          points: [
-            [0, 0],
-            [1, 1],
-          ],
-          names: ["A", "B"],
-          basis: "bezier",
-          matrix: null,
-          t: 0.75,
-          segment: 0,
-          pieces: [],
-        };
+        figure = JSON.parse(
+          '{"points":[[0,0],[1,1]],"names":["A","B"],"basis":"bezier","matrix":null,"t":0.75,"segment":0,"pieces":[]}',
+        );
         steer() {}
       },
     ),
@@ -110,14 +102,9 @@ test("an id of something else, none, and every text: a message, nothing breaks",
 });
 
 test("inside of a shadow root the link goes to the applet there", async (test) => {
-  const page = await openPage(
-    test,
-    { html: companionsPage('<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>') },
-    { viewport: { width: 800, height: 2000 } },
-  );
+  const page = await openCompanions(test, '<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>');
   await page.evaluate(() => {
-    const root = document.querySelector("#host").attachShadow({ mode: "open" });
-    root.innerHTML =
+    document.querySelector("#host").attachShadow({ mode: "open" }).innerHTML =
       '<bezier-bernstein for="figure"></bezier-bernstein><bezier-applet id="figure" t="0.7"></bezier-applet>';
   });
   await page.waitForFunction(
@@ -125,59 +112,28 @@ test("inside of a shadow root the link goes to the applet there", async (test) =
   );
 });
 
-/** Everything that a page can be asked to remember, counted. */
-const COUNTING = `globalThis.held = 0;
-for (const type of [EventTarget]) {
-  const { addEventListener: add, removeEventListener: remove } = type.prototype;
-  const known = new WeakMap();
-  const key = (target, type, act, options) => type + Boolean(options === true || options?.capture);
-  type.prototype.addEventListener = function (type, act, options) {
-    if (this === window || this === document || this.localName === "bezier-applet") {
-      const set = known.get(this) ?? new Map();
-      known.set(this, set);
-      const acts = set.get(key(this, type, act, options)) ?? new Set();
-      set.set(key(this, type, act, options), acts);
-      if (act && !acts.has(act)) acts.add(act), held++;
-    }
-    return add.call(this, type, act, options);
-  };
-  type.prototype.removeEventListener = function (type, act, options) {
-    const acts = known.get(this)?.get(key(this, type, act, options));
-    if (acts?.delete(act)) held--;
-    return remove.call(this, type, act, options);
-  };
-}
-for (const name of ["MutationObserver", "IntersectionObserver", "ResizeObserver"]) {
-  const Original = globalThis[name];
-  globalThis[name] = class extends Original {
-    on = false;
-    observe(...args) { if (!this.on) held++; this.on = true; super.observe(...args); }
-    disconnect() { if (this.on) held--; this.on = false; super.disconnect(); }
-  };
-}`;
-
 /** embedding.deep.test.js does it a thousand times, with every kind of element. */
 const TIMES = 40;
 
-test("removed and put back many times they leave nothing", async (test) => {
+test("linked to an applet, removed and put back many times they leave nothing", async (test) => {
   const page = await openCompanions(test, '<bezier-applet id="figure"></bezier-applet><div id="place"></div>', {
-    script: COUNTING,
+    script: ledgerScript("bezier-applet"),
   });
-  await page.waitForFunction(() => document.querySelector("bezier-applet").shadowRoot?.querySelector(".handle"));
-  await settled(page);
-  const alone = await page.evaluate(() => held);
+  const count = () => page.evaluate(() => ({ ...ledger.count(), frames: 0 }));
+  const alone = await count();
   await page.evaluate(() => {
-    const four =
-      '<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing>';
-    document.querySelector("#place").innerHTML = four;
+    const linked = ["bernstein", "equation", "coordinates"].map(
+      (kind) => `<bezier-${kind} for="figure"></bezier-${kind}>`,
+    );
+    document.querySelector("#place").innerHTML = `${linked.join("")}<bezier-easing></bezier-easing>`;
   });
   await shown(page);
   await linked(page);
   await settled(page);
-  const counts = await page.evaluate(async (times) => {
+  const before = await count();
+  const away = await page.evaluate(async (times) => {
     const place = document.querySelector("#place");
     const all = [...place.children];
-    const counts = [held];
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
     for (let i = 0; i < times; i++) {
       for (const each of all) each.remove();
@@ -186,15 +142,14 @@ test("removed and put back many times they leave nothing", async (test) => {
       if (i % 5 === 0) await frame();
     }
     for (let i = 0; i < 3; i++) await frame();
-    counts.push(held);
+    const away = ledger.count();
     place.append(...all);
-    return counts;
+    return { ...away, frames: 0 };
   }, TIMES);
   await linked(page);
   await settled(page);
-  counts.push(await page.evaluate(() => held));
-  assert.equal(counts[2], counts[0], `${counts}`);
-  assert.equal(counts[1], alone, `${alone}, ${counts}`);
+  assert.deepEqual(await count(), before);
+  assert.deepEqual(away, alone);
   const frames = await page.evaluate(async (quiet) => {
     document.querySelector("#place").remove();
     let frames = 0;
@@ -253,21 +208,16 @@ test("what could not be fetched is said, and asked for again", async (test) => {
 });
 
 test("the theme may be other than the page's", async (test) => {
-  const page = await openCompanions(
-    test,
-    '<bezier-bernstein></bezier-bernstein><bezier-bernstein theme="dark"></bezier-bernstein><bezier-bernstein theme="light"></bezier-bernstein><bezier-bernstein theme="pink"></bezier-bernstein>',
-    { colorScheme: "light" },
-  );
-  const ground = (which) =>
-    on(
-      page,
-      `bezier-bernstein >> nth=${which}`,
-      ({ shadowRoot }) => getComputedStyle(shadowRoot.querySelector("[part=plot]")).backgroundColor,
-    );
-  assert.deepEqual([await ground(0), await ground(2), await ground(3)], Array(3).fill("rgb(255, 255, 255)"));
-  assert.equal(await ground(1), "rgb(18, 23, 29)");
+  const themes = ["", "dark", "light", "pink"].map((theme) => `<bezier-bernstein theme="${theme}"></bezier-bernstein>`);
+  const page = await openCompanions(test, themes.join(""));
+  const grounds = () =>
+    page
+      .locator("bezier-bernstein [part=plot]")
+      .evaluateAll((all) => all.map((plot) => getComputedStyle(plot).backgroundColor));
+  const [light, dark] = ["rgb(255, 255, 255)", "rgb(18, 23, 29)"];
+  assert.deepEqual(await grounds(), [light, dark, light, light]);
   await page.emulateMedia({ colorScheme: "dark" });
-  assert.deepEqual([await ground(0), await ground(2)], ["rgb(18, 23, 29)", "rgb(255, 255, 255)"]);
+  assert.deepEqual((await grounds()).slice(0, 3), [dark, dark, light]);
 });
 
 test("paper shows what no one has scrolled to", async (test) => {

@@ -3,75 +3,18 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
+import { done, nearApplet as near, openCurves as open, task } from "./chapter-page.js";
+import { dragBy } from "./hands.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
-const SECTIONS = [
-  "parameter",
-  "quadratic",
-  "de-casteljau",
-  "bernstein",
-  "properties",
-  "splitting",
-  "derivatives",
-  "joining",
-  "higher-degrees",
-  "splines",
-  "recursive-rendering",
-  "arc-length",
-  "bounding-boxes",
-  "nearest-point",
-  "intersections",
-  "offsets",
-  "circles",
-  "boolean-operations",
-  "uses",
-  "basis-matrix",
-  "cost-and-numerical-stability",
-];
+const SECTIONS =
+  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles boolean-operations uses basis-matrix cost-and-numerical-stability".split(
+    " ",
+  );
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
 const FIGURES =
   "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-costs, fig-curve-3d, fig-faces, fig-intersections, fig-lengths, fig-nearest, fig-parabola, fig-pyramid, fig-reorder, fig-rounding, fig-speed, fig-stroke, fig-velocity)";
-
-/** @param {import("node:test").TestContext} t */
-async function open(t, options = {}) {
-  const page = await openPage(t, "/curves/", {
-    viewport: { width: 1100, height: 800 },
-    reducedMotion: "reduce",
-    ...options,
-  });
-  await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("lesson-task"));
-  return page;
-}
-
-/** Scrolls an element to where it starts, and waits until it has. @param {import("playwright-core").Page} page @param {string} id */
-async function near(page, id) {
-  const element = page.locator(`#${id}`);
-  await element.scrollIntoViewIfNeeded();
-  await page.waitForFunction((id) => document.getElementById(id).shadowRoot.querySelector("[data-index]"), id);
-  return element;
-}
-
-/** The task about a figure, opened: the guess made. */
-async function task(page, name, guess) {
-  const found = page.locator(`lesson-task[name="${name}"]`);
-  await found.scrollIntoViewIfNeeded();
-  await found.getByRole("button").first().waitFor();
-  if (guess !== undefined) {
-    await found.getByRole("radio").nth(guess).check();
-    await found.getByRole("button", { name: "That is my guess" }).click();
-  }
-  return found;
-}
-
-/** Waits until a task is done. */
-async function done(page, name) {
-  await page.waitForFunction(
-    (name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done",
-    name,
-  );
-  return page.locator(`lesson-task[name="${name}"] .words`).innerText();
-}
 
 test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
   const page = await open(t);
@@ -129,12 +72,7 @@ test("a handle dragged: the arch reaches its height", async (t) => {
   await task(page, "top-180", 2);
   await applet.scrollIntoViewIfNeeded();
   const canvas = await boxOf(applet.locator("canvas"));
-  const handle = await boxOf(applet.locator("[data-index='1']"));
-  const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x, y - (180 * canvas.height) / 480, { steps: 4 });
-  await page.mouse.up();
+  await dragBy(page, applet.locator("[data-index='1']"), 0, (-180 * canvas.height) / 480);
   assert.match(await done(page, "top-180"), /You predicted it/);
 });
 
@@ -245,7 +183,12 @@ test("what can be seen before the scripts: pictures of the applets, the text, th
   const page = await openPage(t, "/curves/", { javaScriptEnabled: false });
   assert.ok((await page.locator("bezier-applet > svg path").count()) > 100);
   assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
-  assert.ok((await page.locator("lesson-sample pre").count()) === 2 * SECTIONS.length);
+  assert.equal(await page.locator("lesson-sample pre:visible").count(), 2 * SECTIONS.length, "both languages");
+  assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
+  for (const picture of await page.locator("bezier-applet > svg:first-of-type").all()) {
+    const { width, height } = await boxOf(picture);
+    assert.ok(width > 200 && height > 140, `${width} × ${height}`);
+  }
 });
 
 /** Scrolls through the page, so that everything starts. */

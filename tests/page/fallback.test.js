@@ -78,14 +78,3 @@ test("on paper: what has been drawn, and the pictures of what has not", async (t
   const paper = await page.pdf();
   assert.ok(paper.length > 10_000);
 });
-
-test("the chapter has a picture for every figure without JavaScript", async (t) => {
-  const page = await openPage(t, "/curves/", { javaScriptEnabled: false });
-  const figures = page.locator("bezier-applet");
-  const count = await figures.count();
-  assert.ok(count > 5, `${count} figures`);
-  for (let i = 0; i < count; i++) {
-    const box = await figures.nth(i).locator("svg").first().boundingBox();
-    assert.ok(box && box.width > 200 && box.height > 140, `figure ${i}: ${JSON.stringify(box)}`);
-  }
-});

@@ -2,13 +2,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
+import { dragBy } from "./hands.js";
 
-/** The page with all figures; waits until the last is drawn. */
-async function open(t, options = {}) {
+/** The page with all figures, once for all tests: each has a figure of its own. Waits until the last is drawn. */
+async function open(t) {
   const page = await openPage(t, "/figures/", {
     viewport: { width: 1000, height: 900 },
     reducedMotion: "reduce",
-    ...options,
+    keep: true,
   });
   await page.locator("fig-bytes svg rect").first().waitFor();
   return page;
@@ -21,9 +22,14 @@ const close = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= toleranc
 const choose = (n, k) => (k === 0 ? 1 : (choose(n, k - 1) * (n - k + 1)) / k);
 const bernstein = (n, i, t) => choose(n, i) * t ** i * (1 - t) ** (n - i);
 
-test("the pyramid counts its paths, and their sum is the Bernstein polynomial", async (t) => {
+test("the pyramid is walked with arrow keys, counts its paths, and their sum is the Bernstein polynomial", async (t) => {
   const page = await open(t);
   const figure = page.locator("fig-pyramid");
+  assert.equal(await figure.locator(".node[tabindex='0']").count(), 1, "one stop for Tab");
+  await figure.locator(".node[tabindex='0']").focus();
+  for (const key of ["ArrowUp", "ArrowRight"]) await page.keyboard.press(key);
+  const focused = await figure.evaluate((each) => each.shadowRoot?.activeElement?.getAttribute("aria-label"));
+  assert.match(String(focused), /^level 2, coefficient 2/);
   await figure.getByRole("radio", { name: "5" }).check();
   await slide(page, "fig-pyramid", "t", 0.3);
   for (const [level, index] of [
@@ -40,21 +46,6 @@ test("the pyramid counts its paths, and their sum is the Bernstein polynomial", 
   await figure.locator(".ways button").first().hover();
   await figure.locator(".ways button[aria-pressed=true]").waitFor();
   assert.equal(await lit(), 3, "one path has three steps");
-});
-
-test("the pyramid is walked with arrow keys, with one stop for Tab", async (t) => {
-  const page = await open(t);
-  const figure = page.locator("fig-pyramid");
-  assert.equal(await figure.locator(".node[tabindex='0']").count(), 1);
-  await figure.locator(".node[tabindex='0']").focus();
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("ArrowRight");
-  assert.match(
-    await page.evaluate(() =>
-      document.querySelector("fig-pyramid").shadowRoot.activeElement.getAttribute("aria-label"),
-    ),
-    /^level 2, coefficient 2/,
-  );
 });
 
 test("the binomial's terms are a row of Pascal's triangle and make one", async (t) => {
@@ -155,7 +146,6 @@ test("four points in 24 orders are 12 curves", async (t) => {
     .locator(".thumb .curve")
     .evaluateAll((paths) => paths.map((path) => path.getAttribute("d")));
   assert.equal(new Set(shapes).size, 24);
-  const numbers = (d) => d.match(/-?[\d.]+/g);
   const read = (order) => figure.locator(".thumb", { has: page.getByRole("radio", { name: order }) });
   assert.equal(shapes.length, 24);
   await read("B D A C").locator("input").check();
@@ -165,7 +155,8 @@ test("four points in 24 orders are 12 curves", async (t) => {
   await figure.locator(".handle input").first().focus();
   await page.keyboard.press("Shift+ArrowRight");
   const after = await read("A B C D").locator(".curve").getAttribute("d");
-  assert.equal(Number(numbers(after)[0]) - Number(numbers(before)[0]), 10);
+  const firstX = (d) => Number(d.match(/-?[\d.]+/)[0]);
+  assert.equal(firstX(after) - firstX(before), 10);
 });
 
 test("the cubic in space: points, planes, orbit by keys and by hand", async (t) => {
@@ -179,11 +170,7 @@ test("the cubic in space: points, planes, orbit by keys and by hand", async (t) 
   await figure.locator("svg").focus();
   await page.keyboard.press("ArrowRight");
   assert.equal(await turn(), before - 5);
-  const { x, y } = await boxOf(figure.locator("svg"));
-  await page.mouse.move(x + 300, y + 200);
-  await page.mouse.down();
-  await page.mouse.move(x + 240, y + 200, { steps: 3 });
-  await page.mouse.up();
+  await dragBy(page, figure.locator("svg"), -60, 0);
   assert.equal(await turn(), before - 5 + 30);
   assert.match(
     await figure.locator(".facts").last().innerText(),
@@ -210,12 +197,7 @@ test("quadratic and cubic follow one drag; no quadratic is an S", async (t) => {
   const at = (name) => figure.getByRole("slider", { name, exact: true }).inputValue().then(Number);
   const before = [await at("quadratic P1, x"), await at("cubic P1, x"), await at("cubic P2, x")];
   const handle = figure.locator(".handle").nth(1);
-  await handle.scrollIntoViewIfNeeded();
-  const box = await boxOf(handle);
-  await page.mouse.move(box.x + 14, box.y + 12);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 54, box.y + 12, { steps: 4 });
-  await page.mouse.up();
+  await dragBy(page, handle, 40, 0);
   const after = [await at("quadratic P1, x"), await at("cubic P1, x"), await at("cubic P2, x")];
   const moved = after.map((value, k) => value - before[k]);
   assert.ok(
@@ -230,6 +212,115 @@ test("quadratic and cubic follow one drag; no quadratic is an S", async (t) => {
   // For a cubic of third difference D the best quadratic with the same ends is off by |D| · max |t (1 − t) (1 − 2t)| / 2.
   const d = Math.hypot(90 - 3 * 56 + 3 * 44 - 10, 16 - 3 * 76 + 3 * 0 - 60);
   close(Number(await figure.locator(".error").getAttribute("data-error")), (d * Math.sqrt(3)) / 36, 1e-6);
+});
+
+/** One of the figures about velocity, lengths, distances, intersections, circles and faces. @param {string} name */
+async function openFigure(t, name) {
+  const page = await open(t);
+  const figure = page.locator(name);
+  await figure.scrollIntoViewIfNeeded();
+  await figure.locator("svg").first().waitFor();
+  return { page, figure, facts: () => figure.locator(".facts").first().innerText() };
+}
+
+/** The numbers in a text. @param {string} text @param {RegExp} pattern */
+const numbers = (text, pattern) => (pattern.exec(text) ?? []).slice(1).map(Number);
+
+test("the velocity at t = 0 is three legs long, and follows a drag", async (t) => {
+  const { page, figure, facts } = await openFigure(t, "fig-velocity");
+  const leg = () => figure.evaluate((/** @type {any} */ { points: [p, q] }) => [q[0] - p[0], p[1] - q[1]]);
+  const shown = async () => numbers((await facts()).replaceAll("−", "-"), /\((-?[\d.]+), (-?[\d.]+)\)/);
+  const expected = async () => (await leg()).map((x) => Math.round(30 * x) / 10);
+  assert.deepEqual(await shown(), await expected());
+  await dragBy(page, figure.locator(".handle").nth(1), 10, -30);
+  assert.ok((await leg())[1] > 5);
+  assert.deepEqual(await shown(), await expected());
+  await figure.getByRole("checkbox").check();
+  await figure.locator("circle.ghost").waitFor();
+});
+
+test("arc length: the part before t grows to the whole", async (t) => {
+  const { figure, facts } = await openFigure(t, "fig-arc-length");
+  const lengths = async () => numbers(await facts(), /Length ([\d.]+)\..*: ([\d.]+)\./s);
+  const [whole, half] = await lengths();
+  assert.ok(half < 0.4 * whole, `${half} of ${whole} at t = 0.5`);
+  await figure.getByRole("slider", { name: "t", exact: true }).fill("1");
+  assert.deepEqual(await lengths(), [whole, whole]);
+});
+
+test("nearest point: Q on the curve is at distance 0", async (t) => {
+  const { figure, facts } = await openFigure(t, "fig-nearest");
+  assert.match(await facts(), /distance [1-9]\d\.\d/);
+  await figure.evaluate((/** @type {any} */ element) => {
+    const { x, y } = element.curve.eval(0.25);
+    element.q = [x, y];
+  });
+  assert.match(await facts(), /t = 0\.250, distance 0\.0/);
+});
+
+test("intersections: one at first, none when the curve is dragged away", async (t) => {
+  const { page, figure, facts } = await openFigure(t, "fig-intersections");
+  assert.match(await facts(), /^1 intersection, at/);
+  const unit = (await boxOf(figure.locator("svg"))).height / 80;
+  await dragBy(page, figure.locator(".handle").nth(4), 30 * unit, 15 * unit);
+  assert.match(await facts(), /^0 intersections/);
+});
+
+test("a stroke takes its width, join and cap", async (t) => {
+  const { figure } = await openFigure(t, "fig-stroke");
+  const outline = () => figure.locator("svg path").first().getAttribute("d");
+  let before = await outline();
+  for (const change of [
+    () => figure.getByRole("radio", { name: "bevel" }).check(),
+    () => figure.getByRole("radio", { name: "square" }).check(),
+    () => figure.getByRole("slider").fill("6"),
+  ]) {
+    await change();
+    const after = await outline();
+    assert.notEqual(after, before);
+    before = after;
+  }
+});
+
+test("a circle of four arcs: 0.027 % with the usual handles", async (t) => {
+  const { figure, facts } = await openFigure(t, "fig-circle");
+  await figure.getByRole("slider", { name: "h" }).fill("0.5523");
+  assert.match(await facts(), /0\.027\d % of the radius/);
+  await figure.getByRole("radio", { name: "8" }).check();
+  assert.match(await facts(), /0\.000\d %/);
+});
+
+test("faces: the one under the pointer is named; click and keys select; operations", async (t) => {
+  const { page, figure, facts } = await openFigure(t, "fig-faces");
+  const stage = await boxOf(figure.locator("svg"));
+  const unit = stage.height / 84;
+  const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+    /** @type {[number, number]} */ ([stage.x + stage.width / 2 + (x - 60) * unit, stage.y + y * unit]);
+  await page.mouse.move(...at(30, 28));
+  assert.match(await facts(), /inside A, outside B and C/);
+  await page.mouse.move(...at(60, 40));
+  assert.match(await facts(), /inside A and B and C\. Area/);
+  await page.mouse.click(...at(60, 40));
+  assert.match(await facts(), /1 of 7 selected/);
+  const face = figure.getByRole("checkbox", { name: "Face in B", exact: true });
+  await face.focus();
+  await page.keyboard.press("Space");
+  assert.equal(await face.getAttribute("aria-checked"), "true");
+  assert.match(await facts(), /2 of 7 selected/);
+  await figure.getByRole("button", { name: "A ∩ B" }).click();
+  assert.deepEqual(await figure.evaluate((/** @type {any} */ { chosen }) => [...chosen].sort()), ["110", "111"]);
+});
+
+test("halving: the difference of the lengths shrinks faster than the distance", async (t) => {
+  const { figure } = await openFigure(t, "fig-lengths");
+  const read = async () => numbers(await figure.locator(".facts").innerText(), /D1 − D2 = ([\d.]+)\..*: ([\d.]+)\./s);
+  const press = () => figure.getByRole("button", { name: "Halve" }).click();
+  await press();
+  const [difference, distance] = await read();
+  await press();
+  const [smaller, nearer] = await read();
+  assert.ok(difference / smaller > 5 && difference / smaller < 11, `${difference} to ${smaller}`);
+  assert.ok(distance / nearer > 3 && distance / nearer < 5.5, `${distance} to ${nearer}`);
 });
 
 test("an attribute with nonsense counts as the default", async (t) => {

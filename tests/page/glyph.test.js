@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { Path } from "casteljau";
 import { close, open, PHONE, slide, state } from "./application-page.js";
 import { boxOf } from "./browser.js";
+import { dragBy, fingersOn } from "./hands.js";
 
 /** The outline of the page as a Path of ours. */
 const outline = async (page) =>
@@ -37,14 +38,7 @@ test("glyph: a smooth joint stays smooth under the hand; freed, it breaks; undo 
   const g1 = async () => (await outline(page)).subpaths[0].continuity(3, 1e-6).g1;
   assert.equal(await g1(), true);
   const handle = page.getByRole("slider", { name: "Contour 1, handle 6, x" }).locator("..");
-  const drag = async () => {
-    await handle.scrollIntoViewIfNeeded();
-    const box = await boxOf(handle);
-    await page.mouse.move(box.x + 12, box.y + 12);
-    await page.mouse.down();
-    await page.mouse.move(box.x + 2, box.y + 42, { steps: 4 });
-    await page.mouse.up();
-  };
+  const drag = () => dragBy(page, handle, -10, 30);
   const before = await data(page).inputValue();
   await drag();
   const after = await data(page).inputValue();
@@ -184,21 +178,10 @@ test("glyph: two fingers zoom", async (t) => {
   const units = () => page.evaluate(() => document.querySelector("glyph-editor").seen.units);
   const before = await units();
   const { x, y, width } = await boxOf(picture);
-  const cdp = await page.context().newCDPSession(page);
-  const touch = (type, apart) =>
-    cdp.send("Input.dispatchTouchEvent", {
-      type,
-      touchPoints:
-        apart === null
-          ? []
-          : [
-              { x: x + 6, y: y + 20, id: 1 },
-              { x: x + 6 + apart, y: y + 20, id: 2 },
-            ],
-    });
-  await touch("touchStart", 0.25 * width);
-  for (const part of [0.3, 0.35, 0.4, 0.45, 0.5]) await touch("touchMove", part * width);
-  await touch("touchEnd", null);
+  const touch = await fingersOn(page);
+  for (const [k, part] of [0.25, 0.3, 0.35, 0.4, 0.45, 0.5].entries())
+    await touch(k ? "touchMove" : "touchStart", [x + 6, y + 20], [x + 6 + part * width, y + 20]);
+  await touch("touchEnd");
   const after = await units();
   assert.ok(after < 0.6 * before && after > 0.4 * before, `${before} → ${after}`);
 });

@@ -1,7 +1,8 @@
 // The layers of <bezier-applet> as pixels: each where it belongs, in its colour, light, dark and forced.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { openApplet, set } from "./bezier-applet-page.js";
+import { countPixels } from "./pixels.js";
 
 const LIGHT = {
   curve: [0, 114, 178],
@@ -18,58 +19,9 @@ const DARK = {
   paper: [18, 23, 29],
 };
 
-/** A page with one element, as wide as its box; waits until the picture is there. */
-async function openApplet(t, attributes, options = {}) {
-  const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark"><title>Layers</title>
-    <body style="margin: 0"><main><h1 style="margin: 0">Layers</h1><bezier-applet ${attributes}></bezier-applet></main><script type="module" src="./dist/elements.js"></script></body></html>`;
-  const page = await openPage(
-    t,
-    { html },
-    { viewport: { width: 700, height: 900 }, reducedMotion: "reduce", ...options },
-  );
-  await page.waitForFunction(() => {
-    const canvas = document.querySelector("bezier-applet")?.shadowRoot?.querySelector("canvas");
-    return canvas
-      ?.getContext("2d")
-      .getImageData(0, 0, canvas.width, canvas.height)
-      .data.some((x) => x > 0);
-  });
-  return page;
-}
-
-/** Sets attributes and waits until a frame has come after them. */
-const change = (page, attributes) =>
-  page.evaluate(async (given) => {
-    const element = document.querySelector("bezier-applet");
-    for (const [name, value] of Object.entries(given)) element.setAttribute(name, value);
-    await element.updateComplete;
-    for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame);
-  }, attributes);
-
 /** How many pixels around a place of the box are nearly of a colour, however thinly. */
-const count = (page, colour, [x, y] = [335, 240], radius = 1000) =>
-  page.evaluate(
-    ([[r, g, b], x, y, radius]) => {
-      const canvas = document.querySelector("bezier-applet").shadowRoot.querySelector("canvas");
-      const scale = canvas.width / 670;
-      const [left, top] = [
-        Math.max(0, Math.round((x - radius) * scale)),
-        Math.max(0, Math.round((y - radius) * scale)),
-      ];
-      const [right, bottom] = [
-        Math.min(canvas.width, Math.round((x + radius) * scale)),
-        Math.min(canvas.height, Math.round((y + radius) * scale)),
-      ];
-      const { data } = canvas.getContext("2d").getImageData(left, top, right - left, bottom - top);
-      let found = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        const near = Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 30;
-        if (near && data[i + 3] > 70) found++;
-      }
-      return found;
-    },
-    [colour, x, y, radius],
-  );
+const count = (page, colour, at = [335, 240], reach = 1000) =>
+  countPixels(page.locator("bezier-applet canvas"), { colour, at, reach, alpha: 70 });
 
 const POINTS = 'points="100,380 180,80 420,80 560,380"';
 
@@ -90,9 +42,9 @@ test("each layer puts its colour where it belongs", async (t) => {
     ["extrapolation", LIGHT.curve, [104, 400], 30], // goes on below P0
   ];
   for (const [show, colour, place, radius = 8] of places) {
-    await change(page, { show: "" });
+    await set(page, { show: "" });
     const before = await count(page, colour, place, radius);
-    await change(page, { show });
+    await set(page, { show });
     const after = await count(page, colour, place, radius);
     assert.ok(after > before + 2, `${show} at ${place}: ${before} pixels of it without, ${after} with`);
   }
@@ -102,7 +54,7 @@ test("weights grow with t: the disc on P3 is small at the start and large at the
   const page = await openApplet(t, `${POINTS} show="weights" labels="none" t="0.1"`);
   const rim = () => count(page, LIGHT.curve, [560, 380], 45);
   const small = await rim();
-  await change(page, { t: "0.95" });
+  await set(page, { t: "0.95" });
   assert.ok((await rim()) > small + 60, `${small} pixels, then ${await rim()}`);
 });
 

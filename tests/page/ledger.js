@@ -1,8 +1,8 @@
 // What a page has running: put in before any script, it keeps count of listeners beyond the elements, frames, timers,
 // observers and graphics contexts.
 
-/** Runs in the page. */
-function keep() {
+/** Runs in the page. @param {string} also elements of this name count, too */
+function keep(also) {
   const live = {
     listeners: new Map(),
     frames: new Set(),
@@ -18,7 +18,8 @@ function keep() {
     target === document?.body ||
     target instanceof MediaQueryList ||
     target === window.visualViewport ||
-    target === document?.fonts;
+    target === document?.fonts ||
+    (also !== "" && target?.localName === also);
   const keyOf = (type, listener, options) => [
     type,
     Boolean(typeof options === "object" ? options?.capture : options),
@@ -132,8 +133,11 @@ function keep() {
  * @param {import("playwright-core").Page} page
  */
 export function keepLedger(page) {
-  return page.addInitScript(keep);
+  return page.addInitScript(keep, "");
 }
+
+/** The same as a script for a page as text. @param {string} also the listeners of elements of this name count, too */
+export const ledgerScript = (also) => `(${keep})(${JSON.stringify(also)})`;
 
 /**
  * What is left after collecting what is not used: bytes of the scripts' heap (without the machine code that the browser

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";
-import { done, near, open, task } from "./surfaces-page.js";
+import { done, task } from "./chapter-page.js";
+import { near, open } from "./surfaces-page.js";
 
 /** Of the pixels of the traced picture: how many are the teapot's, and whether the corners are background. */
 const coverage = (page) =>

@@ -1,10 +1,13 @@
 // What the tests of /recipes/ share.
-import { boxOf } from "./browser.js";
 import { openStrict } from "./site-pages.js";
 
-/** Opens the page and brings a recipe into view; waits until its script has drawn. @param {string} name */
+/** Opens the page, once for the tests of a file, and brings a recipe into view; waits until its script has drawn. @param {string} name */
 export async function openRecipe(t, name) {
-  const page = await openStrict(t, "/recipes/", { viewport: { width: 1200, height: 900 }, reducedMotion: "reduce" });
+  const page = await openStrict(t, "/recipes/", {
+    viewport: { width: 1200, height: 900 },
+    reducedMotion: "reduce",
+    keep: true,
+  });
   const figure = page.locator(`figure[data-recipe="${name}"]`);
   await figure.scrollIntoViewIfNeeded();
   const drawn = name === "text-along-path" ? figure.locator("g text") : figure.locator("output:not(:empty)");
@@ -27,22 +30,6 @@ export function inkedAfterInput(canvas) {
   context.drawImage(canvas, 0, 0);
   const { data } = context.getImageData(0, 0, copy.width, copy.height);
   return data.filter((value, i) => i % 4 === 3 && value > 100).length;
-}
-
-/** The centre of a point to drag, in the window. */
-export async function centreOf(handle) {
-  const { x, y, width, height } = await boxOf(handle);
-  return [x + width / 2, y + height / 2];
-}
-
-/** Drags a handle by so many pixels. */
-export async function dragBy(page, handle, dx, dy) {
-  await handle.scrollIntoViewIfNeeded();
-  const [x, y] = await centreOf(handle);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx, y + dy, { steps: 4 });
-  await page.mouse.up();
 }
 
 /** The numbers of a text, without separators of thousands. */

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
-import { centreOf, dragBy, inkedAfterInput, numbersIn, openRecipe, pictureOf } from "./recipes-page.js";
+import { centreOf, dragBy, dragFrom } from "./hands.js";
+import { inkedAfterInput, numbersIn, openRecipe, pictureOf } from "./recipes-page.js";
 
 const folder = `${root}www/recipes/code/`;
 const NAMES = readdirSync(folder)
@@ -66,10 +67,7 @@ test("a pen stroke: fewer segments with a larger tolerance; one segment for a st
   await figure.getByRole("slider").fill("0.5");
   assert.ok((await segments()) > first, `${await segments()} and ${first}`);
   const { x, y } = await boxOf(figure.locator("svg"));
-  await page.mouse.move(x + 60, y + 60);
-  await page.mouse.down();
-  await page.mouse.move(x + 460, y + 160, { steps: 20 });
-  await page.mouse.up();
+  await dragFrom(page, [x + 60, y + 60], 400, 100, 20);
   assert.equal(await segments(), 1);
 });
 

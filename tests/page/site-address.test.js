@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { SHARED } from "../../www/parts/address.js";
-import { boxOf, openPage } from "./browser.js";
+import { openPage } from "./browser.js";
+import { centreOf, pullFrom } from "./hands.js";
 import { openStrict, settled } from "./site-pages.js";
 
 const HERO = "#hero";
@@ -25,10 +26,7 @@ const hash = (page) => page.evaluate(() => location.hash);
 test("a drag is in the address when it is done, undone it is gone, and the address opened anew shows the same", async (t) => {
   const page = await openAt(t, "/", "");
   const handle = hero(page).locator('[part="handle"][data-index="1"]');
-  const { x, y, width, height } = await boxOf(handle);
-  await page.mouse.move(x + width / 2, y + height / 2);
-  await page.mouse.down();
-  await page.mouse.move(x + width / 2 + 40, y + height / 2 + 30, { steps: 4 });
+  await pullFrom(page, await centreOf(handle), 40, 30);
   assert.equal(await hash(page), "", "not while it moves");
   await page.mouse.up();
   await page.waitForFunction(() => location.hash.startsWith("#hero?points="));

@@ -15,8 +15,8 @@ const INLINE = ["/applet/"];
 const POLICY =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
 
-/** A software renderer's own remarks. */
-const DRIVER = /GL Driver Message|Automatic fallback to software WebGL/;
+/** Every message but a software renderer's own. */
+const MESSAGES = /^(?!.*(GL Driver Message|Automatic fallback to software WebGL))/s;
 
 /** @type {{ strict?: ReturnType<typeof serve> }} */
 const shared = {};
@@ -31,20 +31,12 @@ export const strictSite = () =>
  *
  * @param {import("node:test").TestContext} t
  * @param {string} path
- * @param {import("playwright-core").BrowserContextOptions} [options]
+ * @param {import("./browser.js").PageOptions} [options]
  */
 export async function openStrict(t, path, options = {}) {
   await launch();
   const baseURL = INLINE.includes(path) ? undefined : (await strictSite()).url;
-  const page = await openPage(t, "about:blank", { ...options, ...(baseURL && { baseURL }) });
-  page.on(
-    "console",
-    (message) =>
-      DRIVER.test(message.text()) ||
-      message.type() === "error" ||
-      page.problems.push(`${message.type()}: ${message.text()}`),
-  );
-  await page.goto(path, { waitUntil: "load" });
+  const page = await openPage(t, path, { messages: MESSAGES, ...options, ...(baseURL && { baseURL }) });
   await settled(page);
   return page;
 }

@@ -1,7 +1,7 @@
 // <bezier-surface>: where it comes from and goes to; what it does when things are missing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInBothThemes, frames, intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
+import { assertAccessibleInBothThemes, frames, openPage, QUIET_FRAMES } from "./browser.js";
 import { difference, facts, look, openSurface, ready, set, settled, surfacePage } from "./surface-page.js";
 
 /** Everything that the page can show at once. */
@@ -120,18 +120,6 @@ test("it stands still for those who want less motion, until they ask", async (t)
   assert.equal(await turn(), first);
   await page.getByRole("button", { name: "Turn", exact: true }).click();
   await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
-});
-
-test("far down the page nothing runs until it comes near", async (t) => {
-  const html = surfacePage().replace("<main>", '<main><div style="height: 4000px"></div>');
-  const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 } });
-  await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
-  await intersectionsReported(page);
-  const size = () => page.locator("bezier-surface canvas").evaluate((/** @type {any} */ canvas) => canvas.width);
-  assert.equal(await size(), 1);
-  await page.locator("bezier-surface").scrollIntoViewIfNeeded();
-  await ready(page);
-  assert.ok((await size()) > 100);
 });
 
 test("surfaces of every kind are shown: none, a point, a high degree, very large, very small", async (t) => {

@@ -36,7 +36,9 @@ test("a page without a surface in sight does not fetch it; it is fetched once fo
   );
   const { page, asked } = await openWithRoute(t, html, (route) => route.continue());
   await intersectionsReported(page);
-  assert.equal(asked.count, 0);
+  const sizes = () =>
+    page.locator("bezier-surface canvas").evaluateAll((/** @type {any[]} */ all) => all.map(({ width }) => width));
+  assert.deepEqual([asked.count, await sizes()], [0, [1, 1]], "nothing runs");
   await page.locator("#second").scrollIntoViewIfNeeded();
   await page.waitForFunction(() =>
     [...document.querySelectorAll("bezier-surface")].every((each) =>
@@ -44,6 +46,7 @@ test("a page without a surface in sight does not fetch it; it is fetched once fo
     ),
   );
   assert.equal(asked.count, 1);
+  assert.ok((await sizes()).every((width) => width > 100));
 });
 
 test("until it is there the element waits, and what is asked of it then counts", async (t) => {

@@ -25,7 +25,7 @@ export async function openSurface(t, attributes = "", { more, ...options } = {})
   const page = await openPage(
     t,
     { html: surfacePage(attributes, more) },
-    { viewport, reducedMotion: "reduce", warnings: WARNINGS, ...options },
+    { viewport, reducedMotion: "reduce", messages: WARNINGS, ...options },
   );
   await ready(page);
   return page;
@@ -55,10 +55,13 @@ export const settled = (page) =>
     await element.updateComplete;
   });
 
-/** How many of the picture's pixels are drawn on, their colours, their box. The picture itself stays in the page, under a number. */
-export const look = (page) =>
-  page.evaluate(async () => {
-    const bitmap = await createImageBitmap(await document.querySelector("bezier-surface").toBlob());
+/**
+ * How many of the picture's pixels are drawn on, their colours, their box. The picture itself stays in the page, under a
+ * number.
+ */
+export const look = (page, index = 0) =>
+  page.evaluate(async (index) => {
+    const bitmap = await createImageBitmap(await document.querySelectorAll("bezier-surface")[index].toBlob());
     const { width, height } = bitmap;
     const context = /** @type {any} */ (
       Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", {
@@ -80,7 +83,7 @@ export const look = (page) =>
     globalThis.pictures ??= [];
     const number = globalThis.pictures.push(data) - 1;
     return { inked, loud, left, right, width, height, colours: colours.size, number };
-  });
+  }, index);
 
 /** How many pixels of two pictures differ by more than so much in some channel. */
 export const difference = (page, a, b, threshold = 24) =>

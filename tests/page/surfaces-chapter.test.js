@@ -5,28 +5,26 @@ import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
-const SECTIONS = [
-  "patches",
-  "evaluation",
-  "curves",
-  "splitting",
-  "normals",
-  "joining",
-  "tessellation",
-  "cracks",
-  "adaptive",
-  "reyes",
-  "forward-differencing",
-  "gpu",
-  "teapot",
-  "wireframe",
-  "rays",
-  "ray-tracing",
-  "files",
-  "other-representations",
-];
+const SECTIONS =
+  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot wireframe rays ray-tracing files other-representations".split(
+    " ",
+  );
 /** Browsers lend about sixteen. */
 const MOST_CONTEXTS = 10;
+
+test("a figure shows its lines until it is drawn, and again while it is far away", async (t) => {
+  // The first test of the file: no figure has been near yet.
+  const page = await open(t);
+  await near(page, "map-surface");
+  const poster = (id) => page.locator(`#${id} > svg`).isVisible();
+  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+  assert.equal(await poster("map-surface"), false);
+  assert.equal(await poster("file-surface"), true, "not yet near");
+  await near(page, "file-surface");
+  await page.waitForFunction(() => document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+  await near(page, "map-surface");
+  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+});
 
 test("every figure is drawn when the reader comes near, and few hold the graphics card", async (t) => {
   const page = await open(t);
@@ -90,17 +88,4 @@ test("without JavaScript every figure is there as lines, and the code can be rea
     (await page.getByText("fn sample").count()) === 0 &&
       (await page.getByText("TessellationOptions::tolerance").first().isVisible()),
   );
-});
-
-test("a figure shows its lines until it is drawn, and again while it is far away", async (t) => {
-  const page = await open(t);
-  await near(page, "map-surface");
-  const poster = (id) => page.locator(`#${id} > svg`).isVisible();
-  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
-  assert.equal(await poster("map-surface"), false);
-  assert.equal(await poster("file-surface"), true, "not yet near");
-  await near(page, "file-surface");
-  await page.waitForFunction(() => document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
-  await near(page, "map-surface");
-  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
 });

@@ -1,17 +1,15 @@
 // What the tests of the chapter on surfaces share.
 import { openPage } from "./browser.js";
 
-/** @param {import("node:test").TestContext} t */
+/** The chapter, once for the tests of a file. @param {import("node:test").TestContext} t */
 export async function open(t, options = {}) {
   const page = await openPage(t, "/surfaces/", {
     viewport: { width: 1100, height: 800 },
     reducedMotion: "reduce",
+    messages: /context/i,
+    keep: true,
     ...options,
   });
-  page.on(
-    "console",
-    (message) => message.type() === "warning" && /context/i.test(message.text()) && page.problems.push(message.text()),
-  );
   await page.waitForFunction(
     () =>
       customElements.get("bezier-surface") &&
@@ -30,27 +28,6 @@ export async function near(page, id) {
     return element.figure.mesh.triangles > 0 && element.shadowRoot.querySelector("canvas").width > 1;
   }, id);
   return element;
-}
-
-/** The task, opened: the guess made. */
-export async function task(page, name, guess) {
-  const found = page.locator(`lesson-task[name="${name}"]`);
-  await found.scrollIntoViewIfNeeded();
-  await found.getByRole("button").first().waitFor();
-  if (guess !== undefined) {
-    await found.getByRole("radio").nth(guess).check();
-    await found.getByRole("button", { name: "That is my guess" }).click();
-  }
-  return found;
-}
-
-/** Waits until a task is done; what it says then. */
-export async function done(page, name) {
-  await page.waitForFunction(
-    (name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done",
-    name,
-  );
-  return page.locator(`lesson-task[name="${name}"] .words`).innerText();
 }
 
 /** The controls of a figure. */

@@ -1,8 +1,10 @@
 // The tasks and figures of the chapter on surfaces, by hand: sliders, keys, pointer, text.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { done, controls, near, open, task } from "./surfaces-page.js";
+import { done, task } from "./chapter-page.js";
+import { controls, near, open } from "./surfaces-page.js";
 import { boxOf } from "./browser.js";
+import { dragFrom } from "./hands.js";
 
 test("a corner, by the sliders' keys, after a guess", async (t) => {
   const page = await open(t);
@@ -22,28 +24,13 @@ test("the square is dragged, and turned by arrow keys", async (t) => {
   const place = () =>
     page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
   const box = await boxOf(page.locator("unit-square .square"));
-  await page.mouse.move(box.x + 5, box.y + 5);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.75, box.y + box.height * 0.25, { steps: 3 });
-  await page.mouse.up();
+  await dragFrom(page, [box.x + 5, box.y + 5], 0.75 * box.width - 5, 0.25 * box.height - 5);
   const [u, v] = await place();
   assert.ok(Math.abs(u - 0.75) < 0.011 && Math.abs(v - 0.75) < 0.011, `${u}, ${v}`);
   await page.locator("unit-square svg").press("Shift+ArrowLeft");
   await page.locator("unit-square svg").press("ArrowUp");
   const [u1, v1] = await place();
   assert.ok(Math.abs(u1 - (u - 0.1)) < 1e-9 && Math.abs(v1 - (v + 0.01)) < 1e-9);
-});
-
-test("a point of the net is pulled down until the centre is half a unit high", async (t) => {
-  const page = await open(t);
-  const element = await near(page, "nine-surface");
-  await task(page, "centre-height", 2);
-  const handle = element.locator('.handle[data-index="4"]');
-  await handle.focus();
-  const height = () => page.evaluate(() => document.querySelector("#nine-surface").figure.points[4][2]);
-  for (let i = 0; i < 20 && (await height()) > 2.3; i++) await handle.press("Shift+ArrowDown");
-  for (let i = 0; i < 20 && (await height()) > 2.1; i++) await handle.press("ArrowDown");
-  assert.match(await done(page, "centre-height"), /the patch is 0\.(4[7-9]|5[0-3]) units high/);
 });
 
 test("a patch is split elsewhere, and an edge between two patches made smooth", async (t) => {
