@@ -111,12 +111,7 @@ test("weights times points is the point of the curve, whatever the basis", () =>
     figure("catmull-rom", Curve.fromBasis("catmull-rom", POINTS)),
     figure("matrix", Curve.fromBasis(own, POINTS), { matrix: own }),
     figure("natural", new Curve([0, 0, 1, 5, 2, 5, 9, 0]), {
-      pieces: [
-        {
-          curve: new Curve([0, 0, 1, 5, 2, 5, 9, 0]),
-          indices: [0, 1],
-        },
-      ],
+      pieces: [{ curve: new Curve([0, 0, 1, 5, 2, 5, 9, 0]), indices: [0, 1] }],
     }),
   ];
   for (const each of figures) {

@@ -95,9 +95,7 @@ test("drawing is a function of its arguments: twice the same, and paints are put
 });
 
 test("points: discs on the curve, squares off it, hollow at the edge when they are outside, faint while they wait", () => {
-  const { ctx } = drawn({
-    points: pointsOf("100,100 900,-50 300,300 400,100 500,300"),
-  });
+  const { ctx } = drawn({ points: pointsOf("100,100 900,-50 300,300 400,100 500,300") });
   const discs = ctx.of("arc").map(([x, y, r]) => [x, y, r]);
   assert.ok(discs.some(([x, y, r]) => x === 100 && y === 100 && r === 6));
   const squares = ctx.of("rect").map(([x, y, w]) => [x + w / 2, y + w / 2]);
@@ -123,11 +121,7 @@ test("Hermite's vectors have heads, other tangents none", () => {
 
 test("a view enlarges the curve about its corner, marks keep their size", () => {
   const view = { x: 100, y: 50, width: 67, height: 48 };
-  const lines = (changes) =>
-    drawn({
-      points: pointsOf("110,60 120,70 130,60 140,70"),
-      ...changes,
-    }).ctx;
+  const lines = (changes) => drawn({ points: pointsOf("110,60 120,70 130,60 140,70"), ...changes }).ctx;
   const [plain, close] = [lines({}), lines({ view })];
   const [far, near] = [plain.of("bezierCurveTo")[0], close.of("bezierCurveTo")[0]];
   far.forEach((value, i) => assert.ok(Math.abs(near[i] - 10 * (value - (i % 2 ? 50 : 100))) < 1e-9));
@@ -203,13 +197,7 @@ test("words do not lie on each other or on points where there is room", () => {
 });
 
 test("words stay inside the picture", () => {
-  const { ctx } = drawn(
-    {
-      points: pointsOf("0,0 670,0 670,480 0,480"),
-      layers: ["weights"],
-    },
-    2,
-  );
+  const { ctx } = drawn({ points: pointsOf("0,0 670,0 670,480 0,480"), layers: ["weights"] }, 2);
   for (const [text, x, y] of ctx.of("fillText")) {
     assert.ok(
       x >= 7.5 * text.length && x <= 670 - 7.5 * text.length && y >= 16 && y <= 480 - 16,
@@ -247,10 +235,7 @@ test("SVG: what comes from outside is text, not markup", () => {
 });
 
 test("SVG: a mark's fill and rim are one element, and so are a word and its rim", () => {
-  const state = stateWith({
-    layers: [],
-    points: pointsOf("100,100 200,50 300,300 400,100"),
-  });
+  const state = stateWith({ layers: [], points: pointsOf("100,100 200,50 300,300 400,100") });
   const svg = svgFigure(state, figureOf(state));
   assert.equal(svg.match(/<path /g)?.length, 2 + 4 + 1); // curve, tangents, four points, the diamond
   assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#1d2733">P\d</g)?.length, 4);

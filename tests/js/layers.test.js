@@ -89,11 +89,7 @@ test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + s
     const even = Float64Array.from({ length: n + 1 }, (_, k) => k / n);
     near(deviation(PARABOLA, even), wanted, 1e-4 * wanted, `${n} steps`);
   }
-  const { data, words } = derived("segments", {
-    points: pointsOf("0,0 100,200 200,0"),
-    degree: 2,
-    segments: 2,
-  });
+  const { data, words } = derived("segments", { points: pointsOf("0,0 100,200 200,0"), degree: 2, segments: 2 });
   near(data.error, 25 / Math.SQRT2, 0.0005); // 25 above the middle of a chord of slope 1
   assert.match(words, /2 segments/);
 });
@@ -146,15 +142,11 @@ test("extrema and boxes: y = x² has its least y at t = ½", () => {
 });
 
 test("inflections: an S has one in the middle, an arch none", () => {
-  const { data, words } = derived("inflections", {
-    points: pointsOf("100,100 300,100 100,300 300,300"),
-  });
+  const { data, words } = derived("inflections", { points: pointsOf("100,100 300,100 100,300 300,300") });
   near(data.ts[0][0], 0.5, 1e-12);
   assert.equal(words, "Inflections at t = 0.500 (serpentine)");
   assert.equal(
-    derived("inflections", {
-      points: pointsOf("100,300 150,100 250,100 300,300"),
-    }).words,
+    derived("inflections", { points: pointsOf("100,300 150,100 250,100 300,300") }).words,
     "Inflections: none inside (arch)",
   );
 });
@@ -168,11 +160,7 @@ test("nearest: the foot of the perpendicular, on the right piece; nothing withou
 });
 
 test("the parallel of a line is the line moved along its normal", () => {
-  const { data } = derived("offset", {
-    points: pointsOf("0,50 100,50"),
-    degree: 1,
-    offset: 30,
-  });
+  const { data } = derived("offset", { points: pointsOf("0,50 100,50"), degree: 1, offset: 30 });
   assert.deepEqual(
     data.curves.map((curve) => [...curve.controlPoints()]),
     [[0, 80, 100, 80]],
@@ -180,11 +168,7 @@ test("the parallel of a line is the line moved along its normal", () => {
 });
 
 test("ticks divide the length evenly across joints", () => {
-  const { data, words } = derived("ticks", {
-    points: pointsOf("0,0 100,0 100,300"),
-    degree: 1,
-    ticks: 4,
-  });
+  const { data, words } = derived("ticks", { points: pointsOf("0,0 100,0 100,300"), degree: 1, ticks: 4 });
   const places = data.across.filter((_, i) => i % 4 < 2);
   assert.deepEqual(
     places.map((x) => Math.round(1e6 * x) / 1e6),
@@ -194,10 +178,7 @@ test("ticks divide the length evenly across joints", () => {
 });
 
 test("beyond the ends: t from −½ to 0 and from 1 to 1½", () => {
-  const { data } = derived("extrapolation", {
-    points: pointsOf("0,0 100,0"),
-    degree: 1,
-  });
+  const { data } = derived("extrapolation", { points: pointsOf("0,0 100,0"), degree: 1 });
   assert.deepEqual(
     data.map((curve) => [...curve.controlPoints()]),
     pointsOf("-50,0,0,0 100,0,150,0"),

@@ -32,10 +32,7 @@ const forms2D = {
   "a Uint8Array in the middle of a buffer": new Uint8Array([9, 9, ...CUBIC.flat(), 9]).subarray(2, 10),
 };
 /** @type {Record<string, PointsLike>} */
-const forms3D = {
-  arrays: SPACE,
-  objects: SPACE.map(([x, y, z]) => ({ x, y, z })),
-};
+const forms3D = { arrays: SPACE, objects: SPACE.map(([x, y, z]) => ({ x, y, z })) };
 
 for (const [name, points] of Object.entries(forms2D)) {
   test(`plane: ${name}`, () => {

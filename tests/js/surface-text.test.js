@@ -48,10 +48,7 @@ test("text reads back", () => {
 
 test("the text is the documented one", () => {
   const surface = new Surface(
-    {
-      vertices: pointsOf("0,0,0 1,0,0 0,1,0 1,1,0.5"),
-      patches: [[0, 1, 2, 3]],
-    },
+    { vertices: pointsOf("0,0,0 1,0,0 0,1,0 1,1,0.5"), patches: [[0, 1, 2, 3]] },
     { degreeU: 1, degreeV: 1 },
   );
   assert.equal(surface.toText(), "surface\nvertices 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0.5\npatches 1\n1 1\n0 1\n2 3\n");
