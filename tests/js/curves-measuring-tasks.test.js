@@ -75,10 +75,8 @@ testTasks([
 
 test("the feet of perpendiculars: nearest first, ends included", () => {
   const line = new Curve([0, 0, 10, 0]);
-  assert.deepEqual(
-    feet(line, [4, 3]).map(({ distance }) => distance),
-    [3],
-  );
+  const distances = feet(line, [4, 3]).map(({ distance }) => distance);
+  assert.deepEqual(distances, [3]);
   assert.equal(feet(line, [13, 4])[0].t, 1);
   const found = feet(BOW, [45, 90]);
   assert.equal(found.length, 2); // one on each side; the top is the farthest

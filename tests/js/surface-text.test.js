@@ -12,15 +12,11 @@ for (const { name, text, error, vertices, degrees, indices } of table) {
     if (error) return assert.throws(() => Surface.parse(text), new RangeError(error));
     const surface = Surface.parse(text);
     assert.deepEqual([...surface.vertices], vertices);
-    assert.deepEqual(
-      surface.patches.flatMap((net) => [...net]),
-      indices,
-    );
+    const nets = surface.patches.flatMap((net) => [...net]);
+    assert.deepEqual(nets, indices);
     const patches = Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k));
-    assert.deepEqual(
-      patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]),
-      degrees,
-    );
+    const found = patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]);
+    assert.deepEqual(found, degrees);
   });
 }
 

@@ -143,11 +143,10 @@ test("every task of the chapter is tested or only predicted, and is about a figu
     if (task.check) assert.match(chapter, new RegExp(` id="${about}"`));
     if (task.predict) checkPrediction(task.predict);
   }
-  for (const name of tested)
-    assert.ok(
-      used.some((each) => each[1] === name),
-      name,
-    );
+  for (const name of tested) {
+    const isUsed = used.some((each) => each[1] === name);
+    assert.ok(isUsed, name);
+  }
 });
 
 test("each section ends with a task and a sample", () => {
