@@ -37,25 +37,19 @@ test("every public name has an entry with a sentence", () => {
     items.filter(({ summary }) => !summary).map(({ id }) => `${slug}/${id}`),
   );
   assert.deepEqual(without, []);
-  assert.deepEqual(
-    types.filter(({ summary }) => !summary).map(({ name }) => name),
-    [],
-  );
+  const undescribed = types.filter(({ summary }) => !summary).map(({ name }) => name);
+  assert.deepEqual(undescribed, []);
   const rows = elements.flatMap(({ tables }) => tables.flatMap((table) => table.rows));
-  assert.deepEqual(
-    rows.filter(({ doc }) => !doc).map(({ id }) => id),
-    [],
-  );
+  const undocumented = rows.filter(({ doc }) => !doc).map(({ id }) => id);
+  assert.deepEqual(undocumented, []);
 });
 
 test("the entries are those of the built package", () => {
   const namesOf = (page) => pages.find(({ title }) => title === page)?.items.map(({ id }) => id) ?? [];
   for (const [name, value] of Object.entries(casteljau)) {
     if (!/^[A-Z]/.test(name)) {
-      assert.ok(
-        pages.some(({ items }) => items.some(({ id }) => id === name)),
-        name,
-      );
+      const isThere = pages.some(({ items }) => items.some(({ id }) => id === name));
+      assert.ok(isThere, name);
       continue;
     }
     const exported = ["constructor", ...publicNames(value), ...publicNames(value.prototype)];
@@ -66,10 +60,8 @@ test("the entries are those of the built package", () => {
 test("every file belongs to a public name", () => {
   const ids = new Set(pages.flatMap(({ slug, items }) => items.map(({ id }) => `${slug}/${id}`)));
   const files = entryFolders().flatMap((folder) => [...readEntries(folder).keys()].map((name) => `${folder}/${name}`));
-  assert.deepEqual(
-    files.filter((file) => !ids.has(file)),
-    [],
-  );
+  const unlisted = files.filter((file) => !ids.has(file));
+  assert.deepEqual(unlisted, []);
 });
 
 /** The fields of a mesh are no members of its prototype. @param {string} name */

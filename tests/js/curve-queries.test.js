@@ -71,14 +71,10 @@ test("inflections, cusps, classify, tangentsFrom", () => {
 test("distanceTo and hausdorff", () => {
   const line = new Curve([0, 8, 8, 8]);
   near(Object.values(arch.distanceTo(line)), [2, 0.5, 0.5], 1e-7);
-  assert.deepEqual(
-    [arch, new Curve([4, 0, 4, 9])].map((other) => arch.distanceTo(other).distance),
-    [0, 0],
-  );
-  assert.deepEqual(
-    [arch.reverse(), new Curve([0, 0, 8, 0])].map((other) => arch.hausdorff(other)),
-    [0, 6],
-  );
+  const distances = [arch, new Curve([4, 0, 4, 9])].map((other) => arch.distanceTo(other).distance);
+  assert.deepEqual(distances, [0, 0]);
+  const apart = [arch.reverse(), new Curve([0, 0, 8, 0])].map((other) => arch.hausdorff(other));
+  assert.deepEqual(apart, [0, 6]);
   const [low, high] = [0, 3].map((z) => new Curve(CUBIC.map(([x, y]) => [x, y, z])));
   assert.equal(low.distanceTo(high).distance, 3);
   near([low.hausdorff(high)], [3]);

@@ -9,7 +9,7 @@ import { apart, polylineError } from "../../www/tasks/utils/curves.js";
 import { formatNumber, matrixSummary, parseNumber } from "../../www/figures/lib/matrix.js";
 import { hermiteSummary, treeSummary } from "../../www/figures/lib/summaries.js";
 import { viewAt } from "../../www/figures/lib/zoom.js";
-import { pointsOf, untyped } from "./reference.js";
+import { near, pointsOf, untyped } from "./reference.js";
 
 test("speed and curvature along a chain jump where the joint says so", () => {
   const chain = new Spline([70, 330, 90, 120, 250, 110, 330, 200, 430, 300, 560, 380, 600, 160]);
@@ -20,30 +20,22 @@ test("speed and curvature along a chain jump where the joint says so", () => {
     assert.deepEqual([lines[0][0][0], lines[0].at(-1)?.[0], lines[1].at(-1)?.[0]], [0, 1, 2]);
     return jumps(joints[0], Math.max(...values) - Math.min(0, ...values));
   };
-  assert.deepEqual(
-    [told(null, "speed"), told("g1", "speed"), told("c1", "speed"), told("c2", "speed")],
-    [true, true, false, false],
-  );
+  const speeds = [told(null, "speed"), told("g1", "speed"), told("c1", "speed"), told("c2", "speed")];
+  assert.deepEqual(speeds, [true, true, false, false]);
   assert.deepEqual([told("c1", "curvature"), told("c2", "curvature")], [true, false]);
   const lasting = along(chain.segments(), "speed", [1, 2]);
   assert.deepEqual(lasting.starts, [0, 1, 3]);
   assert.equal(lasting.lines[1].at(-1)?.[0], 3);
   // |3(P3 − P2)| / 1 and |3(P4 − P3)| / 2
-  assert.deepEqual(
-    [lasting.joints[0].at, lasting.joints[0].before, lasting.joints[0].after].map((value) => Number(value.toFixed(9))),
-    [1, 3 * Math.hypot(80, 90), (3 * Math.hypot(100, 100)) / 2].map((value) => Number(value.toFixed(9))),
-  );
+  const { at, before, after } = lasting.joints[0];
+  near([at, before, after], [1, 3 * Math.hypot(80, 90), (3 * Math.hypot(100, 100)) / 2], 1e-9);
   const [line] = along([new Curve([0, 0, 30, 40])], "speed").lines;
   assert.ok(line.every(([, speed]) => Math.abs(speed - 50) < 1e-12));
 });
 
 test("an affine map does the same to the control points and to the curve", () => {
-  for (const map of [
-    { turn: 0, shear: 0, width: 1 },
-    { turn: 25, shear: 0.3, width: 1 },
-    { turn: -180, shear: -1, width: 0.3 },
-  ]) {
-    const { dots, gap } = bothWays(map);
+  for (const [turn, shear, width] of pointsOf("0,0,1 25,0.3,1 -180,-1,0.3")) {
+    const { dots, gap } = bothWays({ turn, shear, width });
     assert.ok(gap < 1e-12 && dots.length > 10, String(gap));
   }
   const turned = matrixOf({ turn: 90, shear: 0, width: 1 }).map((x) => Math.round(x) + 0);
@@ -54,15 +46,8 @@ test("numbers of the matrix are read and written as people do", () => {
   assert.deepEqual(["1", "−1/6", " 2 / 3 ", "-0.5", "1e3"].map(parseNumber), [1, -1 / 6, 2 / 3, -0.5, 1000]);
   for (const wrong of ["", "x", "1/2/3", "NaN", "1/0", "/2", "Infinity"])
     assert.ok(!Number.isFinite(parseNumber(wrong)), wrong);
-  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(formatNumber), [
-    "−1",
-    "0",
-    "0.5",
-    "1/6",
-    "−2/3",
-    "2/3",
-    "0.1",
-  ]);
+  const texts = [-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(formatNumber);
+  assert.deepEqual(texts, ["−1", "0", "0.5", "1/6", "−2/3", "2/3", "0.1"]);
   for (const name of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"])) {
     for (const x of Curve.basisMatrix(name))
       assert.ok(Math.abs(parseNumber(formatNumber(x)) - x) < 1e-15, `${name}: ${x}`);

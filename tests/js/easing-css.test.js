@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { easing } from "casteljau/easing";
-import { pointsOf, refused } from "./reference.js";
+import { pointsOf, refused, refusedAll } from "./reference.js";
 
 // tests/easing/css.rs reads the same table.
 const table = JSON.parse(readFileSync(new URL("../texts/easing.json", import.meta.url), "utf8"));
@@ -63,15 +63,8 @@ function distance(ease, stops) {
   return greatest;
 }
 
-const CURVES = [
-  "ease",
-  "ease-in-out",
-  "cubic-bezier(0.68, -0.55, 0.265, 1.55)",
-  "cubic-bezier(0, 1, 1, 0)",
-  "cubic-bezier(1, 0, 0, 1)",
-  "cubic-bezier(0, 1, 0, 1)",
-  "cubic-bezier(0.1, 7, 0.9, -6)",
-];
+const HANDLES = ["0.68, -0.55, 0.265, 1.55", "0, 1, 1, 0", "1, 0, 0, 1", "0, 1, 0, 1", "0.1, 7, 0.9, -6"];
+const CURVES = ["ease", "ease-in-out", ...HANDLES.map((handles) => `cubic-bezier(${handles})`)];
 
 test("toLinear keeps the tolerance and the ends", () => {
   for (const css of CURVES) {
@@ -118,14 +111,11 @@ test("toLinear writes the same text as Rust: tests/easing/css.rs has the same su
 });
 
 test("percentages that are filled in ascend, though the range is a few ulps wide", () => {
-  /** @type {[string, string, number][]} */
-  const ranges = [
-    ["79.87344453458203%", "79.87344453458206%", 7],
-    ["13.569893703974877%", "13.569893703974884%", 10],
-  ];
-  for (const [from, to, count] of ranges) {
+  for (const [from, to, count] of pointsOf(
+    "79.87344453458203,79.87344453458206,7 13.569893703974877,13.569893703974884,10",
+  )) {
     const between = Array.from({ length: count - 1 }, (_, k) => k + 1);
-    const { css } = easing(`linear(0 ${from}, ${between.join(", ")}, ${count} ${to})`);
+    const { css } = easing(`linear(0 ${from}%, ${between.join(", ")}, ${count} ${to}%)`);
     const percentages = [...css.matchAll(/([\d.]+)%/g)].map((match) => Number(match[1]));
     assert.equal(percentages.length, count + 1);
     percentages.slice(1).forEach((value, k) => assert.ok(value >= percentages[k], css));
@@ -134,40 +124,31 @@ test("percentages that are filled in ascend, though the range is a few ulps wide
 
 test("never NaN, at the largest numbers either", () => {
   const texts = table.filter((row) => row.css).map((row) => row.text);
-  const extreme = [
-    "linear(-1.7e308 -1.7e308%, 1.7e308 1.7e308%)",
-    "linear(0, 1.7e308 5e-324%, 0)",
-    "linear(1e308, -1e308)",
-  ];
-  for (const text of [...texts, ...extreme])
+  const extreme = ["-1.7e308 -1.7e308%, 1.7e308 1.7e308%", "0, 1.7e308 5e-324%, 0", "1e308, -1e308"];
+  for (const text of [...texts, ...extreme.map((stops) => `linear(${stops})`)])
     for (const x of [-Number.MAX_VALUE, -1, -5e-324, 0, 5e-324, 0.5, 1, 2, Number.MAX_VALUE])
       assert.ok(Number.isFinite(easing(text)(x)), `${text} at ${x}`);
   const huge = easing(0.1, 1e300, 0.9, -1e300);
-  assert.ok(
-    distance(
-      (x) => huge(x) / 1e300,
-      stopsOf(huge.toLinear(1e298)).map(([x, y]) => [x, y / 1e300]),
-    ) <= 0.01,
-  );
+  const scaled = stopsOf(huge.toLinear(1e298)).map(([x, y]) => [x, y / 1e300]);
+  assert.ok(distance((x) => huge(x) / 1e300, scaled) <= 0.01);
 });
 
 test("refusals", () => {
-  /** @type {any} */
-  const untyped = easing;
-  refused(() => untyped(), TypeError, /^easing: expected a text or 4 numbers, got undefined$/);
-  refused(() => untyped(5), TypeError, /^easing: expected a text or 4 numbers, got 5$/);
-  refused(() => untyped(0, 0, 1, 1, 1), TypeError, /^easing: expected a text or 4 numbers, got 5 arguments$/);
-  refused(() => untyped(0, 0, 1), TypeError, /^y2: expected a number, got undefined$/);
+  const untyped = /** @type {any} */ (easing);
   const ease = untyped("ease");
-  refused(() => ease.toLinear(), TypeError, /^tolerance: expected a number, got undefined$/);
-  refused(
-    () => ease.toLinear(1e-5),
-    RangeError,
-    /^tolerance: expected at least 0.0001 of the largest output, got 0.00001$/,
-  );
-  refused(() => ease.toLinear(-1), RangeError, /^tolerance: .*got -1$/);
-  refused(() => ease.toLinear(NaN), RangeError, /^tolerance: expected a finite number, got NaN$/);
-  refused(() => easing("steps(40000)").toLinear(1), RangeError, /^stops: expected at most 65536, this needs 80001$/);
+  refusedAll(TypeError, [
+    [() => untyped(), /^easing: expected a text or 4 numbers, got undefined$/],
+    [() => untyped(5), /^easing: expected a text or 4 numbers, got 5$/],
+    [() => untyped(0, 0, 1, 1, 1), /^easing: expected a text or 4 numbers, got 5 arguments$/],
+    [() => untyped(0, 0, 1), /^y2: expected a number, got undefined$/],
+    [() => ease.toLinear(), /^tolerance: expected a number, got undefined$/],
+  ]);
+  refusedAll(RangeError, [
+    [() => ease.toLinear(1e-5), /^tolerance: expected at least 0.0001 of the largest output, got 0.00001$/],
+    [() => ease.toLinear(-1), /^tolerance: .*got -1$/],
+    [() => ease.toLinear(NaN), /^tolerance: expected a finite number, got NaN$/],
+    [() => easing("steps(40000)").toLinear(1), /^stops: expected at most 65536, this needs 80001$/],
+  ]);
   for (const text of ["steps(4)", "linear(0, 1)"])
     refused(() => easing(text)(NaN), RangeError, /^x: expected a finite number, got NaN$/);
 });

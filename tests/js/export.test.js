@@ -126,10 +126,8 @@ for (const [name, mesh] of meshes) {
     const corners = of("f")
       .flat()
       .map((corner) => corner.split("/"));
-    assert.deepEqual(
-      corners.map(([vertex]) => Number(vertex) - 1),
-      [...faces],
-    );
+    const vertices = corners.map(([vertex]) => Number(vertex) - 1);
+    assert.deepEqual(vertices, [...faces]);
     assert.ok(corners.every(([v, vt, vn]) => vn === v && vt === (mesh.uvs ? v : "")));
   });
 }
@@ -143,10 +141,8 @@ test("faces of an obj", () => {
         .match(/^f.*$/gm)
         ?.map((line) => line.split(" ").length - 1),
     );
-  assert.deepEqual(
-    [sizes(), sizes({ quads: true }), sizes({ quads: false })],
-    [new Set([4]), new Set([4]), new Set([3])],
-  );
+  const faces = [sizes(), sizes({ quads: true }), sizes({ quads: false })];
+  assert.deepEqual(faces, [new Set([4]), new Set([4]), new Set([3])]);
   const triangles = Surface.teapot().grid({ segments: 2 });
   refused(() => triangles.toOBJ({ quads: true }), RangeError, /^quads: expected a mesh with quads, got one without$/);
 });

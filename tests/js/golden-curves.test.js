@@ -58,10 +58,8 @@ function offset({ input, expect, tol }) {
   assert.ok(points.every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y)));
   if (expect.ends) {
     near([points[0], points.at(-1)], expect.ends, tol, "ends");
-    assert.ok(
-      points.every(({ y }) => Math.abs(y - expect.ends[0][1]) <= tol),
-      "straight",
-    );
+    const straight = points.every(({ y }) => Math.abs(y - expect.ends[0][1]) <= tol);
+    assert.ok(straight, "straight");
     return;
   }
   // Past a cusp of the offset a point may be nearer to another part of the curve, never farther.
@@ -77,8 +75,9 @@ function svg({ input, expect, tol }) {
   const path = Path.fromSVG(input.d, { tolerance: ARC_TOLERANCE });
   const curves = path.subpaths.flatMap((spline) => spline.segments());
   if (expect.segments) {
+    const points = curves.map((curve) => pairs(curve.controlPoints()));
     near(
-      curves.map((curve) => pairs(curve.controlPoints())),
+      points,
       expect.segments.map(([, points]) => points),
       tol,
       "segments",
@@ -105,12 +104,8 @@ const KINDS = {
   },
   extrema({ input, expect, tol }) {
     const { x, y } = new Curve(input.points).extrema();
-    near(
-      [x, y].map((ts) => Array.from(ts)),
-      [expect.x, expect.y],
-      tol,
-      "extrema",
-    );
+    const found = [x, y].map((ts) => Array.from(ts));
+    near(found, [expect.x, expect.y], tol, "extrema");
   },
   inflection: ({ input, expect, tol }) => near(new Curve(input.points).inflections(), expect, tol, "inflections"),
   classify: ({ input, expect }) => assert.equal(new Curve(input.points).classify(), expect.class),
@@ -140,10 +135,8 @@ const KINDS = {
     const found = new Curve(input.points).nearest(input.query);
     near(found.distance, expect.distance, tol, "distance");
     const ts = [expect.t, ...(expect.also_t ?? [])];
-    assert.ok(
-      ts.some((t) => Math.abs(found.t - t) <= tol),
-      `t: got ${found.t}, expected one of ${ts}`,
-    );
+    const isExpected = ts.some((t) => Math.abs(found.t - t) <= tol);
+    assert.ok(isExpected, `t: got ${found.t}, expected one of ${ts}`);
   },
   intersect: meetings,
   line_intersect: meetings,

@@ -6,14 +6,9 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const ENTRIES = [
-  "js/index.js",
-  "js/core.js",
-  "js/surfaces.js",
-  "js/applet/index.js",
-  "js/applet/classic.js",
-  "js/elements/index.js",
-];
+const ENTRIES = ["index", "core", "surfaces", "applet/index", "applet/classic", "elements/index"].map(
+  (name) => `js/${name}.js`,
+);
 
 /** For each file, the files that it imports, statically or on demand. */
 async function importGraph() {

@@ -47,8 +47,9 @@ test("each of curve, spline and path with a path: numbers and locations", () => 
   for (const shape of [arch, Spline.fromCurves([arch])]) {
     const found = /** @type {any[]} */ (shape.intersections(lines));
     assert.ok(found.every(({ kind }) => kind === "cross"));
+    const places = found.flatMap(({ u }) => Object.values(lines.eval(u)));
     near(
-      found.flatMap(({ u }) => Object.values(lines.eval(u))),
+      places,
       found.flatMap(({ point }) => [point.x, point.y]),
       1e-10,
     );

@@ -31,22 +31,8 @@ export function derived(name, changes) {
 export class Tape {
   calls = [];
   constructor() {
-    for (const name of [
-      "clearRect",
-      "beginPath",
-      "moveTo",
-      "lineTo",
-      "bezierCurveTo",
-      "quadraticCurveTo",
-      "closePath",
-      "arc",
-      "rect",
-      "setLineDash",
-      "fill",
-      "stroke",
-      "strokeText",
-      "fillText",
-    ]) {
+    const paths = "beginPath moveTo lineTo bezierCurveTo quadraticCurveTo closePath arc rect";
+    for (const name of `clearRect ${paths} setLineDash fill stroke strokeText fillText`.split(" ")) {
       this[name] = (...args) =>
         void this.calls.push(
           [name, ...args, this.strokeStyle, this.fillStyle, this.globalAlpha].slice(0, args.length + 4),

@@ -19,20 +19,17 @@ const PARABOLA = new Curve([-1, 1, 0, -1, 1, 1]);
 const CUSP = new Curve([100, 400, 560, 100, 100, 100, 560, 400]);
 
 test("the weights of every basis put the point where the curve is", () => {
-  for (const basis of BASES) {
-    for (const degree of basis === "bezier" || basis === "b-spline" ? [1, 2, 3, 5] : [3]) {
+  for (const basis of BASES)
+    for (const degree of basis === "bezier" || basis === "b-spline" ? [1, 2, 3, 5] : [3])
       for (const t of [-0.4, 0, 0.3, 1, 1.5]) {
         const state = stateWith({ basis, degree, t, segment: 0 });
         const figure = figureOf(state);
         const { flat, values } = weightsAt(figure, state);
-        const sum = (axis) => [...values].reduce((all, value, i) => all + value * flat[2 * i + axis], 0);
-        const words = `${basis} of degree ${degree} at ${t}`;
-        near([sum(0), sum(1)], figure.pieces[0].curve.eval(t), 1e-12, words);
-        const whole = [...values].reduce((a, b) => a + b);
-        near(whole, 1, 1e-12, words);
+        const sum = (of) => [...values].reduce((all, value, i) => all + value * of(i), 0);
+        const { x, y } = figure.pieces[0].curve.eval(t);
+        const sums = [sum(() => 1), sum((i) => flat[2 * i]), sum((i) => flat[2 * i + 1])];
+        near(sums, [1, x, y], 1e-12, `${basis} of degree ${degree} at ${t}`);
       }
-    }
-  }
 });
 
 test("the weights of a cubic at ½ are 1, 3, 3, 1 eighths; those of a uniform B-spline at 0 are 1, 4, 1, 0 sixths", () => {
@@ -89,11 +86,7 @@ test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + s
     const even = Float64Array.from({ length: n + 1 }, (_, k) => k / n);
     near(deviation(PARABOLA, even), wanted, 1e-4 * wanted, `${n} steps`);
   }
-  const { data, words } = derived("segments", {
-    points: pointsOf("0,0 100,200 200,0"),
-    degree: 2,
-    segments: 2,
-  });
+  const { data, words } = derived("segments", { points: pointsOf("0,0 100,200 200,0"), degree: 2, segments: 2 });
   near(data.error, 25 / Math.SQRT2, 0.0005); // 25 above the middle of a chord of slope 1
   assert.match(words, /2 segments/);
 });
@@ -135,72 +128,58 @@ test("a tolerance that would take for ever is raised, and the raised one is told
   assert.match(words, new RegExp(`< ${Number(data.tolerance.toPrecision(3))}:`));
 });
 
-test("extrema and boxes: y = x² has its least y at t = ½", () => {
-  const points = pointsOf("100,400 200,200 300,400");
-  const { data, words } = derived("extrema", { points, degree: 2 });
-  assert.deepEqual(data.ts, [[0.5]]);
-  assert.deepEqual(data.strokes, [200, 300, 1, 0]);
-  assert.equal(words, "Extrema at t = 0.500");
-  const { boxes } = derived("bounds", { points, degree: 2 }).data;
-  assert.deepEqual(boxes, [{ min: { x: 100, y: 300 }, max: { x: 300, y: 400 } }]);
-});
-
-test("inflections: an S has one in the middle, an arch none", () => {
-  const { data, words } = derived("inflections", {
-    points: pointsOf("100,100 300,100 100,300 300,300"),
-  });
-  near(data.ts[0][0], 0.5, 1e-12);
-  assert.equal(words, "Inflections at t = 0.500 (serpentine)");
-  assert.equal(
-    derived("inflections", {
-      points: pointsOf("100,300 150,100 250,100 300,300"),
-    }).words,
-    "Inflections: none inside (arch)",
-  );
-});
-
-test("nearest: the foot of the perpendicular, on the right piece; nothing without a pointer", () => {
-  const points = pointsOf("0,0 100,0 100,100");
-  const { data, words } = derived("nearest", { points, degree: 1, pointer: [130, 25] });
-  assert.deepEqual(data.found.point, { x: 100, y: 25 });
-  assert.equal(words, "Nearest point: t = 0.250 on piece 2, 30 px away");
-  assert.equal(derived("nearest", { points, degree: 1 }).data, null);
-});
-
-test("the parallel of a line is the line moved along its normal", () => {
-  const { data } = derived("offset", {
-    points: pointsOf("0,50 100,50"),
-    degree: 1,
-    offset: 30,
-  });
-  assert.deepEqual(
-    data.curves.map((curve) => [...curve.controlPoints()]),
-    [[0, 80, 100, 80]],
-  );
-});
-
-test("ticks divide the length evenly across joints", () => {
-  const { data, words } = derived("ticks", {
-    points: pointsOf("0,0 100,0 100,300"),
-    degree: 1,
-    ticks: 4,
-  });
-  const places = data.across.filter((_, i) => i % 4 < 2);
-  assert.deepEqual(
-    places.map((x) => Math.round(1e6 * x) / 1e6),
+const TIMES = ({ ts }) => ts.flat();
+const flat = (curve) => [...curve.controlPoints()];
+/** A layer, points with what else differs from the first state, numbers of its data, what they are, and its words. @type {any[][]} */
+const FOUND = [
+  [
+    "extrema",
+    { points: "100,400 200,200 300,400", degree: 2 },
+    ({ ts, strokes }) => [...ts.flat(), ...strokes],
+    [0.5, 200, 300, 1, 0],
+    "Extrema at t = 0.500",
+  ],
+  [
+    "bounds",
+    { points: "100,400 200,200 300,400", degree: 2 },
+    ({ boxes }) => boxes.flatMap(({ min, max }) => [min.x, min.y, max.x, max.y]),
+    [100, 300, 300, 400],
+  ],
+  ["inflections", { points: "100,100 300,100 100,300 300,300" }, TIMES, [0.5], "Inflections at t = 0.500 (serpentine)"],
+  ["inflections", { points: "100,300 150,100 250,100 300,300" }, TIMES, [], "Inflections: none inside (arch)"],
+  [
+    "nearest",
+    { points: "0,0 100,0 100,100", degree: 1, pointer: [130, 25] },
+    ({ found }) => [found.point.x, found.point.y],
+    [100, 25],
+    "Nearest point: t = 0.250 on piece 2, 30 px away",
+  ],
+  ["offset", { points: "0,50 100,50", degree: 1, offset: 30 }, ({ curves }) => curves.flatMap(flat), [0, 80, 100, 80]],
+  [
+    "ticks",
+    { points: "0,0 100,0 100,300", degree: 1, ticks: 4 },
+    ({ across }) => across.filter((_, i) => i % 4 < 2),
     [0, 0, 100, 0, 100, 100, 100, 200, 100, 300],
-  );
-  assert.equal(words, "Length 400 px, a tick every 100 px");
-});
+    "Length 400 px, a tick every 100 px",
+  ],
+  [
+    "extrapolation",
+    { points: "0,0 100,0", degree: 1 },
+    (curves) => curves.flatMap(flat),
+    [-50, 0, 0, 0, 100, 0, 150, 0],
+  ],
+];
 
-test("beyond the ends: t from −½ to 0 and from 1 to 1½", () => {
-  const { data } = derived("extrapolation", {
-    points: pointsOf("0,0 100,0"),
-    degree: 1,
-  });
-  assert.deepEqual(
-    data.map((curve) => [...curve.controlPoints()]),
-    pointsOf("-50,0,0,0 100,0,150,0"),
+test("extrema, boxes, inflections, nearest points, offsets, ticks and what lies beyond the ends, by closed forms", () => {
+  for (const [layer, { points, ...changes }, numbersOf, numbers, told] of FOUND) {
+    const { data, words } = derived(layer, { points: pointsOf(points), ...changes });
+    near(numbersOf(data), numbers, 1e-12, layer);
+    if (told) assert.equal(words, told);
+  }
+  assert.equal(
+    derived("nearest", { points: pointsOf("0,0 100,0 100,100"), degree: 1 }).data,
+    null,
+    "without a pointer",
   );
 });
 
@@ -229,18 +208,10 @@ test("with the halves their points are called q and r, and the one at t both", (
   const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.25 });
   const figure = figureOf(state);
   const names = namesOf(figure, state);
-  assert.deepEqual(
-    names.map(({ text }) => text),
-    ["q0", "q1", "q2", "q3", "r0", "r1", "r2", "r3"],
-  );
-  const at = figure.pieces[0].curve.eval(0.25);
-  assert.deepEqual(
-    [Array.from(names[3].at), Array.from(names[4].at)],
-    [
-      [at.x, at.y],
-      [at.x, at.y],
-    ],
-  );
+  const texts = names.map(({ text }) => text);
+  assert.deepEqual(texts, ["q0", "q1", "q2", "q3", "r0", "r1", "r2", "r3"]);
+  const { x, y } = figure.pieces[0].curve.eval(0.25);
+  for (const { at } of names.slice(3, 5)) assert.deepEqual(Array.from(at), [x, y]);
   assert.deepEqual(namesOf(figure, { ...state, labels: "none" }), []);
 });
 
@@ -248,10 +219,7 @@ test("the names of both points at the cut stand on the side of their half", () =
   const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.5 });
   const names = namesOf(figureOf(state), state);
   const named = (text) => /** @type {(typeof names)[number]} */ (names.find((name) => name.text === text));
-  for (const [cut, neighbour] of [
-    ["q3", "q2"],
-    ["r0", "r1"],
-  ]) {
+  for (const [cut, neighbour] of Object.entries({ q3: "q2", r0: "r1" })) {
     const { at, away } = named(cut);
     const [dx, dy] = [named(neighbour).at[0] - at[0], named(neighbour).at[1] - at[1]];
     assert.ok(away[0] * dx + away[1] * dy > 0, `${cut} is on the side of ${neighbour}`);

@@ -41,10 +41,8 @@ test("at a joint the segment that starts there counts; values outside extrapolat
 test("many points: evalAt and sample", () => {
   const times = path.equidistantTimes(7);
   const points = path.evalAt(times);
-  assert.deepEqual(
-    pairs(points),
-    times.map((time) => Object.values(path.eval(time))),
-  );
+  const expected = times.map((time) => Object.values(path.eval(time)));
+  assert.deepEqual(pairs(points), expected);
   const into = new Float64Array(20).fill(9);
   assert.equal(path.evalAt(times, { into }), into);
   assert.deepEqual([...into], [...points, 9, 9, 9, 9]);

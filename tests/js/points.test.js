@@ -32,10 +32,7 @@ const forms2D = {
   "a Uint8Array in the middle of a buffer": new Uint8Array([9, 9, ...CUBIC.flat(), 9]).subarray(2, 10),
 };
 /** @type {Record<string, PointsLike>} */
-const forms3D = {
-  arrays: SPACE,
-  objects: SPACE.map(([x, y, z]) => ({ x, y, z })),
-};
+const forms3D = { arrays: SPACE, objects: SPACE.map(([x, y, z]) => ({ x, y, z })) };
 
 for (const [name, points] of Object.entries(forms2D)) {
   test(`plane: ${name}`, () => {
@@ -70,10 +67,8 @@ test("dimension decides wherever it is given", () => {
     SPACE.map(([x, y, z]) => ({ x, y, z })),
     { dimension: 2 },
   );
-  assert.deepEqual(
-    pairs(inPlane.controlPoints()),
-    SPACE.map(([x, y]) => [x, y]),
-  );
+  const expected = SPACE.map(([x, y]) => [x, y]);
+  assert.deepEqual(pairs(inPlane.controlPoints()), expected);
   assert.equal(Curve.fromJSON({ points: flat, dimension: 3 }).dimension, 3);
 });
 
@@ -86,18 +81,13 @@ test("matrices: 6 numbers, 16 numbers, a DOMMatrix", () => {
     assert.deepEqual(pairs(new Curve(CUBIC).transform(matrix).controlPoints()), expected);
     assert.deepEqual(pairs(new Spline(CUBIC).transform(matrix).controlPoints()), expected);
     const space = pairs(new Curve(SPACE).transform(matrix).controlPoints(), 3);
-    assert.deepEqual(
-      space,
-      SPACE.map(([x, y, z]) => [x + 3 * y + 5, 2 * x + 4 * y + 6, z]),
-    );
+    const mapped = SPACE.map(([x, y, z]) => [x + 3 * y + 5, 2 * x + 4 * y + 6, z]);
+    assert.deepEqual(space, mapped);
   }
   // A quarter turn about x, then one along z.
   const turn = [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 1, 1];
-  near(
-    new Curve(SPACE).transform(turn).controlPoints(),
-    SPACE.flatMap(([x, y, z]) => [x, -z, y + 1]),
-    0,
-  );
+  const turned = SPACE.flatMap(([x, y, z]) => [x, -z, y + 1]);
+  near(new Curve(SPACE).transform(turn).controlPoints(), turned, 0);
 });
 
 test("the caller's arrays may change afterwards", () => {

@@ -12,15 +12,11 @@ for (const { name, text, error, vertices, degrees, indices } of table) {
     if (error) return assert.throws(() => Surface.parse(text), new RangeError(error));
     const surface = Surface.parse(text);
     assert.deepEqual([...surface.vertices], vertices);
-    assert.deepEqual(
-      surface.patches.flatMap((net) => [...net]),
-      indices,
-    );
+    const nets = surface.patches.flatMap((net) => [...net]);
+    assert.deepEqual(nets, indices);
     const patches = Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k));
-    assert.deepEqual(
-      patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]),
-      degrees,
-    );
+    const found = patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]);
+    assert.deepEqual(found, degrees);
   });
 }
 
@@ -48,10 +44,7 @@ test("text reads back", () => {
 
 test("the text is the documented one", () => {
   const surface = new Surface(
-    {
-      vertices: pointsOf("0,0,0 1,0,0 0,1,0 1,1,0.5"),
-      patches: [[0, 1, 2, 3]],
-    },
+    { vertices: pointsOf("0,0,0 1,0,0 0,1,0 1,1,0.5"), patches: [[0, 1, 2, 3]] },
     { degreeU: 1, degreeV: 1 },
   );
   assert.equal(surface.toText(), "surface\nvertices 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0.5\npatches 1\n1 1\n0 1\n2 3\n");

@@ -31,36 +31,40 @@ export function applet({ points, whole = false, ...rest }) {
 }
 
 /**
- * One test for each task.
+ * One test for each row: the name of a task, its start, what does not solve it, and what does. The answer that the task
+ * reveals must count, too. An attempt is a function of the element, or properties that are assigned to it.
  *
- * @param {Record<string, { start(): any, vain: ((element: any) => unknown)[], right(element: any): unknown }>} tasks its start, what does
- *   not solve it, and what does; the answer that it reveals must count, too
+ * @param {[string, any, any[], any][]} rows
+ * @param {(start: any) => any} make the element of a start; a function as start makes its own
  */
-export function testTasks(tasks) {
-  for (const [name, { start, vain, right }] of Object.entries(tasks)) {
+export function testTasks(rows, make = (start) => (start.points ? applet(start) : { ...start })) {
+  const made = (start) => (typeof start === "function" ? start() : make(start));
+  const attempt = (element, act) => (typeof act === "function" ? act(element) : Object.assign(element, act));
+  for (const [name, start, vain, right] of rows)
     test(`task ${name}`, async () => {
       const { check, reveal, predict } = await load(name);
-      const judged = (element) => {
-        const verdict = check(element.figure, element);
-        assert.equal(typeof verdict.words, "string");
-        assert.ok(verdict.words.length > 0);
-        return verdict.done;
+      const judge = (element, expected, what) => {
+        const { done, words } = check(element.figure, element);
+        assert.equal(typeof words, "string");
+        assert.ok(words.length > 0);
+        assert.equal(done, expected, `${what}: ${words}`);
       };
-      const element = start();
-      assert.equal(judged(element), false, "at the start");
-      for (const attempt of vain) {
-        attempt(element);
-        assert.equal(judged(element), false, `${attempt}: ${check(element.figure, element).words}`);
-      }
-      right(element);
-      assert.equal(judged(element), true, `${right}: ${check(element.figure, element).words}`);
-      const other = start();
+      const [element, other] = [made(start), made(start)];
+      judge(element, false, "at the start");
+      vain.forEach((act, k) => {
+        attempt(element, act);
+        judge(element, false, `attempt ${k}`);
+      });
+      attempt(element, right);
+      judge(element, true, "solved");
       reveal(other);
-      assert.equal(judged(other), true, `revealed: ${check(other.figure, other).words}`);
-      if (predict) {
-        assert.ok(predict.options.length > 1 && predict.answer in predict.options && predict.because.length > 20);
-        assert.equal(new Set(predict.options).size, predict.options.length);
-      }
+      judge(other, true, "revealed");
+      if (predict) checkPrediction(predict);
     });
-  }
+}
+
+/** A prediction has different options, one of which is the answer, and a reason. */
+export function checkPrediction({ options, answer, because }) {
+  assert.ok(options.length > 1 && answer in options && because.length > 20);
+  assert.equal(new Set(options).size, options.length);
 }

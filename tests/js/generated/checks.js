@@ -65,10 +65,8 @@ const inside = ({ min, max }, p, slack) =>
 const isMesh = (mesh) => {
   const count = mesh.positions.length / 3;
   assert.equal(mesh.normals.length, 3 * count);
-  assert.ok(
-    mesh.indices.every((i) => i < count),
-    "an index past the vertices",
-  );
+  const isIndex = mesh.indices.every((i) => i < count);
+  assert.ok(isIndex, "an index past the vertices");
   assert.ok(mesh.indices.length % 3 === 0 && (mesh.quads ?? []).every((i) => i < count));
 };
 

@@ -37,10 +37,8 @@ function readEasing({ text }) {
     assert.ok(handles.length === 4 && handles.every(Number.isFinite));
     assert.equal(easing(.../** @type {[number, number, number, number]} */ (handles))(1), 1);
     // The text of −0 is 0.
-    assert.deepEqual(
-      readTiming(timingText(handles)),
-      handles.map((x) => x + 0),
-    );
+    const expected = handles.map((x) => x + 0);
+    assert.deepEqual(readTiming(timingText(handles)), expected);
   }
   if (onPage) assert.equal(css(parse(css(onPage))), css(onPage));
   return onPage ?? inElement ?? null;
