@@ -1,5 +1,5 @@
 // What the tests of the companions share.
-import { openPage } from "./browser.js";
+import { frames, openPage } from "./browser.js";
 
 /** A page with these elements; `script` runs before the elements are defined. */
 export const companionsPage = (body, script = "") =>
@@ -52,10 +52,7 @@ export async function shown(page) {
 }
 
 /** Waits until what was changed is drawn. */
-export const settled = (page) =>
-  page.evaluate(async () => {
-    for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
-  });
+export const settled = (page) => frames(page, 3);
 
 /** What an element inside of a companion says. */
 export const text = (page, selector) => page.locator(selector).innerText();

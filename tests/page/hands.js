@@ -57,6 +57,14 @@ export async function fingersOn(page) {
     client.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
 }
 
+/** Clicks, and reads the file that the page then gives to the user. @param {import("playwright-core").Locator} button */
+export async function downloadBy(button) {
+  const [download] = await Promise.all([button.page().waitForEvent("download"), button.click()]);
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
+}
+
 /** Between the two clicks of a double click, in seconds. */
 const DOUBLE_CLICK_S = 0.1;
 

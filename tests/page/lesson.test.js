@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { assertAccessible, openPage, root } from "./browser.js";
+import { downloadBy } from "./hands.js";
 
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
 /** A page of the site that the parts are on, once for all tests; with `fresh`, once more with an empty storage. */
@@ -138,13 +139,9 @@ test("a solved task is solved on the next visit, too, until it is reset; progres
   await solved(1);
   assert.equal(await task.getAttribute("data-state"), "done");
   assert.match(await task.getByRole("status").innerText(), /solved this task before/);
-  const saving = page.waitForEvent("download");
-  await progress.getByRole("button", { name: "Export" }).click();
-  const download = await saving;
-  assert.equal(download.suggestedFilename(), "casteljau-progress.json");
-  const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  const { format, solved: days } = JSON.parse(Buffer.concat(chunks).toString());
+  const { name, bytes } = await downloadBy(progress.getByRole("button", { name: "Export" }));
+  assert.equal(name, "casteljau-progress.json");
+  const { format, solved: days } = JSON.parse(bytes.toString());
   assert.equal(format, "casteljau-progress");
   assert.deepEqual(Object.keys(days), ["curves/safe-powers"]);
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
-import { centreOf, dragBy, dragFrom } from "./hands.js";
+import { centreOf, downloadBy, dragBy, dragFrom } from "./hands.js";
 import { inkedAfterInput, numbersIn, openRecipe, pictureOf } from "./recipes-page.js";
 
 const folder = `${root}www/recipes/code/`;
@@ -147,17 +147,14 @@ test("teapot in three.js: drawn, with fewer triangles from far away", async (t) 
 });
 
 test("an STL file: as many triangles as its header says", async (t) => {
-  const { page, figure, output } = await openRecipe(t, "stl-for-printing");
+  const { figure, output } = await openRecipe(t, "stl-for-printing");
   const before = await pictureOf(figure);
   const [volume] = numbersIn(await output.innerText());
   await figure.getByRole("slider", { name: "Belly" }).fill("70");
   assert.notEqual(await pictureOf(figure), before);
   assert.ok(numbersIn(await output.innerText())[0] > volume);
-  const [download] = await Promise.all([page.waitForEvent("download"), figure.getByRole("button").click()]);
-  assert.equal(download.suggestedFilename(), "vase.stl");
-  const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  const bytes = Buffer.concat(chunks);
+  const { name, bytes } = await downloadBy(figure.getByRole("button"));
+  assert.equal(name, "vase.stl");
   const triangles = bytes.readUInt32LE(80);
   assert.ok(triangles > 1000);
   assert.equal(bytes.length, 84 + 50 * triangles);

@@ -1,7 +1,7 @@
 // What the tests of the site's pages share: which pages there are, and how one is opened as strictly as it is meant to be served.
 import { readdirSync } from "node:fs";
 import { after } from "node:test";
-import { launch, openPage, root } from "./browser.js";
+import { frames, launch, openPage, root } from "./browser.js";
 import { serve } from "./server.js";
 
 /** All pages of the built site, as paths, without the Rust documentation, which rustdoc makes. */
@@ -44,5 +44,5 @@ export async function openStrict(t, path, options = {}) {
 /** Waits until fonts, modules and the first pictures are there: two frames after the address has been read, if the page reads it. */
 export async function settled(page) {
   await page.waitForFunction(() => document.readyState === "complete");
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await frames(page);
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { canvasBox, difference, facts, look, openSurface, set, settled } from "./surface-page.js";
-import { centreOf, dragFrom, fingersOn, pullFrom } from "./hands.js";
+import { centreOf, downloadBy, dragFrom, fingersOn, pullFrom } from "./hands.js";
 
 const view = (page) => page.evaluate(() => document.querySelector("bezier-surface").view);
 const middle = (page) => centreOf(page.locator("bezier-surface canvas"));
@@ -200,15 +200,7 @@ test("a click picks the patch under it, which gets handles; a click beside takes
 
 test("the mesh is taken away as OBJ, STL and GLB, the picture as PNG", async (t) => {
   const page = await openSurface(t, 'controls segments="4"');
-  const save = async (name) => {
-    const [download] = await Promise.all([
-      page.waitForEvent("download"),
-      page.getByRole("button", { name, exact: true }).click(),
-    ]);
-    const chunks = [];
-    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
-  };
+  const save = (name) => downloadBy(page.getByRole("button", { name, exact: true }));
   const obj = await save("OBJ");
   assert.equal(obj.name, "teapot.obj");
   assert.match(obj.bytes.toString(), /^f \d+/m);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { done, task } from "./chapter-page.js";
 import { controls, near, open } from "./surfaces-page.js";
-import { boxOf } from "./browser.js";
+import { boxOf, frames } from "./browser.js";
 import { dragFrom } from "./hands.js";
 
 test("a corner, by the sliders' keys, after a guess", async (t) => {
@@ -76,7 +76,7 @@ test("steps, and the surface that grows", async (t) => {
   await page.waitForFunction((before) => document.querySelector("#curves-surface").u > before + 0.02, before);
   await page.getByRole("button", { name: "Stop" }).click();
   const held = await u();
-  await page.evaluate(() => new Promise((then) => requestAnimationFrame(() => requestAnimationFrame(then))));
+  await frames(page);
   assert.equal(await u(), held);
 });
 
