@@ -170,15 +170,10 @@ test("surplus arguments", () => {
 });
 
 test("timesAtCoordinate: exactly one coordinate", () => {
-  refuses(
-    () => cubic.timesAtCoordinate({ x: 1, y: 2 }),
-    "where: expected exactly one of x, y, got an object with x, y",
-  );
-  refuses(
-    () => cubic.timesAtCoordinate({ x: 1, z: 2 }),
-    /^where: expected exactly one of x, y, got an object with x, z$/,
-  );
-  refuses(() => space.timesAtCoordinate({}), "where: expected exactly one of x, y, z, got an object without keys");
+  const one = (axes, got) => `where: expected exactly one of ${axes}, got an object ${got}`;
+  refuses(() => cubic.timesAtCoordinate({ x: 1, y: 2 }), one("x, y", "with x, y"));
+  refuses(() => cubic.timesAtCoordinate({ x: 1, z: 2 }), one("x, y", "with x, z"));
+  refuses(() => space.timesAtCoordinate({}), one("x, y, z", "without keys"));
 });
 
 test("matrices with elements", () => {
