@@ -42,7 +42,9 @@ test("uvs and patch numbers belong to patches of their own", () => {
 
 test("vertices are shared by normals by default, and weld decides how many there are", () => {
   const meshes = ["none", "normal", "position"].map((weld) => tessellate({ segments: 4, weld }));
+  const copy = meshes[2].positions.slice();
   assert.deepEqual(tessellate({ segments: 4 }), meshes[1]);
+  assert.deepEqual(meshes[2].positions, copy, "two meshes do not share memory");
   const [none, normal, position] = meshes.map(({ positions }) => positions.length);
   assert.ok(none > normal && normal > position, `${[none, normal, position]}`);
 });
