@@ -163,10 +163,8 @@ test("parameters", () => {
 });
 
 test("segments", () => {
-  for (const [call, name] of /** @type {const} */ ([
-    [(n) => cubic.sample(n), "segments"],
-    [(n) => seven.sample(n), "segmentsPerCurve"],
-  ])) {
+  for (const [name, shape] of Object.entries({ segments: cubic, segmentsPerCurve: seven })) {
+    const call = (n) => shape.sample(n);
     for (const bad of [0, -1, 1.5, NaN, Infinity, 2 ** 32])
       refused(() => call(bad), RangeError, new RegExp(`^${name}: expected a whole number from 1.*got `));
     for (const bad of NOT_NUMBERS) refused(() => call(bad), TypeError, new RegExp(`^${name}: `));

@@ -18,11 +18,7 @@ function near(got, expected, tol, what = "") {
   if (got && typeof got === "object" && "x" in got)
     near([got.x, got.y, got.z].slice(0, expected.length), expected, tol, what);
   else if (Array.isArray(expected)) {
-    assert.equal(
-      got.length,
-      expected.length,
-      `${what}: got ${JSON.stringify(Array.from(got))}, expected ${JSON.stringify(expected)}`,
-    );
+    assert.equal(got.length, expected.length, `${what}: got ${JSON.stringify(got)}`);
     expected.forEach((part, k) => near(got[k], part, tol, `${what}[${k}]`));
   } else assert.ok(Math.abs(got - expected) <= tol, `${what}: got ${got}, expected ${expected} ± ${tol}`);
 }
@@ -30,24 +26,15 @@ function near(got, expected, tol, what = "") {
 /** Meetings: an overlap, or points with kinds. */
 function meetings({ input, expect, tol }) {
   const found = new Curve(input.a).intersections(new Curve(input.b));
-  if (expect.overlap)
-    return assert.ok(
-      found.some(({ kind }) => kind === "overlap"),
-      JSON.stringify(found),
-    );
+  if (expect.overlap) return assert.ok(JSON.stringify(found).includes('"kind":"overlap"'));
   if (expect.count === undefined) return; // the note tells what is acceptable
   assert.equal(found.length, expect.count, JSON.stringify(found));
   // Equal t may be in either order.
-  const order = (list) =>
-    list
-      .map((_, k) => k)
-      .sort((i, j) => (Math.abs(list[i].t - list[j].t) > 1e-6 ? list[i].t - list[j].t : list[i].u - list[j].u));
-  const wanted = expect.t.map((t, k) => ({ t, u: expect.s[k], point: expect.points[k], tangent: expect.tangent?.[k] }));
-  const [mine, theirs] = [order(found), order(wanted)];
-  mine.forEach((i, k) => {
-    const [m, w] = [found[i], wanted[theirs[k]]];
-    near([m.t, m.u], [w.t, w.u], tol);
-    if (w.tangent !== undefined) assert.equal(m.kind, w.tangent ? "tangent" : "cross", JSON.stringify(m));
+  const order = (list) => list.toSorted((a, b) => (Math.abs(a.t - b.t) > 1e-6 ? a.t - b.t : a.u - b.u));
+  const wanted = order(expect.t.map((t, k) => ({ t, u: expect.s[k], tangent: expect.tangent?.[k] })));
+  order(found).forEach(({ t, u, kind }, k) => {
+    near([t, u], [wanted[k].t, wanted[k].u], tol);
+    if (expect.tangent) assert.equal(kind, wanted[k].tangent ? "tangent" : "cross", `at ${t}`);
   });
 }
 
@@ -151,9 +138,10 @@ const KINDS = {
     near(path.length(), expect.perimeter, tol);
   },
   contains: ({ input, expect }) =>
-    assert.deepEqual(
-      input.queries.map((p) => Path.fromSVG(input.svg).contains(p)),
-      expect,
+    near(
+      input.queries.map((p) => Number(Path.fromSVG(input.svg).contains(p))),
+      expect.map(Number),
+      0,
     ),
   easing: ({ input, expect, tol }) =>
     near(easing(.../** @type {[number, number, number, number]} */ (input.bezier))(input.x), expect, tol),
@@ -167,15 +155,8 @@ const KINDS = {
     if (input.catmull_rom)
       return near(pairs(Curve.fromBasis("catmull-rom", input.catmull_rom).controlPoints()), expect, tol);
     const monomials = new Curve(input.points).toBasis([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-    near(
-      ["x", "y"].map((_, axis) =>
-        pairs(monomials)
-          .map((c) => c[axis])
-          .reverse(),
-      ),
-      [expect.x, expect.y],
-      tol,
-    );
+    const axes = [0, 1].map((axis) => monomials.filter((_, i) => i % 2 === axis).reverse());
+    near(axes, [expect.x, expect.y], tol);
   },
   bspline({ input, expect, tol }) {
     const { points, degree, knots, u } = input;
@@ -184,10 +165,7 @@ const KINDS = {
   },
   continuity({ input, expect }) {
     const { c0, g1, c1, c2 } = Spline.fromCurves([new Curve(input.a), new Curve(input.b)]).continuity(1);
-    assert.deepEqual(
-      { C0: c0, G1: g1, C1: c1, C2: c2 },
-      { C0: expect.C0, G1: expect.G1, C1: expect.C1, C2: expect.C2 },
-    );
+    assert.deepEqual([c0, g1, c1, c2], [expect.C0, expect.G1, expect.C1, expect.C2]);
   },
   offset,
   flatten({ input, expect }) {

@@ -48,22 +48,13 @@ test("each of curve, spline and path with a path: numbers and locations", () => 
     const found = /** @type {any[]} */ (shape.intersections(lines));
     assert.ok(found.every(({ kind }) => kind === "cross"));
     const places = found.flatMap(({ u }) => Object.values(lines.eval(u)));
-    near(
-      places,
-      found.flatMap(({ point }) => [point.x, point.y]),
-      1e-10,
-    );
-    near(
-      found.flatMap(({ t, u }) => [t, u.subpath, u.t]),
-      expected.flat(),
-      1e-10,
-    );
+    const points = found.flatMap(({ point }) => [point.x, point.y]);
+    near(places, points, 1e-10);
+    const times = found.flatMap(({ t, u }) => [t, u.subpath, u.t]);
+    near(times, expected.flat(), 1e-10);
     const opposite = /** @type {any[]} */ (lines.intersections(shape));
-    near(
-      opposite.flatMap(({ t, u }) => [u, t.subpath, t.t]),
-      expected.flat(),
-      1e-10,
-    );
+    const others = opposite.flatMap(({ t, u }) => [u, t.subpath, t.t]);
+    near(others, expected.flat(), 1e-10);
   }
   const both = lines.intersections(new Path([arch])).map(({ t, u }) => [t.subpath, u.subpath]);
   assert.deepEqual(both, pointsOf("0,0 0,0 1,0 1,0"));
@@ -95,10 +86,8 @@ test("overlaps with a path have an end in the same form as their start", () => {
 
 test("self-intersections of a path, within and between its subpaths", () => {
   const found = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3").selfIntersections();
-  near(
-    found.flatMap(({ t, u, point }) => [t.subpath, t.t, u.subpath, u.t, point.x, point.y]),
-    [0, 0.5, 0, 2.5, 1, 1, 0, 0.5, 1, 1 / 3, 1, 1, 0, 1.5, 1, 2 / 3, 1, 2, 0, 2.5, 1, 1 / 3, 1, 1],
-  );
+  const numbers = found.flatMap(({ t, u, point }) => [t.subpath, t.t, u.subpath, u.t, point.x, point.y]);
+  near(numbers, [0, 0.5, 0, 2.5, 1, 1, 0, 0.5, 1, 1 / 3, 1, 1, 0, 1.5, 1, 2 / 3, 1, 2, 0, 2.5, 1, 1 / 3, 1, 1]);
 });
 
 test("long paths: 4,000 segments each cross where they should", () => {

@@ -5,25 +5,21 @@ import { Path, Spline } from "../../js/index.js";
 import { curvesModule } from "../../js/wasm/curves-module.js";
 import { core } from "../../js/wasm/init.js";
 import { readResult } from "../../js/wasm/transfer.js";
-import { near, pointsOf, refused } from "./reference.js";
+import { near, pointsOf, refused, untyped } from "./reference.js";
 
 const SEGMENTS = 2000;
 /** How often each function of the core was called since the start of the test. */
 const calls = new Map();
 
 core(); // instantiates the module
-curvesModule.functions = /** @type {any} */ (
-  Object.fromEntries(
-    Object.entries(/** @type {any} */ (curvesModule.functions)).map(([name, value]) => [
-      name,
-      typeof value !== "function"
-        ? value
-        : (...args) => {
-            calls.set(name, (calls.get(name) ?? 0) + 1);
-            return value(...args);
-          },
-    ]),
-  )
+const counted = (name, value) =>
+  function count(...args) {
+    calls.set(name, (calls.get(name) ?? 0) + 1);
+    return value(...args);
+  };
+const entries = Object.entries(untyped(curvesModule.functions));
+curvesModule.functions = untyped(
+  Object.fromEntries(entries.map(([name, value]) => [name, value instanceof Function ? counted(name, value) : value])),
 );
 beforeEach(() => calls.clear());
 
@@ -33,13 +29,9 @@ const waves = (closed, dimension = 2) => {
   );
   return Spline.interpolate(points, { closed });
 };
-const mixed = () =>
-  Spline.fromJSON({
-    points: [0, 0, 3, 1, 3, 5, 9, 5, 9, 9, 2, 12, 2, 12, 2, 12, 2, 12, 0, 11, -4, 4, 3, 3],
-    degrees: [1, 2, 3, 1, 4],
-    closed: false,
-    dimension: 2,
-  });
+const open = (points, degrees) => Spline.fromJSON({ points, degrees, closed: false, dimension: 2 });
+const MIXED = [0, 0, 3, 1, 3, 5, 9, 5, 9, 9, 2, 12, 2, 12, 2, 12, 2, 12, 0, 11, -4, 4, 3, 3];
+const mixed = () => open(MIXED, [1, 2, 3, 1, 4]);
 const called = (...names) => names.map((name) => calls.get(name) ?? 0);
 /** The answer of the core's function of splines, which keeps nothing. */
 function fromCore(spline, name, ...args) {
@@ -122,7 +114,7 @@ test("nearest: far points, and of two points at the same distance the first", ()
   const large = new Spline([0, 0, 1e149, 0, 1e149, 1e149], { degree: 1 });
   assert.deepEqual(large.nearest([1e149, 2e149]), { t: 2, point: { x: 1e149, y: 1e149 }, distance: 1e149 });
   // y = 2 from x = −5 to 5, then back on (−10u, 16u² − 2), whose box contains the origin
-  const both = Spline.fromJSON({ points: [-5, 2, 5, 2, 0, -6, -5, 2], degrees: [1, 2], closed: false, dimension: 2 });
+  const both = open([-5, 2, 5, 2, 0, -6, -5, 2], [1, 2]);
   assert.deepEqual(both.subsegment(1, 2).nearest([0, 0]), { t: 0.5, point: { x: 0, y: -2 }, distance: 2 });
   assert.deepEqual(both.nearest([0, 0]), { t: 0.5, point: { x: 0, y: 2 }, distance: 2 });
 });

@@ -111,57 +111,38 @@ test("contradictory options", () => {
   surface.tessellate({ tolerance: 0.1, segments: undefined });
 });
 
+/** Methods without arguments, and methods with one. @type {[any, string, string][]} */
+const METHODS = [
+  [cubic, "elevate reduce extrema selfIntersections area", "flatten intersections pointAtLength subdivide"],
+  [seven, "extrema selfIntersections area", "flatten intersections length pointAtLength simplify insert"],
+  [path, "bounds extrema selfIntersections", "flatten intersections length roundCorners"],
+  [patch, "elevate bounds area flatness", ""],
+  [surface, "bounds area volume toText", "subdivide"],
+  [mesh, "toSTL toGLB", ""],
+];
+
 test("surplus arguments", () => {
+  for (const [shape, without, withOne] of METHODS) {
+    for (const name of without.split(" ")) refuses(() => shape[name](0.1), `${name}: expected no arguments, got 1`);
+    for (const name of withOne.split(" ").filter(Boolean)) {
+      const argument = name === "intersections" ? cubic : 0.1;
+      refuses(() => shape[name](argument, 0.5), `${name}: expected 1 argument, got 2`);
+    }
+  }
   const calls = [
     [() => cubic.split(0.2, 0.6), "split: expected 1 argument, got 2; did you mean subsegment(t0, t1)?"],
     [() => cubic.halve(0.2), "halve: expected no arguments, got 1; did you mean split(t)?"],
     [() => cubic.subsegment(0, 1, 2), "subsegment: expected 2 arguments, got 3"],
-    [() => cubic.elevate(2), "elevate: expected no arguments, got 1"],
-    [() => cubic.reduce(2), "reduce: expected no arguments, got 1"],
     [() => cubic.derivative(0.5), "derivative: expected no arguments, got 1; did you mean derivativeAt(t)?"],
     [() => cubic.hull(0.5), "hull: expected no arguments, got 1; did you mean deCasteljau(t)?"],
-    [() => cubic.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
     [() => cubic.length(0.1, 0.5), "length: expected 1 argument, got 2; did you mean subsegment(t0, t1).length()?"],
-    [() => cubic.intersections(seven, 0.1), "intersections: expected 1 argument, got 2"],
-    [() => seven.intersections(cubic, 0.1), "intersections: expected 1 argument, got 2"],
-    [() => seven.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
-    [() => seven.length(0.1, 0.5), "length: expected 1 argument, got 2"],
-    [() => path.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
     [() => cubic.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
     [() => seven.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
-    [() => path.bounds(0.5), "bounds: expected no arguments, got 1"],
-    [() => cubic.extrema("x"), "extrema: expected no arguments, got 1"],
-    [() => seven.extrema("x"), "extrema: expected no arguments, got 1"],
-    [() => path.extrema("x"), "extrema: expected no arguments, got 1"],
-    [() => cubic.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
-    [() => seven.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
-    [() => path.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
-    [() => path.intersections(path, { tolerance: 1 }), "intersections: expected 1 argument, got 2"],
     [() => path.split(START, START), "split: expected 1 argument, got 2; did you mean subsegment(from, to)?"],
     [() => path.subsegment(START, START, 1), "subsegment: expected 2 arguments, got 3"],
     [() => Path.from(cubic, seven), "from: expected 1 argument, got 2; did you mean from([a, b])?"],
-    [() => path.length(0.1, 0.5), "length: expected 1 argument, got 2"],
     [() => patch.splitU(0.5, 0.5), "splitU: expected 1 argument, got 2; did you mean split(u, v)?"],
     [() => patch.splitV(0.5, 0.5), "splitV: expected 1 argument, got 2; did you mean split(u, v)?"],
-    [() => patch.elevate(2), "elevate: expected no arguments, got 1"],
-    [() => cubic.area(0.1), "area: expected no arguments, got 1"],
-    [() => seven.area(0.1), "area: expected no arguments, got 1"],
-    [() => cubic.pointAtLength(1, 0.1), "pointAtLength: expected 1 argument, got 2"],
-    [() => seven.pointAtLength(1, 0.1), "pointAtLength: expected 1 argument, got 2"],
-    [() => cubic.subdivide(0.1, 5), "subdivide: expected 1 argument, got 2"],
-    [() => seven.simplify(0.1, {}), "simplify: expected 1 argument, got 2"],
-    [() => seven.insert(0.2, 0.6), "insert: expected 1 argument, got 2"],
-    [() => path.roundCorners(1, { tolerance: 0.1 }), "roundCorners: expected 1 argument, got 2"],
-    [() => patch.bounds(0.1), "bounds: expected no arguments, got 1"],
-    [() => patch.area(0.1), "area: expected no arguments, got 1"],
-    [() => patch.flatness(0.1), "flatness: expected no arguments, got 1"],
-    [() => surface.bounds(0.1), "bounds: expected no arguments, got 1"],
-    [() => surface.area(0.1), "area: expected no arguments, got 1"],
-    [() => surface.volume(0.1), "volume: expected no arguments, got 1"],
-    [() => surface.subdivide(0.1, 5), "subdivide: expected 1 argument, got 2"],
-    [() => surface.toText(2), "toText: expected no arguments, got 1"],
-    [() => surface.tessellate({ segments: 2 }).toSTL("ascii"), "toSTL: expected no arguments, got 1"],
-    [() => surface.tessellate({ segments: 2 }).toGLB({}), "toGLB: expected no arguments, got 1"],
   ];
   for (const [act, message] of calls) refuses(act, message);
   cubic.split(0.5, undefined);
@@ -170,15 +151,10 @@ test("surplus arguments", () => {
 });
 
 test("timesAtCoordinate: exactly one coordinate", () => {
-  refuses(
-    () => cubic.timesAtCoordinate({ x: 1, y: 2 }),
-    "where: expected exactly one of x, y, got an object with x, y",
-  );
-  refuses(
-    () => cubic.timesAtCoordinate({ x: 1, z: 2 }),
-    /^where: expected exactly one of x, y, got an object with x, z$/,
-  );
-  refuses(() => space.timesAtCoordinate({}), "where: expected exactly one of x, y, z, got an object without keys");
+  const one = (axes, got) => `where: expected exactly one of ${axes}, got an object ${got}`;
+  refuses(() => cubic.timesAtCoordinate({ x: 1, y: 2 }), one("x, y", "with x, y"));
+  refuses(() => cubic.timesAtCoordinate({ x: 1, z: 2 }), one("x, y", "with x, z"));
+  refuses(() => space.timesAtCoordinate({}), one("x, y, z", "without keys"));
 });
 
 test("matrices with elements", () => {

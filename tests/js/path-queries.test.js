@@ -52,13 +52,8 @@ test("many points: evalAt and sample", () => {
 });
 
 test("the point at an arc length has the unit tangent and normal there", () => {
-  assert.deepEqual(path.pointAtLength(5), {
-    subpath: 0,
-    t: 1.25,
-    point: { x: 4, y: 1 },
-    tangent: { x: 0, y: 1 },
-    normal: { x: -1, y: 0 },
-  });
+  const vectors = { point: { x: 4, y: 1 }, tangent: { x: 0, y: 1 }, normal: { x: -1, y: 0 } };
+  assert.deepEqual(path.pointAtLength(5), { subpath: 0, t: 1.25, ...vectors });
   assert.deepEqual(path.pointAtLength(17)?.point, { x: 11, y: 0 });
   const last = /** @type {any} */ (path.pointAtLength(1e9));
   near(last.point, { x: 4, y: 10 });

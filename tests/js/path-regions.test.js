@@ -72,10 +72,8 @@ test("the fill rule decides what a path that crosses itself contains", () => {
 test("every operation takes the fill rule", () => {
   const twice = Path.fromSVG("M0 0H3V3H0Z M1 1H2V2H1Z"); // the square in the middle has the winding number 2
   const far = Path.rect([5, 5], 1, 1);
-  for (const [fillRule, area] of /** @type {const} */ ([
-    ["nonzero", 9],
-    ["evenodd", 8],
-  ])) {
+  for (const fillRule of /** @type {const} */ (["nonzero", "evenodd"])) {
+    const area = fillRule === "nonzero" ? 9 : 8;
     const regions = [twice.union(far, { fillRule }), twice.exclude(far, { fillRule })].map((path) => path.area() - 1);
     regions.push(twice.subtract(far, { fillRule }).area(), twice.intersect(SQUARE, { fillRule }).area());
     regions.push(Path.combine([twice], "union", { fillRule }).area());

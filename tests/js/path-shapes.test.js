@@ -2,35 +2,27 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Path, Spline } from "casteljau";
-import { near, pointsOf, recorder, refused } from "./reference.js";
+import { near, pairs, pointsOf, recorder, refused, refusedAll, withPath2D } from "./reference.js";
 
 const TURN = 2 * Math.PI;
 
 /** The largest distance of a path's points from a circle, by samples. */
 function radialError(path, [cx, cy], radius) {
-  let error = 0;
-  for (const points of path.sample(64)) {
-    for (let k = 0; k < points.length; k += 2) {
-      error = Math.max(error, Math.abs(Math.hypot(points[k] - cx, points[k + 1] - cy) - radius));
-    }
-  }
-  return error;
+  const points = path.sample(64).flatMap((flat) => pairs(flat));
+  return Math.max(...points.map(([x, y]) => Math.abs(Math.hypot(x - cx, y - cy) - radius)));
 }
 
 /** The largest distance of a cubic over the angle θ from the unit circle. */
 const errorOfAngle = (theta) => ((2 / 27) * Math.sin(theta / 4) ** 6) / Math.cos(theta / 4) ** 2;
 
 test("circle: closed, counter-clockwise, from the right, 8 cubics within 4.3e-6 of the radius", () => {
-  for (const [center, radius] of /** @type {[[number, number], number][]} */ ([
-    [[0, 0], 1],
-    [[30, -7], 250],
-    [[-1e3, 5e3], 1e-3],
-  ])) {
+  for (const [x, y, radius] of pointsOf("0,0,1 30,-7,250 -1e3,5e3,1e-3")) {
+    const center = /** @type {[number, number]} */ ([x, y]);
     const circle = Path.circle(center, radius);
     const [spline, ...more] = circle.subpaths;
     assert.ok(spline.closed && more.length === 0 && spline.degrees.every((degree) => degree === 3));
-    assert.deepEqual(circle.eval({ subpath: 0, t: 0 }), { x: center[0] + radius, y: center[1] });
-    const rounding = 4 * Number.EPSILON * (Math.abs(center[0]) + Math.abs(center[1]));
+    assert.deepEqual(circle.eval({ subpath: 0, t: 0 }), { x: x + radius, y });
+    const rounding = 4 * Number.EPSILON * (Math.abs(x) + Math.abs(y));
     assert.equal(spline.segmentCount, 8);
     assert.ok(radialError(circle, center, radius) <= 4.3e-6 * radius + rounding);
     near([circle.length()], [TURN * radius], 1e-5);
@@ -70,11 +62,9 @@ test("ellipse: the affine image of a circle", () => {
   const [cos, sin] = [Math.cos(rotation), Math.sin(rotation)];
   near(ellipse.eval({ subpath: 0, t: 0 }), { x: 3 + rx * cos, y: 4 + rx * sin });
   near([ellipse.area()], [Math.PI * rx * ry], 1e-8);
-  for (const points of ellipse.sample(8)) {
-    for (let k = 0; k < points.length; k += 2) {
-      const [dx, dy] = [points[k] - 3, points[k + 1] - 4];
-      near([Math.hypot((dx * cos + dy * sin) / rx, (dy * cos - dx * sin) / ry)], [1], 3e-9);
-    }
+  for (const [x, y] of ellipse.sample(8).flatMap((points) => pairs(points))) {
+    const [dx, dy] = [x - 3, y - 4];
+    near([Math.hypot((dx * cos + dy * sin) / rx, (dy * cos - dx * sin) / ry)], [1], 3e-9);
   }
   assert.ok(Path.ellipse([1, 2], 3, 3).equals(Path.circle([1, 2], 3)));
   // A radius of 0 gives a line, traversed forth and back.
@@ -82,15 +72,8 @@ test("ellipse: the affine image of a circle", () => {
 });
 
 test("arc: from the first angle to the second, in the direction of their difference", () => {
-  for (const [start, end] of [
-    [0, 1],
-    [1, 0],
-    [-2, 4],
-    [0.3, 0.3 - TURN],
-    [0, TURN],
-    [10, 10 + 1e-6],
-    [0, Math.PI],
-  ]) {
+  const angles = [...pointsOf("0,1 1,0 -2,4 10,10.000001"), [0.3, 0.3 - TURN], [0, TURN], [0, Math.PI]];
+  for (const [start, end] of angles) {
     const arc = Path.arc([1, 2], 3, start, end, { tolerance: 3e-9 });
     const [spline] = arc.subpaths;
     assert.ok(!spline.closed);
@@ -102,10 +85,8 @@ test("arc: from the first angle to the second, in the direction of their differe
     const side = Math.sign(end - start);
     near([x, y], [-Math.sin(start) * side, Math.cos(start) * side], 1e-6);
   }
-  assert.deepEqual(
-    Path.arc([0, 0], 1, 0, Math.PI / 2, { tolerance: 1 }).toSVG({ precision: 4 }),
-    "M1 0C1 .5523.5523 1 0 1",
-  );
+  const quarter = Path.arc([0, 0], 1, 0, Math.PI / 2, { tolerance: 1 });
+  assert.deepEqual(quarter.toSVG({ precision: 4 }), "M1 0C1 .5523.5523 1 0 1");
   assert.equal(Path.arc([0, 0], 1, 0, 0).toSVG(), "M1,0 L1,0");
   refused(() => Path.arc([0, 0], 1, 0, 7), RangeError, /^endAngle: expected at most a full turn/);
 });
@@ -118,11 +99,8 @@ test("rect: sharp and rounded corners, counter-clockwise", () => {
   const { min, max } = /** @type {any} */ (rounded.bounds());
   near([min, max].flatMap(Object.values), [0, 0, 10, 6]);
   assert.deepEqual(rounded.eval({ subpath: 0, t: 0 }), { x: 2, y: 0 });
-  const tolerance = 0.01;
-  assert.equal(
-    Path.rect([0, 0], 10, 6, { radii: [0, 1, 0, 2], tolerance }).toSVG({ precision: 2 }),
-    "M0 0H9C9.55 0 10 .45 10 1V6H2C.9 6 0 5.1 0 4Z",
-  );
+  const uneven = Path.rect([0, 0], 10, 6, { radii: [0, 1, 0, 2], tolerance: 0.01 });
+  assert.equal(uneven.toSVG({ precision: 2 }), "M0 0H9C9.55 0 10 .45 10 1V6H2C.9 6 0 5.1 0 4Z");
 });
 
 test("rect: radii that do not fit are reduced by one factor", () => {
@@ -189,12 +167,14 @@ test("wrong arguments of shapes are refused", () => {
     refused(() => Path.rect([0, 0], bad, 1), RangeError, /^width: /);
     refused(() => Path.rect([0, 0], 1, 1, { radii: bad }), RangeError, /^radii: /);
   }
-  refused(() => Path.circle([0, 0, 0], 1), RangeError, /^center: expected 2 coordinates, got 3/);
+  refusedAll(RangeError, [
+    [() => Path.circle([0, 0, 0], 1), /^center: expected 2 coordinates, got 3/],
+    [() => Path.circle([0, 0], 1e150), /^radius: expected an arc with coordinates below/],
+    [() => Path.rect([3e150, 0], 3e150, 1), /^shape: expected coordinates from/],
+    [() => Path.rect([0, 0], 1, 1, { radii: [1, 2] }), /^radii: expected a number or 4 numbers/],
+  ]);
   refused(() => Path.circle(/** @type {any} */ (undefined), 1), TypeError, /^center: /);
   refused(() => Path.circle([0, 0], /** @type {any} */ ("1")), TypeError, /^radius: /);
-  refused(() => Path.circle([0, 0], 1e150), RangeError, /^radius: expected an arc with coordinates below/);
-  refused(() => Path.rect([3e150, 0], 3e150, 1), RangeError, /^shape: expected coordinates from/);
-  refused(() => Path.rect([0, 0], 1, 1, { radii: [1, 2] }), RangeError, /^radii: expected a number or 4 numbers/);
   assert.equal(Path.circle([1, 2], 0).length(), 0);
 });
 
@@ -202,14 +182,10 @@ test("toPath2D draws what trace draws, and says so where there is no Path2D", ()
   const path = Path.fromSVG("M0 0H4V4H0Z M1 1Q2 2 3 1");
   refused(() => path.toPath2D(), Error, /^toPath2D: expected an environment with Path2D/);
   const [drawn, traced] = [recorder(), recorder()];
-  /** @type {any} */ (globalThis).Path2D = function Path2D() {
-    return drawn;
-  };
-  try {
-    assert.equal(path.toPath2D(), drawn);
-  } finally {
-    delete (/** @type {any} */ (globalThis).Path2D);
-  }
+  assert.equal(
+    withPath2D(drawn, () => path.toPath2D()),
+    drawn,
+  );
   path.trace(traced);
   assert.deepEqual(drawn.calls, traced.calls);
   assert.ok(drawn.calls.length > 5);

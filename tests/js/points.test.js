@@ -8,14 +8,8 @@ const { Curve, Spline } = casteljau;
 
 /** @typedef {import("../../js/geometry/check.js").PointsLike} PointsLike */
 
-class FakeDOMPoint {
-  constructor(x, y, z = 0, w = 1) {
-    this.x = x;
-    this.y = y;
-    this.z = z;
-    this.w = w;
-  }
-}
+/** Has the fields of a DOMPoint. */
+const domPoint = (x, y, z, w = 1) => ({ x, y, z, w });
 
 const objects = CUBIC.map(([x, y]) => ({ x, y }));
 /** @type {Record<string, PointsLike>} */
@@ -24,7 +18,7 @@ const forms2D = {
   "typed arrays": CUBIC.map((p) => Float32Array.from(p)),
   objects,
   "a mixture": [CUBIC[0], objects[1], Float64Array.from(CUBIC[2]), objects[3]],
-  "DOMPoints, whose z does not count": CUBIC.map(([x, y]) => new FakeDOMPoint(x, y, 9)),
+  "DOMPoints, whose z does not count": CUBIC.map(([x, y]) => domPoint(x, y, 9)),
   "a flat array": CUBIC.flat(),
   "a Float64Array": Float64Array.from(CUBIC.flat()),
   "a Float32Array": Float32Array.from(CUBIC.flat()),
@@ -34,39 +28,22 @@ const forms2D = {
 /** @type {Record<string, PointsLike>} */
 const forms3D = { arrays: SPACE, objects: SPACE.map(([x, y, z]) => ({ x, y, z })) };
 
-for (const [name, points] of Object.entries(forms2D)) {
-  test(`plane: ${name}`, () => {
-    const curve = new Curve(points);
-    assert.deepEqual([curve.dimension, pairs(curve.controlPoints())], [2, CUBIC]);
-    const spline = new Spline(points);
-    assert.deepEqual([spline.dimension, pairs(spline.controlPoints())], [2, CUBIC]);
-    assert.deepEqual(pairs(Curve.fromBasis("bezier", points).controlPoints()), CUBIC);
-    assert.deepEqual(pairs(new Curve(points, { dimension: 2 }).controlPoints()), CUBIC);
-  });
+/** Curves and splines of these points have these control points. */
+function made(points, dimension, expected, options) {
+  const shapes = [new Curve(points, options), new Spline(points, options), Curve.fromBasis("bezier", points, options)];
+  for (const shape of shapes)
+    assert.deepEqual([shape.dimension, pairs(shape.controlPoints(), dimension)], [dimension, expected]);
 }
-
-for (const [name, points] of Object.entries(forms3D)) {
-  test(`space: ${name}`, () => {
-    const curve = new Curve(points);
-    assert.deepEqual([curve.dimension, pairs(curve.controlPoints(), 3)], [3, SPACE]);
-    assert.equal(new Spline(points).dimension, 3);
-    assert.deepEqual(pairs(Curve.fromBasis("bezier", points).controlPoints(), 3), SPACE);
-  });
-}
+for (const [name, points] of Object.entries(forms2D))
+  test(`plane: ${name}`, () => [undefined, { dimension: 2 }].forEach((options) => made(points, 2, CUBIC, options)));
+for (const [name, points] of Object.entries(forms3D)) test(`space: ${name}`, () => made(points, 3, SPACE, undefined));
 
 test("dimension decides wherever it is given", () => {
   const flat = SPACE.flat();
   assert.equal(new Curve(flat).degree, 5);
-  for (const points of [flat, Float64Array.from(flat), SPACE.map(([x, y, z]) => new FakeDOMPoint(x, y, z))]) {
-    const curve = new Curve(points, { dimension: 3 });
-    assert.deepEqual([curve.dimension, pairs(curve.controlPoints(), 3)], [3, SPACE]);
-    assert.equal(new Spline(points, { dimension: 3 }).dimension, 3);
-    assert.equal(Curve.fromBasis("bezier", points, { dimension: 3 }).dimension, 3);
-  }
-  const inPlane = new Curve(
-    SPACE.map(([x, y, z]) => ({ x, y, z })),
-    { dimension: 2 },
-  );
+  for (const points of [flat, Float64Array.from(flat), SPACE.map(([x, y, z]) => domPoint(x, y, z))])
+    made(points, 3, SPACE, { dimension: 3 });
+  const inPlane = new Curve(forms3D.objects, { dimension: 2 });
   const expected = SPACE.map(([x, y]) => [x, y]);
   assert.deepEqual(pairs(inPlane.controlPoints()), expected);
   assert.equal(Curve.fromJSON({ points: flat, dimension: 3 }).dimension, 3);
@@ -93,13 +70,8 @@ test("matrices: 6 numbers, 16 numbers, a DOMMatrix", () => {
 test("the caller's arrays may change afterwards", () => {
   const flat = Float64Array.from(CUBIC.flat());
   const nested = CUBIC.map((p) => [...p]);
-  const values = [
-    new Curve(flat),
-    new Curve(nested),
-    new Spline(flat),
-    new Spline(nested),
-    Curve.fromBasis("bezier", flat),
-  ];
+  const values = [flat, nested].flatMap((points) => [new Curve(points), new Spline(points)]);
+  values.push(Curve.fromBasis("bezier", flat));
   flat.fill(99);
   nested.forEach((p) => p.fill(99));
   for (const value of values) assert.deepEqual(pairs(value.controlPoints()), CUBIC);
@@ -134,19 +106,9 @@ test("classes carry their names through the bundle", () => {
 test("properties cannot be assigned", () => {
   const curve = new Curve(CUBIC);
   const spline = new Spline(SEVEN);
-  /** @type {[any, string][]} */
-  const properties = [
-    [curve, "degree"],
-    [curve, "dimension"],
-    [spline, "closed"],
-    [spline, "degrees"],
-    [spline, "segmentCount"],
-  ];
-  for (const [value, name] of properties) {
-    assert.throws(() => {
-      value[name] = 1;
-    }, TypeError);
-  }
+  for (const name of ["degree", "dimension"]) assert.throws(() => Object.assign(curve, { [name]: 1 }), TypeError);
+  for (const name of ["closed", "degrees", "segmentCount"])
+    assert.throws(() => Object.assign(spline, { [name]: 1 }), TypeError);
 });
 
 test("into is filled from its start and returned; what lies behind stays", () => {

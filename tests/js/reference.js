@@ -78,6 +78,19 @@ export function recorder() {
   return Object.assign(target, { calls });
 }
 
+/** The answer of an action where `new Path2D()` gives this target. */
+export function withPath2D(target, act) {
+  const global = untyped(globalThis);
+  global.Path2D = function Path2D() {
+    return target;
+  };
+  try {
+    return act();
+  } finally {
+    delete global.Path2D;
+  }
+}
+
 export const CUBIC = pointsOf("0,0 0,8 8,8 8,0");
 export const SPACE = pointsOf("0,0,0 1,2,3 3,3,-1 4,0,2");
 /** (t, t², t³) */

@@ -18,10 +18,7 @@ test("interpolate: natural by default, C2 at the joints, which are the points", 
       for (let k = closed ? 0 : 1; k < spline.segmentCount; k++) assert.ok(spline.continuity(k).c2, `${k}`);
     }
   }
-  const line = [
-    { x: 0, y: 0 },
-    { x: 3, y: 0 },
-  ];
+  const line = [0, 3].map((x) => ({ x, y: 0 }));
   assert.deepEqual(Spline.interpolate(line).degrees, [3]);
   assert.equal(Spline.interpolate([0, 0, 0, 1, 1, 1], { dimension: 3 }).dimension, 3);
 });

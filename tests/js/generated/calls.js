@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { Curve, easing, Mesh, Patch, Path, Spline, Surface } from "casteljau";
 import * as THREE from "three";
-import { recorder } from "../reference.js";
+import { recorder, withPath2D } from "../reference.js";
 
 const curveOf = ({ points, dimension }) => new Curve(points, { dimension });
 const splineOf = ({ points, degrees, closed, dimension }) => Spline.fromJSON({ points, degrees, closed, dimension });
@@ -39,14 +39,6 @@ const location = (a, k = a.k, part = a.t) => {
   return { subpath, t: part * (a.path.subpaths[subpath]?.segmentCount ?? 1) };
 };
 const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
-const withPath2D = (act) => {
-  /** @type {any} */ (globalThis).Path2D = recorder;
-  try {
-    return act();
-  } finally {
-    delete (/** @type {any} */ (globalThis).Path2D);
-  }
-};
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
 const view = (a) => ({ pixels: a.pixels, viewProjection: a.view, viewport: [640, 480] });
@@ -55,6 +47,7 @@ const wire = (a) =>
 const mesh = (a) => a.surface.grid({ segments: a.segments_u, quads: a.quads });
 const parts = (a) =>
   Object.fromEntries(["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, a.parts.includes(part)]));
+const fitting = (a) => ({ tolerance: a.tolerance, cornerAngle: a.corner_angle });
 const svg = (a) => ({ precision: a.precision, tolerance: a.tolerance });
 
 /**
@@ -70,12 +63,8 @@ function methods(name, list) {
     const call = (a) => {
       assert.ok(member in a[receiver], `${name}.${member} is absent`);
       const value = a[receiver][member];
-      return typeof value === "function"
-        ? value.apply(
-            a[receiver],
-            names.map((each) => a[each]),
-          )
-        : value;
+      const values = names.map((each) => a[each]);
+      return typeof value === "function" ? value.apply(a[receiver], values) : value;
     };
     return [`${name}.${member}`, call];
   });
@@ -125,13 +114,7 @@ const SPLINE = {
   "Spline.fromJSON": (a) => Spline.fromJSON(a.spline.toJSON()),
   "Spline.interpolate": (a) =>
     Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
-  "Spline.fit": (a) =>
-    Spline.fit(a.points, {
-      tolerance: a.tolerance,
-      cornerAngle: a.corner_angle,
-      closed: a.closed,
-      ...dimensionOf(a.points),
-    }),
+  "Spline.fit": (a) => Spline.fit(a.points, { ...fitting(a), closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.equals": (a) => a.spline.equals(a.spline.reverse(), a.tolerance),
   "Spline.timesAtCoordinate": (a) => a.spline.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Spline.movePoint": (a) => a.spline.movePoint(a.index, a.to, { joints: a.modes }),
@@ -184,7 +167,7 @@ const PATH = {
   "Path.split": (a) => a.path.split(location(a)),
   "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
   "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
-  "Path.toPath2D": (a) => withPath2D(() => a.path.toPath2D({ tolerance: a.tolerance })).calls,
+  "Path.toPath2D": (a) => withPath2D(recorder(), () => a.path.toPath2D({ tolerance: a.tolerance })).calls,
   "Path.from": (a) => Path.from([a.path, ...a.path.subpaths]),
   "Path.circle": (a) => Path.circle(a.p, Math.abs(a.radius), { tolerance: a.tolerance }),
   "Path.ellipse": (a) => Path.ellipse(a.p, Math.abs(a.radius), Math.abs(a.other_radius), a.rotation),
@@ -218,14 +201,11 @@ const SURFACE = {
     nearest p; intersectRay origin direction; subdivide tolerance
   `,
   ),
-  "Surface.constructor": ({ patch }) =>
-    new Surface(
-      {
-        vertices: patch.controlPoints(),
-        patches: [[...patch.controlPoints().keys()].slice(0, patch.controlPoints().length / 3)],
-      },
-      { degreeU: patch.degreeU, degreeV: patch.degreeV },
-    ),
+  "Surface.constructor": ({ patch }) => {
+    const vertices = patch.controlPoints();
+    const { degreeU, degreeV } = patch;
+    return new Surface({ vertices, patches: [[...Array(vertices.length / 3).keys()]] }, { degreeU, degreeV });
+  },
   "Surface.teapot": (a) => Surface.teapot({ ...parts(a), height: a.height, up: a.up }),
   "Surface.teacup": (a) => Surface.teacup({ up: a.up }),
   "Surface.teaspoon": (a) => Surface.teaspoon({ up: a.up }),

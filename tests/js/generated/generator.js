@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 
 /** The lines that a program writes, without empty ones. */
 function linesOf(program, words) {
-  const stdio = /** @type {const} */ (["ignore", "pipe", "inherit"]);
+  const stdio = /** @type {["ignore", "pipe", "inherit"]} */ (["ignore", "pipe", "inherit"]);
   const text = execFileSync(program, words, { encoding: "utf8", maxBuffer: 2 ** 30, stdio });
   return text.split("\n").filter(Boolean);
 }
