@@ -168,14 +168,15 @@ function replaceContent([content, globals]) {
  * Fails unless axe finds nothing to object to.
  *
  * @param {import("playwright-core").Page} page
- * @param {{ part?: string, rules?: string[] }} [only] a selector, the names of some rules
+ * @param {{ part?: string, rules?: string[], without?: string[] }} [only] a selector, the names of some rules or of those to leave out
  */
-export async function assertAccessible(page, { part, rules } = {}) {
+export async function assertAccessible(page, { part, rules, without } = {}) {
   const { AxeBuilder } = await import("@axe-core/playwright"); // most files do without it
   const axe = new AxeBuilder({ page }).options({ resultTypes: ["violations"] }); // of the rest only a count is kept
   axe.setLegacyMode(page.frames().length === 1); // the other mode puts the results of several frames together in a page of its own
   if (part) axe.include(part);
   if (rules) axe.withRules(rules);
+  if (without) axe.disableRules(without);
   const { violations } = await axe.analyze();
   const found = violations.map(({ id, help, nodes }) => `${id}: ${help} at ${nodes.map((n) => n.target).join(", ")}`);
   assert.deepEqual(found, []);
