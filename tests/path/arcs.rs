@@ -17,50 +17,27 @@ struct Arc {
     sweep: bool,
 }
 
-/// The largest distance of the cubics, as a part of the larger radius, and the largest angle of a cubic for it.
-#[derive(Clone, Copy, Debug)]
-enum Accuracy {
-    Default,
-    Tolerance(f64),
-}
-
-impl Accuracy {
-    fn distance(self) -> f64 {
-        match self {
-            Self::Default => 1e-5,
-            Self::Tolerance(tolerance) => tolerance,
+/// The largest angle of a cubic for an error: 2/27 sin⁶(θ/4) / cos²(θ/4), solved for θ, at most a quarter turn.
+fn max_angle(max: f64) -> f64 {
+    let error = |angle: f64| {
+        let (sin, cos) = (angle / 4.0).sin_cos();
+        2.0 / 27.0 * sin.powi(6) / cos.powi(2)
+    };
+    let (mut low, mut high) = (0.0, PI / 2.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if error(middle) <= max {
+            low = middle;
+        } else {
+            high = middle;
         }
     }
-
-    /// The error 2/27 sin⁶(θ/4) / cos²(θ/4) of the angle θ, solved for θ, at most a quarter turn.
-    fn max_angle(self) -> f64 {
-        let error = |angle: f64| {
-            let (sin, cos) = (angle / 4.0).sin_cos();
-            2.0 / 27.0 * sin.powi(6) / cos.powi(2)
-        };
-        let (mut low, mut high) = (0.0, PI / 2.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if error(middle) <= self.distance() {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
-    }
-
-    fn read(self, d: &str, radius: f64) -> Path {
-        match self {
-            Self::Default => Path::from_svg(d),
-            Self::Tolerance(tolerance) => Path::from_svg_with(d, tolerance * radius),
-        }
-        .unwrap_or_else(|error| panic!("{d}: {error}"))
-    }
+    high
 }
 
 impl Arc {
-    fn read(&self, accuracy: Accuracy) -> Spline<DVec2> {
+    /// Cubics within a distance, as a part of the larger radius, or within the usual one.
+    fn read(&self, tolerance: Option<f64>) -> Spline<DVec2> {
         let Self {
             from,
             to,
@@ -75,7 +52,9 @@ impl Arc {
             from.x, from.y
         );
         let (_, radii, _) = self.ellipse();
-        let path = accuracy.read(&d, radii.max_element());
+        let fine = |tolerance| Path::from_svg_with(&d, tolerance * radii.max_element());
+        let path = tolerance.map_or_else(|| Path::from_svg(&d), fine);
+        let path = path.unwrap_or_else(|error| panic!("{d}: {error}"));
         assert_eq!(path.subpath_count(), 1, "{d}");
         path.subpath(0).expect("a subpath")
     }
@@ -118,8 +97,8 @@ fn back(turn: DVec2, v: DVec2) -> DVec2 {
     DVec2::new(turn.x, -turn.y).rotate(v)
 }
 
-fn check(arc: Arc, accuracy: Accuracy) {
-    let spline = arc.read(accuracy);
+fn check(arc: Arc, tolerance: Option<f64>) {
+    let (spline, max) = (arc.read(tolerance), tolerance.unwrap_or(1e-5));
     assert_eq!(spline.eval(0.0), arc.from, "{arc:?}");
     assert_eq!(spline.eval(real(spline.segment_count())), arc.to, "{arc:?}");
     let (centre, radii, swept) = arc.ellipse();
@@ -127,13 +106,13 @@ fn check(arc: Arc, accuracy: Accuracy) {
     let far = arc.from.abs().max_element().max(arc.to.abs().max_element()) + radii.max_element();
     let noise = 1e-14 * far / radii.min_element();
     // Distances in the plane are at most the larger radius times those on the unit circle, and at least the smaller one.
-    let max_off = 1.01 * accuracy.distance() + noise;
+    let max_off = 1.01 * max + noise;
     let mut before = arc.on_circle(arc.from, centre, radii);
     let mut angle = 0.0;
     for p in spline.sample(16).expect("few").into_iter().skip(1) {
         let unit = arc.on_circle(p, centre, radii);
         let off = (unit.length() - 1.0).abs();
-        assert!(off <= max_off, "{arc:?} {accuracy:?}: {off} at {p}");
+        assert!(off <= max_off, "{arc:?} {max}: {off} at {p}");
         let step = before.angle_to(unit);
         assert!(step.abs() < 0.2, "{arc:?}");
         assert!(step * swept > 0.0, "{arc:?}: backwards at {p}");
@@ -142,15 +121,12 @@ fn check(arc: Arc, accuracy: Accuracy) {
     }
     assert_close(angle, swept, 1e-6 + 10.0 * noise);
     // As few pieces as the bound allows; rounding decides where that number changes.
-    let (pieces, min) = (
-        real(spline.segment_count()),
-        swept.abs() / accuracy.max_angle(),
-    );
+    let (pieces, min) = (real(spline.segment_count()), swept.abs() / max_angle(max));
     let slack = 1e-4 * min + noise;
     let range = (min - slack).ceil()..=(min + slack).ceil();
     assert!(
         range.contains(&pieces),
-        "{arc:?} {accuracy:?}: {pieces} pieces, not {min}"
+        "{arc:?}: {pieces} pieces, not {min}"
     );
 }
 
@@ -173,12 +149,12 @@ fn arcs_lie_on_their_ellipse() {
         let (_, _, swept) = arc.ellipse();
         if (swept.abs() - PI).abs() > 1e-3 {
             checked += 1;
-            check(arc, Accuracy::Default);
+            check(arc, None);
             if checked % 8 == 0 {
-                let tolerances = [1e-3, 1e-9, 1e-11].map(Accuracy::Tolerance);
+                let tolerances = [1e-3, 1e-9, 1e-11].map(Some);
                 tolerances
                     .into_iter()
-                    .for_each(|accuracy| check(arc, accuracy));
+                    .for_each(|tolerance| check(arc, tolerance));
             }
         }
     }
@@ -222,10 +198,10 @@ fn radii_that_are_too_small_grow_until_they_reach() {
             large: rng.chance(0.5),
             sweep: rng.chance(0.5),
         };
-        let spline = arc.read(Accuracy::Tolerance(1e-9));
+        let spline = arc.read(Some(1e-9));
         // Half an ellipse around the middle of the chord, through the point opposite.
         assert_eq!(spline.segment_count(), 17, "{arc:?}");
-        assert_eq!(arc.read(Accuracy::Default).segment_count(), 4, "{arc:?}");
+        assert_eq!(arc.read(None).segment_count(), 4, "{arc:?}");
         let ((centre, radii, _), middle) = (arc.ellipse(), from.midpoint(to));
         assert!(centre.distance(middle) < 1e-6 * radii.max_element());
         for p in spline.sample(8).expect("few") {

@@ -25,10 +25,9 @@ fn coast(count: usize) -> Vec<DVec2> {
         });
         100.0 + 20.0 * waves.sum::<f64>()
     };
-    (0..count)
-        .map(|k| TAU * real(k) / real(count))
-        .map(|angle| DVec2::from_angle(angle) * radius(angle))
-        .collect()
+    let angles = (0..count).map(|k| TAU * real(k) / real(count));
+    let points = angles.map(|angle| DVec2::from_angle(angle) * radius(angle));
+    points.collect()
 }
 
 #[test]
@@ -117,8 +116,6 @@ fn splines_through_and_near_many_points() {
             assert!(distance <= tolerance, "{distance}");
         }
     }
-    let beside = through
-        .offset(0.01, None, OffsetJoin::Round)
-        .expect("a distance");
-    assert!(beside.segment_count() >= points.len());
+    let beside = through.offset(0.01, None, OffsetJoin::Round);
+    assert!(beside.expect("a distance").segment_count() >= points.len());
 }

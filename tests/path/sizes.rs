@@ -139,41 +139,29 @@ fn boxes_hold_their_path_and_touch_it() {
         // 64 steps per segment are close enough.
         let close = exact.diagonal().max(noise) * 0.05;
         for gap in gaps {
-            assert!(
-                gap.min_element() >= -noise && gap.max_element() <= close,
-                "{gap}"
-            );
+            assert!(gap.min_element() >= -noise && gap.max_element() <= close);
         }
     }
     assert_eq!(Path::default().bounds(), None);
 }
 
 fn samples(path: &Path, count: usize) -> Vec<DVec2> {
-    let samples = path
-        .subpaths()
-        .map(|spline| spline.sample(count).expect("few"));
-    samples.flatten().collect()
+    let samples = |spline: Spline<DVec2>| spline.sample(count).expect("few");
+    path.subpaths().flat_map(samples).collect()
 }
 
 #[test]
-fn splines_in_and_out() {
+fn polylines_and_reversed_paths_are_those_of_the_splines() {
     let mut rng = Rng(34);
     for _ in 0..500 {
         let count = rng.below(4);
         let splines = random_splines(&mut rng, count);
         let path = Path::new(&splines);
-        assert_eq!(path.subpaths().collect::<Vec<_>>(), splines);
-        assert_eq!(path.subpath_count(), splines.len());
-        let segments = splines.iter().map(Spline::segment_count);
-        assert_eq!(path.segment_count(), segments.sum::<usize>());
         let (lines, back) = (path.flatten(1e-2).expect("a tolerance"), path.reverse());
         for (k, spline) in splines.iter().enumerate() {
-            assert_eq!(path.subpath(k).as_ref(), Some(spline));
             assert_eq!(Ok(&lines[k]), spline.flatten(1e-2).as_ref());
             assert_eq!(back.subpath(k), Some(spline.reverse()));
         }
-        assert!(path.subpath(splines.len()).is_none());
-        assert!(path.approx_eq(&path.clone(), 0.0));
         if !splines.is_empty() {
             let moved = DAffine2::from_translation(DVec2::splat(1e-3)) * &path;
             assert!(path.approx_eq(&moved, 2e-3) && !path.approx_eq(&moved, 1e-4));
@@ -197,11 +185,9 @@ fn nothing_is_nearer_than_the_nearest_point() {
             let distances = samples.iter().map(|q| q.distance(p));
             let off = nearest.distance - distances.fold(f64::INFINITY, f64::min);
             assert!(off <= 1e-12 * size, "{p}: {off}");
-            let there = path
-                .subpath(nearest.subpath)
-                .expect("a spline")
-                .eval(nearest.t);
-            assert!(there.distance(nearest.point) <= 1e-14 * size, "{p}");
+            let spline = path.subpath(nearest.subpath).expect("a spline");
+            let off = spline.eval(nearest.t).distance(nearest.point);
+            assert!(off <= 1e-14 * size, "{p}");
             assert_close(nearest.point.distance(p), nearest.distance, 4e-15 * size);
         }
         assert!(path.nearest(DVec2::new(f64::NAN, 0.0)).is_err());
@@ -225,18 +211,13 @@ fn times_by_length_have_that_length_behind_them() {
     for path in paths() {
         let whole = length(&path);
         let splines = path.subpaths().collect::<Vec<_>>();
-        let lengths = splines
-            .iter()
-            .map(|s| s.length(None).expect("no tolerance"));
-        let lengths: Vec<f64> = lengths.collect();
+        let lengths: Result<Vec<f64>, _> = splines.iter().map(|s| s.length(None)).collect();
+        let lengths = lengths.expect("no tolerance");
+        let slack = 1e-9 * whole + 1e-14 * path.max_coordinate();
         let assert_behind = |time: PathTime, expected: f64| {
             let before: f64 = lengths[..time.subpath].iter().sum();
             let behind = before + length_up_to(&splines[time.subpath], time.t);
-            assert_close(
-                behind,
-                expected,
-                1e-9 * whole + 1e-14 * path.max_coordinate(),
-            );
+            assert_close(behind, expected, slack);
         };
         for _ in 0..10 {
             let s = rng.unit() * whole;
@@ -286,16 +267,10 @@ fn paths_intersect_where_their_splines_do() {
         let got = a.intersections(&b).into_iter();
         let fields = |m: PathIntersection| (m.subpath, m.other_subpath, m.t, m.u, m.point);
         assert_eq!(got.map(fields).collect::<Vec<_>>(), expected);
-        let own = ours
-            .iter()
-            .flat_map(Spline::self_intersections)
-            .map(|m| m.point);
+        let own = ours.iter().flat_map(Spline::self_intersections);
         let selves = a.self_intersections();
-        let same = selves
-            .iter()
-            .filter(|m| m.subpath == m.other_subpath)
-            .map(|m| m.point);
-        assert!(same.eq(own));
+        let same = selves.iter().filter(|m| m.subpath == m.other_subpath);
+        assert!(same.map(|m| m.point).eq(own.map(|m| m.point)));
         let ordered = |m: &PathIntersection| (m.subpath, m.t) < (m.other_subpath, m.u);
         assert!(selves.iter().all(ordered));
     }

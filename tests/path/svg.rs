@@ -2,9 +2,8 @@
 
 use crate::path::texts::{Rng, hash, text};
 use crate::support::allocations::allocated_by;
-use crate::support::measure::from_plane_segment;
 use crate::support::paths::{bits, path, points, polygons};
-use crate::support::{Rng as Numbers, deep, ulp};
+use crate::support::{Rng as Numbers, deep, from_line, ulp};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
@@ -119,10 +118,13 @@ fn rounding_moves_by_no_more_than_half_a_digit() {
         let path = Path::from(Spline::new(&points, 3, false).expect("seven points"));
         for digits in 0..12_u8 {
             let brief = brief(&path, digits);
-            let rounded = crate::support::paths::path(&brief)
-                .subpath(0)
-                .expect("a spline");
-            for (p, q) in rounded.control_points().iter().zip(&points) {
+            let rounded = crate::support::paths::path(&brief).subpath(0);
+            for (p, q) in rounded
+                .expect("a spline")
+                .control_points()
+                .iter()
+                .zip(&points)
+            {
                 let max = 0.5 * 10_f64.powi(-i32::from(digits)) + 2.0 * ulp(1e6);
                 assert!((*p - *q).abs().max_element() <= max, "{brief}");
             }
@@ -205,11 +207,7 @@ fn higher_degrees_are_written_as_cubics() {
     assert!(spline.degrees().iter().all(|&degree| degree == 3));
     let polygon = polygons(&Path::from(curve.clone()), 1e-4).concat();
     for p in spline.sample(8).expect("few") {
-        let chords = polygon
-            .windows(2)
-            .map(|pair| from_plane_segment(p, pair[0], pair[1]));
-        let distance = chords.fold(f64::INFINITY, f64::min);
-        assert!(distance <= 1.1e-3 + 1e-4, "{p}");
+        assert!(from_line(p, &polygon) <= 1.1e-3 + 1e-4, "{p}");
     }
     assert!(curve.to_svg(None, Some(1e-30)).is_err());
     assert!(Path::default().to_svg(None, Some(-1.0)).is_err());

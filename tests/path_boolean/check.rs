@@ -88,9 +88,8 @@ fn sample_points(outlines: [&Outline; 2], size: f64, random: &mut Rng) -> Vec<DV
     };
     let mut points: Vec<DVec2> = (0..POINTS).map(&mut point).collect();
     points.retain(|&p| {
-        !outlines
-            .iter()
-            .any(|outline| outline.is_near(p, 2.0 * EPSILON * size))
+        let clear = 2.0 * EPSILON * size;
+        !outlines.iter().any(|outline| outline.is_near(p, clear))
     });
     points
 }

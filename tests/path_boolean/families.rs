@@ -37,10 +37,8 @@ fn spots(random: &mut Rng, count: usize) -> Vec<DVec2> {
 }
 
 fn join(paths: impl IntoIterator<Item = Path>) -> Path {
-    let subpaths = paths
-        .into_iter()
-        .map(|path| path.subpaths().collect::<Vec<_>>());
-    subpaths.flatten().collect()
+    let subpaths = |path: Path| path.subpaths().collect::<Vec<_>>();
+    paths.into_iter().flat_map(subpaths).collect()
 }
 
 fn rect(x: f64, y: f64, w: f64, h: f64) -> Path {
@@ -53,12 +51,8 @@ pub(crate) fn circle(centre: DVec2, radius: f64) -> Path {
     const K: f64 = 0.551_784_777_797_922;
     let quarter = |out: DVec2| [out, out + out.perp() * K, out.perp() + out * K];
     let points = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(quarter);
-    let points: Vec<DVec2> = points
-        .as_flattened()
-        .iter()
-        .map(|&p| centre + p * radius)
-        .collect();
-    closed(&points, 3)
+    let points = points.as_flattened().iter().map(|&p| centre + p * radius);
+    closed(&points.collect::<Vec<_>>(), 3)
 }
 
 /// A smooth closed curve around a point.
@@ -220,9 +214,8 @@ fn glyph(random: &mut Rng) -> Path {
     let bowl = |w: f64, h: f64| {
         let quarter = points("1 0  1 0.55  0.55 1");
         let turns = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
-        let unit = turns
-            .iter()
-            .flat_map(|turn| quarter.iter().map(|&p| turn.rotate(p)));
+        let turned = |turn: DVec2| quarter.iter().map(move |&p| turn.rotate(p));
+        let unit = turns.into_iter().flat_map(turned);
         let points = unit.map(|p| (p * DVec2::new(w, h)).round() / 1000.0);
         closed(&points.collect::<Vec<_>>(), 3)
     };

@@ -51,10 +51,8 @@ fn open_subpaths_are_closed_and_empty_paths_are_empty() {
 #[test]
 fn outlines_without_an_area_disappear() {
     let curves = ["M0 0C1 1 2 2 0.5 0.5Z", "M0 0C2 0 -1 0 1 0Z"];
-    for d in ["M0 0L1 1Z", "M0 0L2 1L1 0.5Z", "M1 1Z"]
-        .iter()
-        .chain(&curves)
-    {
+    let lines = ["M0 0L1 1Z", "M0 0L2 1L1 0.5Z", "M1 1Z"];
+    for d in lines.iter().chain(&curves) {
         assert!(valid(path(d).remove_overlaps(RULE)).is_empty(), "{d}");
         let square = path("M-1 -1H3V3H-1Z");
         assert_eq!(valid(square.union(&path(d), RULE)), square, "{d}");

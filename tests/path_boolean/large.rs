@@ -2,9 +2,8 @@
 
 use crate::path_boolean::check::{is_inside, path, valid};
 use crate::path_boolean::oracle::Outline;
-use crate::support::measure::from_plane_segment;
 use crate::support::paths::{RandomPlane, lines};
-use crate::support::{Rng, assert_close, deep, real};
+use crate::support::{Rng, assert_close, deep, from_line, real};
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule, PathBuilder, StrokeOptions};
@@ -40,9 +39,8 @@ fn star(n: usize, k: usize) -> Path {
 fn areas_of_star(n: usize, k: usize) -> Vec<f64> {
     let step = PI / real(n);
     let rho = |m: usize| (step * real(k)).cos() / (step * real(m)).cos();
-    (1..=k)
-        .map(|w| real(n) * rho(k - w + 1) * rho(k - w) * step.sin())
-        .collect()
+    let area = |w: usize| real(n) * rho(k - w + 1) * rho(k - w) * step.sin();
+    (1..=k).map(area).collect()
 }
 
 /// Checks the region with odd winding numbers of a star polygon.
@@ -77,9 +75,8 @@ fn crossing_count(points: &[DVec2]) -> usize {
         let is_next = j == i + 1 || (i, j) == (0, n - 1);
         !is_next && separates(side(i), side(j)) && separates(side(j), side(i))
     };
-    (0..n)
-        .map(|i| (i + 1..n).filter(|&j| crosses(i, j)).count())
-        .sum()
+    let crossings = |i: usize| (i + 1..n).filter(move |&j| crosses(i, j)).count();
+    (0..n).map(crossings).sum()
 }
 
 /// Compares the winding numbers of a result with those of its input at random points farther than 10⁻⁷ from it.
@@ -142,16 +139,10 @@ fn the_stroke_of_a_scribble() {
     let (path, options) = (lines(&points, false), StrokeOptions::default());
     let stroke = valid(path.stroke(0.5, &options));
     let region = Outline::new(&stroke);
-    let distance = |p: DVec2| {
-        let sides = points
-            .windows(2)
-            .map(|side| from_plane_segment(p, side[0], side[1]));
-        sides.fold(f64::INFINITY, f64::min)
-    };
     let mut inside = 0;
     for p in spots(&mut random, 400) {
         // Miters reach farther than half the width, up to four times.
-        let (winding, distance) = (region.winding(p), distance(p));
+        let (winding, distance) = (region.winding(p), from_line(p, &points));
         if distance < 0.2499 {
             let caps = [points[0], points[points.len() - 1]];
             let in_cap = caps.iter().any(|end| end.distance(p) < 0.26);
@@ -181,9 +172,8 @@ fn the_stroke_of_many_cubics() {
 fn circles(count: usize) -> (Vec<Path>, Vec<(DVec2, f64)>) {
     let mut random = Rng(6);
     let centres = spots(&mut random, count).into_iter();
-    let disks: Vec<_> = centres
-        .map(|centre| (centre, random.between(1.0, 2.5)))
-        .collect();
+    let disks = centres.map(|centre| (centre, random.between(1.0, 2.5)));
+    let disks: Vec<_> = disks.collect();
     let circle = |&(DVec2 { x, y }, r): &(DVec2, f64)| {
         let (left, width) = (x - r, 2.0 * r);
         path(&format!(
@@ -210,10 +200,8 @@ fn unions_of_overlapping_circles() {
     assert_eq!(union.subpath_count(), pairwise.subpath_count());
     let (region, mut random, mut inside) = (Outline::new(&union), Rng(7), 0);
     for p in spots(&mut random, 2000) {
-        let depths = disks
-            .iter()
-            .map(|(centre, radius)| radius - centre.distance(p));
-        let depth = depths.fold(f64::NEG_INFINITY, f64::max);
+        let depth = |(centre, radius): &(DVec2, f64)| radius - centre.distance(p);
+        let depth = disks.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
         if depth.abs() > 1e-4 {
             assert_eq!(region.winding(p), i32::from(depth > 0.0), "{p}");
             inside += i32::from(depth > 0.0);

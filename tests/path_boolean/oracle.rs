@@ -18,11 +18,8 @@ impl Outline {
         let mut curves = Vec::new();
         for spline in path.subpaths() {
             let start = curves.len();
-            curves.extend(
-                spline
-                    .segments()
-                    .map(|curve| curve.control_points().to_vec()),
-            );
+            let segments = spline.segments();
+            curves.extend(segments.map(|curve| curve.control_points().to_vec()));
             let last = curves.last().and_then(|curve: &Vec<DVec2>| curve.last());
             curves.push(vec![*last.expect("points"), curves[start][0]]);
         }
@@ -47,9 +44,8 @@ impl Outline {
     /// Whether p may be within a distance of the outline. The answer is right unless the distance of p is between this
     /// one and 1.1 times this one.
     pub(crate) fn is_near(&self, p: DVec2, distance: f64) -> bool {
-        self.curves
-            .iter()
-            .any(|curve| is_near(curve, p, distance, HALVINGS))
+        let mut curves = self.curves.iter();
+        curves.any(|curve| is_near(curve, p, distance, HALVINGS))
     }
 }
 
@@ -103,7 +99,6 @@ fn is_near(curve: &[DVec2], p: DVec2, distance: f64, halvings: usize) -> bool {
         return true;
     }
     let (before, after) = halves(curve);
-    [before, after]
-        .iter()
-        .any(|half| is_near(half, p, distance, halvings - 1))
+    let is_near = |half: &[DVec2]| is_near(half, p, distance, halvings - 1);
+    is_near(&before) || is_near(&after)
 }

@@ -9,10 +9,8 @@ use casteljau::path::FillRule;
 const NEARLY_COINCIDENT: f64 = 1e-9;
 
 fn check(suite: &str, fewest: usize) {
-    let cases: Vec<&str> = suite
-        .lines()
-        .filter(|line| !line.starts_with("# "))
-        .collect();
+    let cases = suite.lines().filter(|line| !line.starts_with("# "));
+    let cases: Vec<&str> = cases.collect();
     assert!(cases.len() >= fewest, "only {} cases", cases.len());
     let wrong: Vec<String> = cases.into_iter().flat_map(faults_of).collect();
     assert!(wrong.is_empty(), "{} wrong: {wrong:#?}", wrong.len());
@@ -34,10 +32,8 @@ fn faults_of(case: &str) -> Vec<String> {
         let wrong = wrong.into_iter();
         wrong.map(move |fault| format!("{name} {rule:?}: {fault}"))
     };
-    [FillRule::NonZero, FillRule::EvenOdd]
-        .into_iter()
-        .flat_map(of_rule)
-        .collect()
+    let rules = [FillRule::NonZero, FillRule::EvenOdd];
+    rules.into_iter().flat_map(of_rule).collect()
 }
 
 #[test]

@@ -115,11 +115,8 @@ fn volumes_in_closed_form() {
     for n in [2, 3, 5, 9] {
         let top = graph(n, n, &bump);
         // Edges that are equal to the last bit, and z = 0 inside.
-        let is_inside = |k: usize| {
-            [k % (n + 1), k / (n + 1)]
-                .iter()
-                .all(|k| (1..n).contains(k))
-        };
+        let is_inside =
+            |k: usize| (1..n).contains(&(k % (n + 1))) && (1..n).contains(&(k / (n + 1)));
         let floor = (0..).zip(top.control_points());
         let floor = floor.map(|(k, p)| p.with_z(if is_inside(k) { 0.0 } else { p.z }));
         let vertices: Vec<DVec3> = top.control_points().iter().copied().chain(floor).collect();

@@ -83,10 +83,7 @@ fn what_is_aimed_at_is_hit() {
             let direction = (aim - origin) * (0.1 + random.unit());
             let hits = patch.intersect_ray(origin, direction).unwrap();
             let min = nearest(&hits, aim);
-            assert!(
-                min < 1e-6,
-                "{min} {u} {v} {hits:?} {origin:?} {direction:?} {patch:?}"
-            );
+            assert!(min < 1e-6, "{min} {u} {v} {origin} {direction} {patch:?}");
             for hit in &hits {
                 let off = (hit.point - origin).cross(direction.normalize()).length();
                 assert!(off < 1e-13, "{off} {origin} {direction} {hit:?} {patch:?}");
@@ -162,10 +159,8 @@ fn odd_patches_give_few_finite_hits() {
             for direction in [target - origin, DVec3::X, DVec3::Y] {
                 let hits = patch.intersect_ray(origin, direction).unwrap();
                 assert!(hits.len() < 20);
-                assert!(
-                    hits.iter()
-                        .all(|hit| hit.point.is_finite() && hit.distance >= 0.0)
-                );
+                let mut all = hits.iter();
+                assert!(all.all(|hit| hit.point.is_finite() && hit.distance >= 0.0));
             }
             let aimed = patch.intersect_ray(origin, target - origin).unwrap();
             let min = nearest(&aimed, target);

@@ -4,6 +4,7 @@ use crate::queries::rays::{assert_hits, shoot};
 use crate::support::nets::{assert_near, bowl, graph, patch, points, teapot};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
+use casteljau::patch::PatchPoint;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -29,11 +30,8 @@ fn a_touch_beside_a_crossing() {
     let counts = [0.5 - 1e-3, 0.5, 0.5 + 1e-3].map(|z| hits(z).len());
     assert_eq!(counts, [3, 2, 1]);
     let location = patch.eval(0.75, 0.5);
-    assert!(
-        hits(0.5)
-            .iter()
-            .any(|hit| hit.point.distance(location) < 1e-7)
-    );
+    let near = |hit: &PatchPoint| hit.point.distance(location) < 1e-7;
+    assert!(hits(0.5).iter().any(near));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -38,11 +38,8 @@ fn lengths_of_dashes_on_hard_curves() {
             let offset = whole * 3.0 * rng.signed();
             let dashes = path.dash(&pattern, offset).expect("few dashes");
             let expected = expected(whole, &pattern, offset);
-            assert_eq!(
-                dashes.subpath_count(),
-                expected.len(),
-                "{name}: {pattern:?} {offset}"
-            );
+            let counts = (dashes.subpath_count(), expected.len());
+            assert_eq!(counts.0, counts.1, "{name}: {pattern:?} {offset}");
             for (dash, expected) in dashes.subpaths().zip(&expected) {
                 assert!(!dash.is_closed());
                 assert_close(dash.length(None).expect("finite"), *expected, 1e-9 * whole);

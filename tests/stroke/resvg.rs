@@ -74,13 +74,13 @@ fn difference(case: &Case) -> Option<String> {
     let runs = runs(case.picture);
     let count: usize = runs.iter().map(|run| run.1).sum();
     assert_eq!(count, PIXELS * PIXELS, "{}", case.name);
-    runs.iter()
-        .filter(|run| run.2 != '?')
-        .flat_map(|&(start, count, kind)| {
-            [0, count / 2, count - 1].map(|k| (centre(start + k), kind == '#'))
-        })
-        .find(|&(p, inside)| case.stroke.contains(p, FillRule::NonZero) != inside)
-        .map(|(p, inside)| format!("{}: at {p} expected {inside}", case.name))
+    let pixels = |&(start, count, kind): &(usize, usize, char)| {
+        [0, count / 2, count - 1].map(|k| (centre(start + k), kind == '#'))
+    };
+    let known = runs.iter().filter(|run| run.2 != '?').flat_map(pixels);
+    let is_wrong = |&(p, inside): &_| case.stroke.contains(p, FillRule::NonZero) != inside;
+    let (p, inside) = known.into_iter().find(is_wrong)?;
+    Some(format!("{}: at {p} expected {inside}", case.name))
 }
 
 #[test]

@@ -104,6 +104,14 @@ pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
     row[0]
 }
 
+/// The distance of a point of the plane from a polyline.
+pub(crate) fn from_line(p: DVec2, line: &[DVec2]) -> f64 {
+    let chords = line
+        .windows(2)
+        .map(|pair| measure::from_plane_segment(p, pair[0], pair[1]));
+    chords.fold(f64::INFINITY, f64::min)
+}
+
 /// Asserts that two numbers differ by at most `tolerance`.
 #[track_caller]
 pub(crate) fn assert_close(got: f64, expected: f64, tolerance: f64) {

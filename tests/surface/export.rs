@@ -26,11 +26,8 @@ fn floats(value: &Value) -> Vec<f32> {
 }
 
 fn indices(value: &Value) -> Indices {
-    let list = value
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|i| i.as_u64().unwrap());
+    let list = value.as_array().unwrap().iter();
+    let list = list.map(|i| i.as_u64().unwrap());
     Indices::U16(list.map(|i| u16::try_from(i).unwrap()).collect())
 }
 

@@ -1,7 +1,7 @@
 //! Grids: layout, positions and normals compared with the patch, shared edges, reuse of buffers, limits.
 
 use crate::support::nets::{RandomNet, assert_near, nothing, patch, teapot, triangles, vector};
-use crate::support::{Rng, assert_refused};
+use crate::support::{Rng, assert_close, assert_refused};
 use casteljau::curve::bernstein;
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Indices, Mesh, Patch, Surface};
@@ -23,10 +23,8 @@ fn layout_of_the_buffers() {
     let grid = cells(3, 2);
     assert_eq!((grid.vertex_count(), grid.triangle_count()), (12, 12));
     let mesh = teapot().grid(grid, true).unwrap();
-    assert_eq!(
-        (mesh.vertex_count(), mesh.triangle_count()),
-        (32 * 12, 32 * 12)
-    );
+    let counts = [mesh.vertex_count(), mesh.triangle_count()];
+    assert_eq!(counts, [32 * 12; 2]);
     assert_eq!(mesh.normals.len(), mesh.positions.len());
     assert_eq!(mesh.uvs.len(), 2 * mesh.vertex_count());
     assert_eq!(mesh.quads.as_ref().unwrap().len(), 32 * 6 * 4);
@@ -62,10 +60,7 @@ fn faces_run_counter_clockwise_and_cover_the_square_once() {
     let indices: [Vec<usize>; 2] = lists.map(|list| list.iter().collect());
     for (all, corners, faces) in [(&indices[0], 3, 30), (&indices[1], 4, 15)] {
         for face in all.chunks(corners) {
-            assert!(
-                (area(face) - 1.0 / f64::from(faces)).abs() < 1e-7,
-                "{face:?}"
-            );
+            assert_close(area(face), 1.0 / f64::from(faces), 1e-7);
         }
         assert_eq!(all.len() / corners, faces as usize);
     }
@@ -99,12 +94,8 @@ fn samples_are_points_and_normals_of_the_patch() {
             let (grid, patch) = (cells(segments_u, 3), random.patch(m, n));
             let mesh = mesh(&patch, grid);
             let bounds = patch.control_bounds();
-            let largest = bounds
-                .min
-                .abs()
-                .max(bounds.max.abs())
-                .as_vec3()
-                .max_element();
+            let largest = bounds.min.abs().max(bounds.max.abs());
+            let largest = largest.as_vec3().max_element();
             let slack = f64::from(4.0 * (largest.next_up() - largest));
             for (iv, iu) in (0..=3).flat_map(|iv| (0..=segments_u).map(move |iu| (iv, iu))) {
                 let ((u, v), vertex) = (grid.uv(iu, iv), grid.vertex(iu, iv));
@@ -218,11 +209,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
         // Positions too large for f32 are infinite, not NaN; the normal keeps its direction.
         assert!(mesh.positions.iter().all(|x| !x.is_nan()));
         let lengths = (0..mesh.vertex_count()).map(|vertex| vector(&mesh.normals, vertex).length());
-        assert!(
-            lengths
-                .into_iter()
-                .all(|length| (length - 1.0).abs() < 1e-6)
-        );
+        lengths.for_each(|length| assert_close(length, 1.0, 1e-6));
     }
 }
 
@@ -309,10 +296,8 @@ fn surfaces_that_do_not_add_up() {
     let count =
         "patches: expected (degree_u + 1)·(degree_v + 1) vertex indices for each patch, got ";
     for got in [1, 15, 17, 31] {
-        assert_refused(
-            surface(&vertices, &vec![0; got], 3),
-            &format!("{count}{got}"),
-        );
+        let surface = surface(&vertices, &vec![0; got], 3);
+        assert_refused(surface, &format!("{count}{got}"));
     }
     let mut wrong = indices.repeat(2);
     wrong[20] = 16;
@@ -320,10 +305,8 @@ fn surfaces_that_do_not_add_up() {
     assert_refused(surface(&vertices, &wrong, 3), message);
     let mut broken = vertices.clone();
     broken[3].y = f64::NAN;
-    assert_refused(
-        surface(&broken, &indices, 3),
-        "vertices[3]: expected a finite number",
-    );
+    let finite = "vertices[3]: expected a finite number";
+    assert_refused(surface(&broken, &indices, 3), finite);
     assert_refused(surface(&vertices, &indices, 0), "degree_v: ");
     let degrees = [[3, 3], [1, 1]];
     let surface = Surface::with_degrees(vertices, indices, &degrees);

@@ -8,8 +8,6 @@ mod forward;
 mod grid;
 #[cfg(not(target_family = "wasm"))]
 mod large;
-#[cfg(not(target_family = "wasm"))]
-mod limit_normals;
 mod patch;
 #[cfg(all(feature = "serde", not(target_family = "wasm")))]
 mod serde;

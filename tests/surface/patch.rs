@@ -39,10 +39,8 @@ fn every_form_has_the_points_of_the_bernstein_sum() {
         let (bounds, slack) = (patch.control_bounds(), DVec3::splat(1e-15));
         let (low, high) = (bounds.min - slack, bounds.max + slack);
         let (raised, image) = (patch.elevate(), patch.transform(&map).unwrap());
-        assert_eq!(
-            raised.is_err(),
-            patch.degree_u().max(patch.degree_v()) == 64
-        );
+        let largest = patch.degree_u().max(patch.degree_v());
+        assert_eq!(raised.is_err(), largest == 64);
         for (u, v) in everywhere() {
             let p = patch.eval(u, v);
             assert_near(p, bernstein_sum(&patch, u, v), 4e-15);
@@ -151,9 +149,8 @@ fn cap() -> Patch {
         DVec3::new(0.1, 0.2, 0.3),
         points("1 0 -1  1 0.5 -1  0.5 1 -1  0 1 -1"),
     );
-    let middle = rim
-        .iter()
-        .map(|p| pole + DVec3::new(0.5 * p.x, 0.5 * p.y, 0.0));
+    let inner = |p: &DVec3| pole + DVec3::new(0.5 * p.x, 0.5 * p.y, 0.0);
+    let middle = rim.iter().map(inner);
     let rows = [
         vec![pole; 4],
         middle.collect(),
@@ -194,9 +191,8 @@ fn normal_at_a_degenerate_corner_is_the_limit() {
 fn normals_do_not_depend_on_size_or_position() {
     for a in patches(7) {
         for size in [1e-300, 1e-9, 1e9, 1e149] {
-            let b = a
-                .transform(&DAffine3::from_scale(DVec3::splat(size)))
-                .unwrap();
+            let map = DAffine3::from_scale(DVec3::splat(size));
+            let b = a.transform(&map).unwrap();
             for (u, v) in [(0.0, 0.0), (0.3, 0.6), (1.0, 0.5)] {
                 assert_near(a.normal(u, v), b.normal(u, v), 1e-11);
                 assert!(b.eval(u, v).is_finite());

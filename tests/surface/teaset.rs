@@ -1,6 +1,6 @@
 //! The data of the teapot, the teacup and the teaspoon, and figures known from other sources.
 
-use crate::support::nets::{teapot, volume};
+use crate::support::nets::volume;
 #[cfg(not(target_family = "wasm"))]
 use crate::support::surfaces::listing;
 use casteljau::glam::DVec3;
@@ -35,7 +35,7 @@ fn data_are_the_listings_bit_for_bit() {
         (Surface::teacup(Up::Y), "teacup", same),
         (Surface::teaspoon(Up::Z), "teaspoon", same),
         (Surface::teaspoon(Up::Y), "teaspoon", lying),
-        (teapot(), "teapot", same),
+        (crate::support::nets::teapot(), "teapot", same),
     ] {
         let listed = nets(&listing(name), turn, name != "teapot");
         assert!(nets(&surface, same, false) == listed, "{name}");

@@ -2,7 +2,7 @@
 
 use crate::support::measure::from_plane_segment;
 use crate::support::nets::{RandomNet, assert_near, single, teapot};
-use crate::support::{Rng, assert_refused};
+use crate::support::{Rng, assert_refused, from_line};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Point, Surface};
@@ -138,24 +138,21 @@ fn perspective_keeps_the_tolerance() {
 /// Asserts that every drawn point is near the true projection, measured with a dense polyline, and the reverse.
 fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, tolerance: f64) {
     const DENSE: usize = 2000;
-    let reference: Vec<DVec2> = (0..=DENSE)
-        .map(|k| project(matrix, curve.eval(k as f64 / DENSE as f64)))
-        .collect();
+    let at = |k: usize| project(matrix, curve.eval(k as f64 / DENSE as f64));
+    let reference: Vec<DVec2> = (0..=DENSE).map(at).collect();
     let per_piece = (DENSE / stroke.len()).max(8);
     let drawn = samples(stroke, per_piece);
     // An estimate of the distance of a polyline of samples from its curve: a quarter of the error of omitting every
     // other sample.
     let sag = |line: &[DVec2]| {
-        let off = line
-            .windows(3)
-            .map(|p| from_plane_segment(p[1], p[0], p[2]));
-        off.fold(0.0, f64::max)
+        let off = |p: &[DVec2]| from_plane_segment(p[1], p[0], p[2]);
+        line.windows(3).map(off).fold(0.0, f64::max)
     };
     let slack = 1e-9 + 0.5 * sag(&reference).max(sag(&drawn));
     assert!(slack < 0.5 * tolerance, "too few samples: {slack}");
     for (line, other) in [(&reference, &drawn), (&drawn, &reference)] {
         for &p in line.iter().step_by(97) {
-            let distance = distance_to_line(p, other);
+            let distance = from_line(p, other);
             assert!(distance <= tolerance + slack, "{distance} > {tolerance}");
         }
     }
@@ -166,13 +163,6 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
 fn samples<P: Point>(curves: &[Curve<P>], count: usize) -> Vec<P> {
     let samples = curves.iter().map(|curve| curve.sample(count).unwrap());
     samples.flatten().collect()
-}
-
-fn distance_to_line(p: DVec2, line: &[DVec2]) -> f64 {
-    let chords = line
-        .windows(2)
-        .map(|pair| from_plane_segment(p, pair[0], pair[1]));
-    chords.fold(f64::INFINITY, f64::min)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -186,7 +176,7 @@ fn what_lies_behind_the_eye_is_left_out() {
     before.retain(|p| p.y > 0.05 * far);
     let lines: Vec<Vec<DVec2>> = drawn.0.iter().map(|stroke| samples(stroke, 32)).collect();
     for p in before.iter().step_by(331).map(|&p| project(&matrix, p)) {
-        let distances = lines.iter().map(|line| distance_to_line(p, line));
+        let distances = lines.iter().map(|line| from_line(p, line));
         let distance = distances.fold(f64::INFINITY, f64::min);
         assert!(distance < 2.0, "{p} is {distance} px from all lines");
     }

@@ -31,29 +31,17 @@ impl Three {
             assert_layout(mesh, patches);
         }
         let bits = |mesh: &Mesh| -> Vec<u32> {
-            let corners = mesh
-                .indices
-                .iter()
-                .flat_map(|vertex| 3 * vertex..3 * vertex + 3);
-            corners
-                .map(|number| mesh.positions[number].to_bits())
-                .collect()
+            let corners = mesh.indices.iter();
+            let numbers = corners.flat_map(|vertex| &mesh.positions[3 * vertex..][..3]);
+            numbers.map(|x| x.to_bits()).collect()
         };
         let ranges = |mesh: &Mesh| -> Vec<[u32; 2]> {
             let ranges = mesh.patch_ranges.iter();
-            ranges
-                .map(|range| [range.first_index, range.indices])
-                .collect()
+            ranges.map(|r| [r.first_index, r.indices]).collect()
         };
         for (mesh, weld) in [(&self.normal, "normal"), (&self.position, "position")] {
-            assert!(
-                bits(mesh) == bits(&self.own),
-                "weld \"{weld}\" moves positions"
-            );
-            assert!(
-                ranges(mesh) == ranges(&self.own),
-                "weld \"{weld}\" changes ranges"
-            );
+            assert!(bits(mesh) == bits(&self.own), "{weld} moves positions");
+            assert!(ranges(mesh) == ranges(&self.own), "{weld} changes ranges");
         }
         self.assert_normals_shared();
     }
@@ -130,10 +118,7 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
             // Half an f32 ulp; for numbers just above a power of two the larger ulp.
             let max = exact[axis].abs() * f64::from(f32::EPSILON) / 2.0 + slack;
             let off = (p[axis] - exact[axis]).abs();
-            assert!(
-                off <= max,
-                "a vertex off its patch at {uv:?}: {p} for {exact}"
-            );
+            assert!(off <= max, "a vertex off at {uv:?}: {p} for {exact}");
         }
         let expected = limit(patch, u, v).expect("patches that are curves have no vertices");
         let degrees = degrees_between(normal, expected);
@@ -145,18 +130,13 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
 pub(crate) fn assert_normals_of_patches(three: &Three) {
     let soup = Soup::new(&three.own);
     let key = |p: DVec3, normal: DVec3| [p + 0.0, normal].map(|v| v.to_array().map(f64::to_bits));
-    let locations = soup
-        .position_of
-        .iter()
-        .map(|&location| soup.points[location as usize]);
+    let locations = soup.position_of.iter();
+    let locations = locations.map(|&location| soup.points[location as usize]);
     let own = locations.zip(vectors(&three.own.normals));
     let known: HashSet<_> = own.map(|(p, normal)| key(p, normal)).collect();
     let welded = vectors(&three.normal.positions).zip(vectors(&three.normal.normals));
     for (p, normal) in welded {
-        assert!(
-            known.contains(&key(p, normal)),
-            "a normal of no patch at {p}"
-        );
+        assert!(known.contains(&key(p, normal)), "no normal at {p}");
     }
 }
 
@@ -176,10 +156,7 @@ pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> 
             if boundary.contains(&(a, b)) {
                 let ends = [corners[k], corners[(k + 1) % 3]];
                 let location = soup.points[a as usize];
-                assert!(
-                    on_side_of(mesh, ends, &open),
-                    "an open edge inside at {location}"
-                );
+                assert!(on_side_of(mesh, ends, &open), "open at {location}");
                 on_open_sides += 1;
             }
         }

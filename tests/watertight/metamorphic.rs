@@ -32,9 +32,8 @@ const CHANGES: [Change; 7] = [
 
 fn turned(surface: &Surface) -> Surface {
     let axis = DVec3::new(1.0, 2.0, 3.0).normalize();
-    surface
-        .transform(&DAffine3::from_axis_angle(axis, 0.7))
-        .unwrap()
+    let turn = DAffine3::from_axis_angle(axis, 0.7);
+    surface.transform(&turn).unwrap()
 }
 
 /// A bicubic surface with all nets in another order.

@@ -42,9 +42,8 @@ fn onto_another_point_and_away() {
     let before = mesh(&surface);
     for (index, target) in [(0, 1), (3, 12), (40, 200), (289, 0)] {
         let home = surface.vertices()[index];
-        let moved = surface
-            .move_point(index, surface.vertices()[target])
-            .unwrap();
+        let onto = surface.vertices()[target];
+        let moved = surface.move_point(index, onto).unwrap();
         assert_eq!(moved.topology(), expected);
         Soup::new(&mesh(&moved)).assert_no_collapsed_triangle();
         let back = moved.move_point(index, home).unwrap();

@@ -58,9 +58,8 @@ impl Quilt {
     fn random(rng: &mut Rng) -> Self {
         let degrees = |rng: &mut Rng| -> Vec<usize> {
             let count = rng.pick(&[1, 1, 2, 2, 3]);
-            (0..count)
-                .map(|_| rng.pick(&[1, 1, 2, 2, 3, 3, 3, 4, 5]))
-                .collect()
+            let mut degree = || rng.pick(&[1, 1, 2, 2, 3, 3, 3, 4, 5]);
+            (0..count).map(|_| degree()).collect()
         };
         let mut quilt = Self {
             degrees_u: degrees(rng),
@@ -93,10 +92,8 @@ impl Quilt {
         for (column, m) in steps(&self.degrees_u) {
             for (row, n) in steps(&self.degrees_v) {
                 let locations = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
-                let vertices = locations
-                    .map(|(i, j)| vertex(column + i, row + j))
-                    .collect();
-                let columns = m + 1;
+                let vertices = locations.map(|(i, j)| vertex(column + i, row + j));
+                let (vertices, columns) = (vertices.collect(), m + 1);
                 nets.push(Net { vertices, columns });
             }
         }
@@ -152,9 +149,8 @@ impl Draft {
         let net = self.any(rng);
         let (step, count) = rng.pick(&[(1, net.columns), (net.columns, net.rows())]);
         let side: Vec<usize> = (0..count).map(|k| net.vertices[k * step]).collect();
-        side[1..]
-            .iter()
-            .for_each(|&vertex| self.replace(vertex, side[0]));
+        let others = side[1..].iter();
+        others.for_each(|&vertex| self.replace(vertex, side[0]));
     }
 
     fn merge_vertices(&mut self, rng: &mut Rng) {
@@ -242,15 +238,11 @@ impl Draft {
     }
 
     fn surface(self) -> Surface {
-        let degrees = self
-            .nets
-            .iter()
-            .map(|net| [net.columns - 1, net.rows() - 1]);
-        let degrees: Vec<[usize; 2]> = degrees.collect();
+        let degrees = |net: &Net| [net.columns - 1, net.rows() - 1];
+        let degrees: Vec<[usize; 2]> = self.nets.iter().map(degrees).collect();
         let indices = self.nets.iter().flat_map(|net| &net.vertices);
-        let indices = indices
-            .map(|&vertex| u32::try_from(vertex).unwrap())
-            .collect();
+        let indices = indices.map(|&vertex| u32::try_from(vertex).unwrap());
+        let indices = indices.collect();
         Surface::with_degrees(self.vertices, indices, &degrees).unwrap()
     }
 }

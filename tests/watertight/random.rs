@@ -87,11 +87,7 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
             }
         }
         let rim = Soup::rim(&soup.triangles[from..from + count]);
-        assert!(
-            expected == rim,
-            "patch {patch}: {:?}",
-            surface.degrees(patch)
-        );
+        assert!(expected == rim, "patch {patch} of {surface:?}");
     }
 }
 

@@ -75,10 +75,7 @@ fn tolerances() {
     // A plane square, so that the mesh stays small.
     let flat = as_surface(&graph(1, 1, &[]));
     let min = (-21.0_f64).exp2();
-    assert!(
-        flat.tessellate(&tolerance(min * 0.9).weld(Weld::None))
-            .is_err()
-    );
+    assert!(flat.tessellate(&tolerance(min * 0.9)).is_err());
     assert_layout(
         &precise(&flat, tolerance(min * 0.9), Weld::None).unwrap(),
         1,
@@ -108,11 +105,8 @@ fn far_too_fine_is_refused_before_tessellation() {
 /// A curved strip needs subdivision in one direction only: far fewer cells than the square of their number.
 #[test]
 fn a_cylinder_may_be_fine() {
-    let strip = single(
-        &points("0 0 0  0.5 0 1  1 0 0  0 1 0  0.5 1 1  1 1 0"),
-        2,
-        1,
-    );
+    let net = points("0 0 0  0.5 0 1  1 0 0  0 1 0  0.5 1 1  1 1 0");
+    let strip = single(&net, 2, 1);
     // n segments of a parabola with |second derivative| 4 are off by 4 / (8n²).
     let mesh = precise(&strip, tolerance(1e-11), Weld::None).unwrap();
     let (segments, triangles) = ((0.5 / 1e-11_f64).sqrt(), mesh.triangle_count());
@@ -176,9 +170,8 @@ fn nothing_gives_an_empty_mesh() {
 #[test]
 fn huge_and_tiny_coordinates() {
     let of = |factor: f64, options, weld| precise(&scaled(&teapot(), factor), options, weld);
-    let expected = of(1.0, tolerance(0.05), Weld::Normal)
-        .unwrap()
-        .triangle_count();
+    let mesh = of(1.0, tolerance(0.05), Weld::Normal).unwrap();
+    let expected = mesh.triangle_count();
     for factor in [1e149, 1e140, 1e-150, 1e-290] {
         let options = tolerance(0.05 * factor);
         for weld in WELDS {

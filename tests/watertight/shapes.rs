@@ -74,12 +74,7 @@ pub(crate) fn side_points(patch: &Patch, side: PatchEdge) -> Vec<DVec3> {
     } else {
         points.len() / columns
     };
-    points[from..]
-        .iter()
-        .step_by(step)
-        .take(count)
-        .copied()
-        .collect()
+    (0..count).map(|k| points[from + k * step]).collect()
 }
 
 /// Every edge with all edges that are the same line, found by comparing each pair. Each edge occurs once; an edge that

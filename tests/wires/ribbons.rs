@@ -25,9 +25,8 @@ fn ribbons_lie_in_the_tangent_planes() {
         let middle = 0.5 * (left + right);
         let edges = (0..=4000).map(|k| f64::from(k) / 4000.0);
         let edges = edges.flat_map(|t| [(0.0, t), (1.0, t), (t, 0.0), (t, 1.0)]);
-        let nearest = edges
-            .map(|(u, v)| (patch.eval(u, v).distance(middle), u, v))
-            .fold((1.0, 0.0, 0.0), |a, b| if b.0 < a.0 { b } else { a });
+        let all = edges.map(|(u, v)| (patch.eval(u, v).distance(middle), u, v));
+        let nearest = all.fold((1.0, 0.0, 0.0), |a, b| if b.0 < a.0 { b } else { a });
         assert!(nearest.0 < 2e-3);
         assert!(normal.dot(patch.normal(nearest.1, nearest.2)) > 0.999);
     }
