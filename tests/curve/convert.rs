@@ -1,27 +1,19 @@
 //! Curves from points without a `Result`, from arrays, and under `*`.
 
+use crate::support::{bezier, refused, xy};
+use casteljau::Curve;
 use casteljau::curve::Bounds;
 use casteljau::glam::{DAffine2, DAffine3, DVec2, DVec3};
-use casteljau::{Curve, Error};
-
-const P: [DVec2; 4] = [
-    DVec2::new(0.0, 0.0),
-    DVec2::new(1.0, 3.0),
-    DVec2::new(2.0, -1.0),
-    DVec2::new(4.0, 2.0),
-];
 
 #[test]
 fn constructors_of_low_degrees_are_those_of_slices() {
-    let [p0, p1, p2, p3] = P;
-    assert_eq!(Ok(Curve::line(p0, p1)), Curve::new(&P[..2]));
-    assert_eq!(Ok(Curve::quad(p0, p1, p2)), Curve::new(&P[..3]));
-    assert_eq!(Ok(Curve::cubic(p0, p1, p2, p3)), Curve::new(&P));
-    assert_eq!(Curve::try_from(P), Curve::new(&P));
-    assert!(matches!(
-        Curve::try_from([p0]),
-        Err(Error::Count { got: 1, .. })
-    ));
+    let p: [DVec2; 4] = xy("0 0, 1 3, 2 -1, 4 2").try_into().expect("four");
+    let [p0, p1, p2, p3] = p;
+    assert_eq!(Ok(Curve::line(p0, p1)), Curve::new(&p[..2]));
+    assert_eq!(Ok(Curve::quad(p0, p1, p2)), Curve::new(&p[..3]));
+    assert_eq!(Ok(Curve::cubic(p0, p1, p2, p3)), Curve::new(&p));
+    assert_eq!(Curve::try_from(p), Curve::new(&p));
+    refused(Curve::try_from([p0]), "Count points 1");
 }
 
 #[test]
@@ -32,26 +24,30 @@ fn a_line_to_nowhere_panics() {
 
 #[test]
 fn maps_multiply() {
-    let curve = Curve::new(&P).expect("a cubic");
+    let curve = bezier("0 0, 1 3, 2 -1, 4 2");
     let map = DAffine2::from_angle(0.5) * DAffine2::from_translation(DVec2::new(3.0, 1.0));
     assert_eq!(map * &curve, curve.transform(&map).expect("a finite image"));
     let space = Curve::line(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0));
     let map = DAffine3::from_scale(DVec3::splat(2.0));
     assert_eq!((map * &space).end(), DVec3::new(2.0, 4.0, 6.0));
+    let quarter_turn = DAffine2::from_cols(DVec2::Y, -DVec2::X, DVec2::new(10.0, 0.0));
+    assert_eq!(quarter_turn * &bezier("1 2, 3 4"), bezier("8 1, 6 3"));
 }
 
 #[test]
 fn bounds_unite_intersect_and_contain() {
-    let bounds = |x0: f64, y0: f64, x1: f64, y1: f64| Bounds {
-        min: DVec2::new(x0, y0),
-        max: DVec2::new(x1, y1),
+    let bounds = |corners: &str| {
+        let corners = xy(corners);
+        Bounds {
+            min: corners[0],
+            max: corners[1],
+        }
     };
-    let (a, b) = (bounds(0.0, 0.0, 4.0, 2.0), bounds(3.0, 1.0, 6.0, 5.0));
-    assert_eq!(a.union(b), bounds(0.0, 0.0, 6.0, 5.0));
-    assert_eq!(a.intersection(b), Some(bounds(3.0, 1.0, 4.0, 2.0)));
-    assert_eq!(a.intersection(bounds(5.0, 0.0, 6.0, 1.0)), None);
-    let corner = bounds(4.0, 2.0, 5.0, 3.0);
-    assert_eq!(a.intersection(corner), Some(bounds(4.0, 2.0, 4.0, 2.0)));
-    assert!(a.contains(DVec2::new(4.0, 0.0)) && a.contains(DVec2::new(1.0, 1.0)));
-    assert!(!a.contains(DVec2::new(1.0, 2.5)) && !a.contains(DVec2::new(-1e-300, 1.0)));
+    let (a, b) = (bounds("0 0, 4 2"), bounds("3 1, 6 5"));
+    assert_eq!(a.union(b), bounds("0 0, 6 5"));
+    assert_eq!(a.intersection(b), Some(bounds("3 1, 4 2")));
+    assert_eq!(a.intersection(bounds("5 0, 6 1")), None);
+    assert_eq!(a.intersection(bounds("4 2, 5 3")), Some(bounds("4 2, 4 2")));
+    assert!(xy("4 0, 1 1").into_iter().all(|p| a.contains(p)));
+    assert!(!xy("1 2.5, -1e-300 1").into_iter().any(|p| a.contains(p)));
 }

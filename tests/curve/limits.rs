@@ -2,7 +2,7 @@
 
 use crate::curve::adversarial_points;
 use crate::support::adversarial::ALL;
-use crate::support::{Space, curve, largest, parameters, plane, real, to_3d};
+use crate::support::{Space, bezier, curve, largest, near, near_at, parameters, real, to_3d};
 use casteljau::Point;
 use casteljau::glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -14,29 +14,22 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
     fn check<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
         let control = to_3d(curve.control_points());
-        let start = control
-            .iter()
-            .map(|&p| p - control[0])
-            .find(|v| *v != DVec3::ZERO);
-        let Some(start) = start else {
-            let all =
-                [0.0, 0.3, 1.0].map(|t| (curve.tangent(t), curve.normal(t), curve.curvature(t)));
-            assert_eq!(all, [(P::default(), P::default(), 0.0); 3]);
+        let last = control[control.len() - 1];
+        let mut ahead = control.iter().map(|&p| p - control[0]);
+        let mut behind = control.iter().rev().map(|&p| last - p);
+        let other = |v: &DVec3| *v != DVec3::ZERO;
+        let (Some(start), Some(end)) = (ahead.find(other), behind.find(other)) else {
+            for t in [0.0, 0.3, 1.0] {
+                let found = (curve.tangent(t), curve.normal(t), curve.curvature(t));
+                assert_eq!(found, (P::default(), P::default(), 0.0));
+            }
             return;
         };
-        let last = control[control.len() - 1];
-        let end = control
-            .iter()
-            .rev()
-            .map(|&p| last - p)
-            .find(|v| *v != DVec3::ZERO)
-            .expect("two places");
         for (t, direction) in [(0.0, start), (1.0, end)] {
             // A handle that is negligibly short relative to the rest may count as none.
             if direction.max_abs() > 1e-11 * real(control.len()) * largest(&control) {
-                let error =
-                    (curve.tangent(t).to_3d() - Point::normalize_or_zero(direction)).length();
-                assert!(error < 1e-15 * 4.0, "{points:?} at {t}: {error:e}");
+                let expected = Point::normalize_or_zero(direction);
+                near_at(curve.tangent(t).to_3d(), expected, 1e-15 * 4.0, (points, t));
             }
         }
     }
@@ -48,103 +41,79 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn zero_length_handles() {
-    let at = |points: &[(f64, f64)], t: f64| {
-        let curve = plane(points);
-        (curve.tangent(t), curve.normal(t), curve.curvature(t))
-    };
     let (down, diagonal) = (DVec2::NEG_Y, DVec2::splat(FRAC_1_SQRT_2));
-    let near = |(tangent, normal, curvature): (DVec2, DVec2, f64), expected: DVec2| {
-        assert!(
-            (tangent - expected).length() < 1e-15,
-            "{tangent} instead of {expected}"
-        );
-        assert_eq!(normal, tangent.perp());
+    for (points, t, tangent) in [
+        // P₁ = P₀: the tangent points towards P₂.
+        ("0 0, 0 0, 1 1, 2 0", 0.0, diagonal),
+        // P₂ = P₃: the tangent points away from P₁.
+        ("0 2, 1 5, 1 0, 1 0", 1.0, down),
+    ] {
+        let curve = bezier(points);
+        near(curve.tangent(t), tangent, 1e-15);
+        assert_eq!(curve.normal(t), curve.tangent(t).perp());
         // Infinite, and to the right of the direction of travel.
-        assert_eq!(curvature, f64::NEG_INFINITY);
-    };
-    // P₁ = P₀: the tangent points towards P₂.
-    near(
-        at(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], 0.0),
-        diagonal,
-    );
-    // P₂ = P₃: the tangent points away from P₁.
-    near(
-        at(&[(0.0, 2.0), (1.0, 5.0), (1.0, 0.0), (1.0, 0.0)], 1.0),
-        down,
-    );
-    // All handles coincide with the ends: a straight line.
-    let line = [(0.0, 0.0), (0.0, 0.0), (3.0, 3.0), (3.0, 3.0)];
-    for t in parameters(4) {
-        let (tangent, _, curvature) = at(&line, t);
-        assert!(
-            (tangent - diagonal).length() < 1e-15 && curvature == 0.0,
-            "{t}"
-        );
+        assert_eq!(curve.curvature(t), f64::NEG_INFINITY);
     }
-    assert_eq!(
-        at(&[(0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0, -2.0)], 0.0),
-        (down, DVec2::X, 0.0)
-    );
+    // All handles coincide with the ends: a straight line.
+    let line = bezier("0 0, 0 0, 3 3, 3 3");
+    for t in parameters(4) {
+        near_at(line.tangent(t), diagonal, 1e-15, t);
+        assert_eq!(line.curvature(t), 0.0, "{t}");
+    }
+    let late = bezier("0 0, 0 0, 0 0, 0 -2");
+    assert_eq!((late.tangent(0.0), late.normal(0.0)), (down, DVec2::X));
+    assert_eq!(late.curvature(0.0), 0.0);
 }
 
 /// (6t², t⁴) runs on y = x²/36, whose curvature at 0 is 1/18, though its derivative vanishes there.
 #[wasm_bindgen_test(unsupported = test)]
 fn curvature_as_a_finite_limit() {
-    let slow = plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (3.0, 0.0), (6.0, 1.0)]);
-    assert!((slow.curvature(0.0) - 1.0 / 18.0).abs() < 1e-16);
-    assert!((slow.reverse().curvature(1.0) + 1.0 / 18.0).abs() < 1e-16);
-    assert!((slow.curvature(1e-3) - 1.0 / 18.0).abs() < 1e-7);
-    let turned = [(0.0, 0.0), (0.0, 0.0), (0.0, 1.0), (0.0, 3.0), (1.0, 6.0)];
-    assert!((plane(&turned).curvature(0.0) + 1.0 / 18.0).abs() < 1e-16);
-    let space: Vec<DVec3> = turned.iter().map(|&(x, y)| DVec3::new(0.0, x, y)).collect();
+    let (slow, turned) = (
+        bezier("0 0, 0 0, 1 0, 3 0, 6 1"),
+        bezier("0 0, 0 0, 0 1, 0 3, 1 6"),
+    );
+    near(slow.curvature(0.0), 1.0 / 18.0, 1e-16);
+    near(slow.reverse().curvature(1.0), -1.0 / 18.0, 1e-16);
+    near(slow.curvature(1e-3), 1.0 / 18.0, 1e-7);
+    near(turned.curvature(0.0), -1.0 / 18.0, 1e-16);
+    let in_space = |p: &DVec2| DVec3::new(0.0, p.x, p.y);
+    let space: Vec<DVec3> = turned.control_points().iter().map(in_space).collect();
     let space = curve::<DVec3>(&space);
-    for limit in [space.curvature(0.0), space.reverse().curvature(1.0)] {
-        assert!((limit - 1.0 / 18.0).abs() < 1e-16, "{limit}");
-    }
+    near(space.curvature(0.0), 1.0 / 18.0, 1e-16);
+    near(space.reverse().curvature(1.0), 1.0 / 18.0, 1e-16);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_cusp_has_the_tangent_of_the_piece_after_it() {
     // B′(½) = 0 and B″(½) = (0, −6): the curve comes up and goes down again.
-    let cusp = plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]);
+    let cusp = bezier("0 0, 1 1, 0 1, 1 0");
     assert_eq!(cusp.derivative_at(0.5, 1), DVec2::ZERO);
-    assert_eq!(cusp.tangent(0.5), DVec2::NEG_Y);
-    assert_eq!(cusp.normal(0.5), DVec2::X);
+    assert_eq!(
+        (cusp.tangent(0.5), cusp.normal(0.5)),
+        (DVec2::NEG_Y, DVec2::X)
+    );
     assert!(cusp.curvature(0.5).is_infinite());
-    assert!((cusp.tangent(0.5 - 1e-9) - DVec2::Y).length() < 1e-7);
-    assert!((cusp.tangent(0.5 + 1e-9) - DVec2::NEG_Y).length() < 1e-7);
+    near(cusp.tangent(0.5 - 1e-9), DVec2::Y, 1e-7);
+    near(cusp.tangent(0.5 + 1e-9), DVec2::NEG_Y, 1e-7);
 }
 
 /// Where the derivative is almost zero, just before and after a point where it vanishes, the tangent still points
 /// forward.
 #[wasm_bindgen_test(unsupported = test)]
 fn tangents_next_to_a_vanishing_derivative() {
-    let slowing = [(0.0, 0.0), (3.0, 4.0), (3.0, 4.0), (3.0, 4.0)];
-    let stopping = [(0.0, 0.0), (0.0, 0.0), (3.0, 4.0), (3.0, 4.0)];
-    let cusp = [(0.0, 0.0), (3.0, 4.0), (-3.0, -4.0), (0.0, 0.0)];
     let ahead = DVec2::new(0.6, 0.8);
+    let stopping = [bezier("0 0, 3 4, 3 4, 3 4"), bezier("0 0, 0 0, 3 4, 3 4")];
     for distance in [0.0, 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-8, 1e-7, 1e-3] {
-        for points in [slowing, stopping] {
-            assert!(
-                (plane(&points).tangent(1.0 - distance) - ahead).length() < 1e-15,
-                "{distance}"
-            );
-            assert!(
-                (plane(&points).reverse().tangent(distance) + ahead).length() < 1e-15,
-                "{distance}"
-            );
+        for curve in &stopping {
+            near_at(curve.tangent(1.0 - distance), ahead, 1e-15, distance);
+            near_at(curve.reverse().tangent(distance), -ahead, 1e-15, distance);
         }
     }
     // x = 3·(t(1 − t)² − t²(1 − t)) · 3 turns back at ½ ∓ √3/6.
+    let cusp = bezier("0 0, 3 4, -3 -4, 0 0");
     let turn = 0.5 - 3.0_f64.sqrt() / 6.0;
     for distance in [1e-15, 1e-14, 1e-12, 1e-6] {
-        assert!(
-            (plane(&cusp).tangent(turn - distance) - ahead).length() < 1e-3,
-            "{distance}"
-        );
-        assert!(
-            (plane(&cusp).tangent(turn + distance) + ahead).length() < 1e-3,
-            "{distance}"
-        );
+        near_at(cusp.tangent(turn - distance), ahead, 1e-3, distance);
+        near_at(cusp.tangent(turn + distance), -ahead, 1e-3, distance);
     }
 }

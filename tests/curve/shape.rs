@@ -1,9 +1,8 @@
 //! Bounding boxes and convex hulls: they contain the curve and are as small as possible.
 
 use crate::curve::{adversarial_points, steps};
-use crate::support::adversarial::{ALL, Kind};
-use crate::support::exact;
-use crate::support::{Rng, curve, largest, plane, real, to_3d, ulp};
+use crate::support::adversarial::ALL;
+use crate::support::{bezier, curve, exact, highest, largest, near, near_at, real, ulp, xy};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -18,99 +17,63 @@ fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
     let min = values.iter().copied().fold(f64::MAX, f64::min);
     // Searches around each sample that may be next to the maximum, including those at the ends.
     let near = |&i: &usize| values[i] >= max - 0.05 * (max - min);
-    let before = |i: usize| real(i.max(1) - 1) / real(SAMPLES);
-    let after = |i: usize| real((i + 1).min(SAMPLES)) / real(SAMPLES);
+    let around = |i: usize| [i.max(1) - 1, (i + 1).min(SAMPLES)].map(|i| real(i) / real(SAMPLES));
     let peaks = (0..=SAMPLES)
         .filter(near)
-        .map(|i| peak(at, before(i), after(i)));
+        .map(|i| highest(at, around(i), 40));
     peaks.fold(max, f64::max)
-}
-
-fn peak(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    while hi - lo > 1e-9 {
-        let (x1, x2) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
-        if f(x1) > f(x2) {
-            hi = x2;
-        } else {
-            lo = x1;
-        }
-    }
-    f(lo).max(f(hi))
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_box_contains_the_curve_and_is_touched() {
     adversarial_points(&ALL, |points| {
+        let curve = curve::<DVec3>(points);
+        let (bounds, control) = (curve.bounds(), curve.control_bounds());
+        let corner = |pick: fn(DVec3, DVec3) -> DVec3| points.iter().copied().reduce(pick);
+        let corners = (corner(DVec3::min), corner(DVec3::max));
+        assert_eq!((Some(control.min), Some(control.max)), corners);
+        let rounding = steps(points) * ulp(largest(points));
+        let slack = DVec3::splat(rounding);
+        assert!(bounds.min.cmpge(control.min - slack).all(), "{points:?}");
+        assert!(bounds.max.cmple(control.max + slack).all(), "{points:?}");
+        assert!(bounds.min.cmple(bounds.max).all(), "{points:?}");
         if points.len() > 14 {
             return;
         }
-        let bounds = curve::<DVec3>(points).bounds();
-        let rounding = steps(points) * ulp(largest(points));
         for axis in 0..3 {
-            let (high, low) = (greatest(points, axis, 1.0), -greatest(points, axis, -1.0));
-            assert!(
-                (bounds.max[axis] - high).abs() <= rounding,
-                "{points:?}: {} is not {high}",
-                bounds.max[axis]
+            near_at(
+                bounds.max[axis],
+                greatest(points, axis, 1.0),
+                rounding,
+                points,
             );
-            assert!(
-                (bounds.min[axis] - low).abs() <= rounding,
-                "{points:?}: {} is not {low}",
-                bounds.min[axis]
+            near_at(
+                bounds.min[axis],
+                -greatest(points, axis, -1.0),
+                rounding,
+                points,
             );
         }
-        let plane: Curve<DVec2> = curve(points);
-        assert_eq!(
-            (plane.bounds().min, plane.bounds().max),
-            (bounds.min.truncate(), bounds.max.truncate())
-        );
+        let plane: Curve<DVec2> = crate::support::curve(points);
+        let expected = (bounds.min.truncate(), bounds.max.truncate());
+        assert_eq!((plane.bounds().min, plane.bounds().max), expected);
     });
+    assert_eq!(bezier("-3e149 0, 0 4e149").bounds().diagonal(), 5e149);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn boxes_by_closed_forms() {
     // y = 2t(1 − t) has its maximum at ½.
-    let arch = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]).bounds();
+    let arch = bezier("0 0, 1 1, 2 0").bounds();
     assert_eq!((arch.min, arch.max), (DVec2::ZERO, DVec2::new(2.0, 0.5)));
     // y = 3t(1 − t)(1 − 2t): the extrema are ±√3/6 at ½ ∓ √3/6.
-    let wave = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, -1.0), (3.0, 0.0)]).bounds();
-    let height = 3.0_f64.sqrt() / 6.0;
-    assert!((wave.max.y - height).abs() < 1e-15 && (wave.min.y + height).abs() < 1e-15);
+    let wave = bezier("0 0, 1 1, 2 -1, 3 0").bounds();
+    near(wave.max.y, 3.0_f64.sqrt() / 6.0, 1e-15);
+    near(wave.min.y, -3.0_f64.sqrt() / 6.0, 1e-15);
     // 16t²(1 − t)² of degree 4 has one extremum inside, of height 1.
-    let hill = plane(&[
-        (0.0, 0.0),
-        (1.0, 0.0),
-        (2.0, 16.0 / 6.0),
-        (3.0, 0.0),
-        (4.0, 0.0),
-    ])
-    .bounds();
-    assert!((hill.max.y - 1.0).abs() < 1e-15 && hill.min.y == 0.0);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn the_control_box_contains_the_box() {
-    adversarial_points(&ALL, |points| {
-        let curve = curve::<DVec3>(points);
-        let (exact, control) = (curve.bounds(), curve.control_bounds());
-        let corner =
-            |pick: fn(DVec3, DVec3) -> DVec3| points.iter().copied().reduce(pick).expect("points");
-        assert_eq!(
-            (control.min, control.max),
-            (corner(DVec3::min), corner(DVec3::max))
-        );
-        let rounding = DVec3::splat(steps(points) * ulp(largest(points)));
-        assert!(
-            exact.min.cmpge(control.min - rounding).all()
-                && exact.max.cmple(control.max + rounding).all()
-        );
-        assert!(exact.min.cmple(exact.max).all());
-    });
-    assert_eq!(
-        plane(&[(-3e149, 0.0), (0.0, 4e149)]).bounds().diagonal(),
-        5e149
-    );
+    let hill = bezier("0 0, 1 0, 2 2.6666666666666665, 3 0, 4 0").bounds();
+    near(hill.max.y, 1.0, 1e-15);
+    assert_eq!(hill.min.y, 0.0);
 }
 
 /// Twice the signed area of three points divided by the square of their size; 0 within rounding.
@@ -133,69 +96,33 @@ fn the_hull_is_convex_and_contains_the_curve() {
         let leftmost = control.iter().all(|p| (hull[0].x, hull[0].y) <= (p.x, p.y));
         assert!(leftmost, "{hull:?}");
         let samples = curve.sample(40).expect("samples");
-        let corners = hull.len();
-        for k in 0..corners {
-            let (a, b, c) = (hull[k], hull[(k + 1) % corners], hull[(k + 2) % corners]);
-            assert!(corners < 3 || turn(a, b, c, size) >= 0.0, "{hull:?}");
-            let inside = |p: &DVec2| corners < 2 || turn(a, b, *p, size) >= 0.0;
-            assert!(
-                corners < 3 || samples.iter().chain(control).all(inside),
-                "{hull:?} of {control:?}"
-            );
+        let n = hull.len();
+        for k in (0..n).filter(|_| n > 2) {
+            let (a, b, c) = (hull[k], hull[(k + 1) % n], hull[(k + 2) % n]);
+            let inside = |p: &DVec2| turn(a, b, *p, size) >= 0.0;
+            let all = samples.iter().chain(control).chain([&c]).all(inside);
+            assert!(all, "{hull:?} of {control:?}");
         }
     });
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn known_hulls() {
-    let corners = |points: &[(f64, f64)]| plane(points).hull();
-    let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
-    assert_eq!(
-        corners(&[(1.0, 1.0), (0.0, 0.0), (0.0, 1.0), (1.0, 0.0)]),
-        square
-    );
-    // Points on an edge and inside are omitted.
-    assert_eq!(
-        corners(&[
-            (0.5, 0.0),
-            (0.0, 0.0),
-            (1.0, 0.0),
-            (0.5, 0.5),
-            (1.0, 1.0),
-            (0.0, 1.0)
-        ]),
-        square
-    );
-    assert_eq!(
-        corners(&[(0.0, 0.0), (2.0, 2.0), (1.0, 1.0)]),
-        [DVec2::ZERO, DVec2::splat(2.0)]
-    );
-    assert_eq!(corners(&[(3.0, 4.0); 5]), [DVec2::new(3.0, 4.0)]);
-    for scale in [1e150, 1e-300] {
-        let triangle = corners(&[
-            (0.0, 0.0),
-            (scale, 0.0),
-            (0.0, scale),
-            (0.25 * scale, 0.25 * scale),
-        ]);
-        assert_eq!(
-            triangle,
-            [DVec2::ZERO, DVec2::new(scale, 0.0), DVec2::new(0.0, scale)]
-        );
+    for (points, expected) in [
+        ("1 1, 0 0, 0 1, 1 0", "0 0, 1 0, 1 1, 0 1"),
+        // Points on an edge and inside are omitted.
+        ("0.5 0, 0 0, 1 0, 0.5 0.5, 1 1, 0 1", "0 0, 1 0, 1 1, 0 1"),
+        ("0 0, 2 2, 1 1", "0 0, 2 2"),
+        ("3 4, 3 4, 3 4, 3 4, 3 4", "3 4"),
+        (
+            "0 0, 1e150 0, 0 1e150, 0.25e150 0.25e150",
+            "0 0, 1e150 0, 0 1e150",
+        ),
+        (
+            "0 0, 1e-300 0, 0 1e-300, 0.25e-300 0.25e-300",
+            "0 0, 1e-300 0, 0 1e-300",
+        ),
+    ] {
+        assert_eq!(bezier(points).hull(), xy(expected), "{points}");
     }
-}
-
-/// Loops and cusps lie inside the hull of their control points, also in space.
-#[wasm_bindgen_test(unsupported = test)]
-fn curves_stay_among_their_control_points() {
-    let mut rng = Rng(11);
-    adversarial_points(&[Kind::Loop, Kind::Cusp, Kind::Mixed], |points| {
-        let curve = curve::<DVec3>(points);
-        let direction = rng.point(3);
-        let along = |p: &DVec3| p.dot(direction);
-        let max = points.iter().map(along).fold(f64::MIN, f64::max);
-        let samples = to_3d(&curve.sample(50).expect("samples"));
-        let rounding = 4.0 * steps(points) * ulp(largest(points));
-        assert!(samples.iter().all(|p| along(p) <= max + rounding));
-    });
 }

@@ -1,10 +1,10 @@
 //! Drawing: degrees 1 to 3 are unchanged, higher degrees become cubics within the tolerance.
 
-use crate::support::measure::from_segment;
-use crate::support::{Rng, plane, real};
+use crate::support::measure::from_polyline;
+use crate::support::{Rng, all_near, bezier, random_points, refused};
+use casteljau::Curve;
 use casteljau::curve::PathSink;
-use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Error};
+use casteljau::glam::DVec2;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[derive(Debug, PartialEq)]
@@ -45,56 +45,35 @@ fn strokes(curve: &Curve<DVec2>, tolerance: Option<f64>) -> Vec<Stroke> {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn low_degrees_go_out_as_they_are() {
-    let [a, b, c, d] = [(0.0, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 0.0)];
-    let at = |(x, y): (f64, f64)| DVec2::new(x, y);
-    let [p, q, r, s] = [a, b, c, d].map(at);
-    assert_eq!(
-        strokes(&plane(&[a, b]), None),
-        [Stroke::Move(p), Stroke::Line(q)]
-    );
-    assert_eq!(
-        strokes(&plane(&[a, b, c]), None),
-        [Stroke::Move(p), Stroke::Quad(q, r)]
-    );
-    assert_eq!(
-        strokes(&plane(&[a, b, c, d]), Some(1.0)),
-        [Stroke::Move(p), Stroke::Cubic(q, r, s)]
-    );
+    let [p, q, r, s] = [(0.0, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 0.0)].map(DVec2::from);
+    for (curve, tolerance, expected) in [
+        (Curve::line(p, q), None, Stroke::Line(q)),
+        (Curve::quad(p, q, r), None, Stroke::Quad(q, r)),
+        (Curve::cubic(p, q, r, s), Some(1.0), Stroke::Cubic(q, r, s)),
+    ] {
+        assert_eq!(strokes(&curve, tolerance), [Stroke::Move(p), expected]);
+    }
 }
 
 /// The distance of the drawn cubics from a fine polyline of the curve, and the reverse.
 fn distance(curve: &Curve<DVec2>, drawn: &[Stroke]) -> f64 {
-    let polyline = |curve: &Curve<DVec2>, n: usize| -> Vec<DVec3> {
-        curve
-            .sample(n)
-            .expect("samples")
-            .iter()
-            .map(|p| p.extend(0.0))
-            .collect()
-    };
+    let polyline = |curve: &Curve<DVec2>, n: usize| curve.sample(n).expect("samples");
     let mut from = curve.start();
     let mut cubics = Vec::new();
     for stroke in &drawn[1..] {
         let Stroke::Cubic(p1, p2, p) = *stroke else {
-            panic!("{stroke:?}")
+            panic!("{drawn:?}")
         };
-        cubics.extend(polyline(
-            &Curve::new(&[from, p1, p2, p]).expect("finite"),
-            40,
-        ));
+        cubics.extend(polyline(&Curve::cubic(from, p1, p2, p), 40));
         from = p;
     }
     assert_eq!(from, curve.end());
     let fine = polyline(curve, 3000);
-    let farthest = |a: &[DVec3], b: &[DVec3]| {
-        let nearest = |p: &DVec3| {
-            b.windows(2)
-                .map(|w| from_segment(*p, w[0], w[1]))
-                .fold(f64::MAX, f64::min)
-        };
-        a.iter().map(nearest).fold(0.0, f64::max)
+    let some: Vec<DVec2> = fine.iter().copied().step_by(30).collect();
+    let farthest = |points: &[DVec2], line: &[DVec2]| {
+        let distances = points.iter().map(|&p| from_polyline(p, line));
+        distances.fold(0.0, f64::max)
     };
-    let some: Vec<DVec3> = fine.iter().copied().step_by(30).collect();
     farthest(&cubics, &fine).max(farthest(&some, &cubics))
 }
 
@@ -102,49 +81,39 @@ fn distance(curve: &Curve<DVec2>, drawn: &[Stroke]) -> f64 {
 fn high_degrees_become_cubics_within_the_tolerance() {
     let mut rng = Rng(21);
     for degree in [4, 5, 6, 9] {
-        let points: Vec<(f64, f64)> = (0..=degree).map(|_| (rng.signed(), rng.signed())).collect();
-        let curve = plane(&points);
-        for tolerance in [1.0, 1e-2, 1e-4] {
-            let drawn = strokes(&curve, Some(tolerance));
+        let curve = Curve::new(&random_points::<DVec2>(&mut rng, degree + 1)).expect("finite");
+        let default = 1e-4 * curve.control_bounds().diagonal();
+        for tolerance in [Some(1.0), Some(1e-2), Some(1e-4), None] {
             // The two fine polylines have small errors of their own.
-            let found = distance(&curve, &drawn);
-            assert!(
-                found <= tolerance + 2e-5,
-                "degree {degree}: {found} instead of {tolerance}"
-            );
+            let max = tolerance.unwrap_or(default) + 2e-5;
+            let found = distance(&curve, &strokes(&curve, tolerance));
+            assert!(found <= max, "degree {degree}: {found} instead of {max}");
         }
-        let default = strokes(&curve, None);
-        assert!(distance(&curve, &default) <= 1e-4 * curve.control_bounds().diagonal() + 2e-5);
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn an_elevated_cubic_is_drawn_as_that_cubic() {
-    let cubic = plane(&[(0.0, 0.0), (4.0, 8.0), (8.0, 8.0), (12.0, 4.0)]);
+    let cubic = bezier("0 0, 4 8, 8 8, 12 4");
     let raised = cubic.elevate().and_then(|c| c.elevate()).expect("degree 5");
     let drawn = strokes(&raised, Some(1e-9));
     let [Stroke::Move(start), Stroke::Cubic(p1, p2, end)] = drawn[..] else {
         panic!("{drawn:?}")
     };
-    let expected = cubic.control_points();
-    for (got, &p) in [start, p1, p2, end].into_iter().zip(expected) {
-        assert!(
-            (got - p).length() < 1e-13 * real(16),
-            "{got} instead of {p}"
-        );
-    }
+    all_near(&[start, p1, p2, end], cubic.control_points(), 16e-13);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn tolerances_are_checked_before_the_first_stroke() {
-    let curve = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0), (3.0, 1.0), (4.0, 0.0)]);
-    for bad in [0.0, -1.0, f64::NAN, 1e-18] {
+    let curve = bezier("0 0, 1 1, 2 0, 3 1, 4 0");
+    for (bad, expected) in [
+        (0.0, "Range tolerance"),
+        (-1.0, "Range tolerance"),
+        (f64::NAN, "Range tolerance"),
+        (1e-18, "Tolerance"),
+    ] {
         let mut notes = Notes::default();
-        let refused = curve.trace(&mut notes, Some(bad));
-        assert!(
-            matches!(refused, Err(Error::Range { .. } | Error::Tolerance { .. })),
-            "{bad}"
-        );
+        refused(curve.trace(&mut notes, Some(bad)), expected);
         assert_eq!(notes.0, []);
     }
 }

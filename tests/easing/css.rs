@@ -1,5 +1,6 @@
 //! Timing functions from and to CSS text, and their approximation by `linear()`.
 
+use crate::support::{near_at, refused};
 use casteljau::{Easing, Error};
 use serde_json::Value;
 
@@ -15,18 +16,12 @@ fn every_text_of_the_table_is_read_evaluated_and_written() {
     assert!(rows.len() > 30);
     for row in rows {
         let (text, css) = (row["text"].as_str().unwrap(), row["css"].as_str().unwrap());
-        let easing: Easing = text
-            .parse()
-            .unwrap_or_else(|error| panic!("{text}: {error}"));
+        let easing: Easing = text.parse().expect(text);
         assert_eq!(easing.to_string(), css, "{text}");
         assert_eq!(css.parse(), Ok(easing.clone()), "{text}");
         for value in row["values"].as_array().unwrap() {
             let [x, y] = [0, 1].map(|k| value[k].as_f64().unwrap());
-            let got = easing.eval(x);
-            assert!(
-                (got - y).abs() <= 4e-16 * y.abs().max(1.0),
-                "{text} at {x}: {got}"
-            );
+            near_at(easing.eval(x), y, 4e-16 * y.abs().max(1.0), (text, x));
         }
     }
 }
@@ -40,11 +35,7 @@ fn every_refused_text_of_the_table_has_its_message_and_its_offset() {
         let text = row["text"].as_str().unwrap();
         let error = text.parse::<Easing>().expect_err(text);
         assert_eq!(error.to_string(), row["error"].as_str().unwrap());
-        assert_eq!(
-            error.offset as u64,
-            row["offset"].as_u64().unwrap(),
-            "{text}"
-        );
+        assert_eq!(Some(error.offset as u64), row["offset"].as_u64(), "{text}");
     }
 }
 
@@ -90,28 +81,20 @@ fn to_linear_keeps_the_tolerance() {
 fn refused_tolerances_and_steps() {
     let ease: Easing = "ease".parse().unwrap();
     for tolerance in [0.0, -1.0, 9e-5, f64::NAN, f64::INFINITY] {
-        let refused = ease.to_linear(tolerance);
-        assert!(
-            matches!(
-                refused,
-                Err(Error::Range {
-                    what: "tolerance",
-                    ..
-                })
-            ),
-            "{tolerance}"
-        );
+        refused(ease.to_linear(tolerance), "Range tolerance");
     }
     let large = Easing::new(0.5, 5.0, 0.5, 1.0).unwrap();
     assert!(large.to_linear(4e-4).is_err() && large.to_linear(5e-4).is_ok());
     let many: Easing = "steps(40000)".parse().unwrap();
+    let error = many.to_linear(0.1).expect_err("refused");
+    let (what, limit, needed) = ("stops", 65_536, 80_001);
     assert_eq!(
-        many.to_linear(0.1),
-        Err(Error::TooMany {
-            what: "stops",
-            limit: 65_536,
-            needed: 80_001
-        })
+        error,
+        Error::TooMany {
+            what,
+            limit,
+            needed
+        }
     );
 }
 
@@ -120,16 +103,11 @@ fn refused_tolerances_and_steps() {
 fn percentages_that_are_filled_in_ascend() {
     let text = "linear(0 79.87344453458203%, 1, 2, 3, 4, 5, 6, 7 79.87344453458206%)";
     let css = text.parse::<Easing>().unwrap().to_string();
-    let percentages: Vec<f64> = css
-        .split(['(', ',', ')'])
-        .filter_map(|stop| {
-            stop.split_whitespace()
-                .nth(1)?
-                .trim_end_matches('%')
-                .parse()
-                .ok()
-        })
-        .collect();
+    let percentage = |stop: &str| {
+        let word = stop.split_whitespace().nth(1)?;
+        word.trim_end_matches('%').parse().ok()
+    };
+    let percentages: Vec<f64> = css.split(['(', ',', ')']).filter_map(percentage).collect();
     assert_eq!(percentages.len(), 8, "{css}");
     assert!(percentages.is_sorted(), "{css}");
 }

@@ -1,8 +1,8 @@
 //! A record of golden data and its comparison.
 
-use crate::support::curve;
+use crate::support::{curve, near_at};
 use casteljau::Curve;
-use casteljau::glam::DVec3;
+use casteljau::glam::{DVec2, DVec3};
 use serde_json::Value;
 
 pub(crate) struct Fact<'a> {
@@ -15,7 +15,7 @@ pub(crate) struct Fact<'a> {
 impl<'a> Fact<'a> {
     pub(crate) fn new(fact: &'a Value) -> Self {
         Self {
-            id: fact["id"].as_str().expect("an id"),
+            id: text(&fact["id"]),
             input: &fact["input"],
             expect: fact["expect"].clone(),
             tolerance: number(&fact["tol"]),
@@ -34,35 +34,29 @@ impl<'a> Fact<'a> {
         self.named("points")
     }
 
+    /// The curve in the plane.
+    pub(crate) fn flat(&self) -> Curve<DVec2> {
+        curve(&self.points("points"))
+    }
+
     pub(crate) fn t(&self) -> f64 {
         number(&self.input["t"])
     }
 
     pub(crate) fn number(&self, got: f64, expected: &Value) {
-        let expected = number(expected);
-        assert!(
-            (got - expected).abs() <= self.tolerance,
-            "{}: {got}, expected {expected}",
-            self.id
-        );
+        near_at(got, number(expected), self.tolerance, self.id);
     }
 
     pub(crate) fn near(&self, got: DVec3, expected: &Value) {
         let difference = (got - point(expected)).abs().max_element();
-        assert!(
-            difference <= self.tolerance,
-            "{}: {got}, expected {expected}",
-            self.id
-        );
+        near_at(difference, 0.0, self.tolerance, (self.id, got, expected));
     }
 
     pub(crate) fn all_near(&self, got: &Curve<DVec3>, expected: &Value) {
         let expected = expected.as_array().expect("points");
         assert_eq!(got.control_points().len(), expected.len(), "{}", self.id);
-        got.control_points()
-            .iter()
-            .zip(expected)
-            .for_each(|(&p, e)| self.near(p, e));
+        let pairs = got.control_points().iter().zip(expected);
+        pairs.for_each(|(&p, e)| self.near(p, e));
     }
 }
 
@@ -70,29 +64,32 @@ pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
+pub(crate) fn count(value: &Value) -> usize {
+    let count = value.as_u64().expect("a count");
+    usize::try_from(count).expect("a small count")
+}
+
+pub(crate) fn text(value: &Value) -> &str {
+    value.as_str().expect("a text")
+}
+
+pub(crate) fn list<T>(value: &Value, of: impl Fn(&Value) -> T) -> Vec<T> {
+    value.as_array().expect("a list").iter().map(of).collect()
+}
+
 pub(crate) fn numbers(value: &Value) -> Vec<f64> {
-    value
-        .as_array()
-        .expect("numbers")
-        .iter()
-        .map(number)
-        .collect()
+    list(value, number)
 }
 
 pub(crate) fn point(value: &Value) -> DVec3 {
-    let coordinates = numbers(value);
+    let numbers = numbers(value);
     DVec3::new(
-        coordinates[0],
-        coordinates[1],
-        coordinates.get(2).copied().unwrap_or(0.0),
+        numbers[0],
+        numbers[1],
+        numbers.get(2).copied().unwrap_or(0.0),
     )
 }
 
 pub(crate) fn points(value: &Value) -> Vec<DVec3> {
-    value
-        .as_array()
-        .expect("points")
-        .iter()
-        .map(point)
-        .collect()
+    list(value, point)
 }

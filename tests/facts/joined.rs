@@ -1,6 +1,6 @@
 //! Golden data on joints, B-splines and timing functions.
 
-use crate::facts::fact::{Fact, number, numbers};
+use crate::facts::fact::{Fact, count, number, numbers};
 use crate::support::real;
 use casteljau::{Easing, Spline};
 
@@ -14,14 +14,14 @@ pub(crate) fn continuity(fact: &Fact) {
         ("C1", found.c1),
         ("C2", found.c2),
     ];
-    found
-        .iter()
-        .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
+    for (name, value) in found {
+        assert_eq!(Some(value), of(name), "{} {name}", fact.id);
+    }
 }
 
 /// A point of a B-spline, whose span covers t = k to k + 1.
 pub(crate) fn bspline(fact: &Fact) {
-    let degree = usize::try_from(fact.input["degree"].as_u64().expect("a degree")).expect("small");
+    let degree = count(&fact.input["degree"]);
     let (points, knots) = (fact.points("points"), numbers(&fact.input["knots"]));
     let spline = Spline::from_bspline(&points, degree, Some(&knots), false).expect("a B-spline");
     let u = number(&fact.input["u"]);

@@ -1,16 +1,12 @@
 //! Golden data on special points of curves: roots, extrema, inflections, kinds, nearest points.
 
-use crate::facts::fact::{Fact, number, numbers, point};
+use crate::facts::fact::{Fact, number, numbers, point, text};
 use crate::support::exact::{exactly, sum};
-use crate::support::{curve, largest, plane, real};
-use casteljau::Curve;
+use crate::support::{binomial, largest, near_at, real};
 use casteljau::curve::CurveKind;
-use casteljau::glam::{DVec2, DVec3};
+use casteljau::glam::DVec2;
+use casteljau::{Curve, Point};
 use serde_json::Value;
-
-fn flat(fact: &Fact) -> Curve<DVec2> {
-    curve(&fact.points("points"))
-}
 
 fn all(fact: &Fact, got: &[f64], expected: &Value) {
     let expected = numbers(expected);
@@ -27,19 +23,16 @@ pub(crate) fn roots(fact: &Fact) {
     let only_unit = expected.iter().all(|r| (0.0..=1.0).contains(r));
     let lead = powers.last().expect("coefficients").abs();
     let bound = powers.iter().map(|c| c.abs()).fold(0.0, f64::max) / lead + 1.0;
-    let (mut from, to) = if only_unit || bound > 1e4 {
-        (0.0, 1.0)
-    } else {
-        (-bound.ceil(), bound.ceil())
-    };
+    let (mut from, mut to) = (-bound.ceil(), bound.ceil());
+    if only_unit || bound > 1e4 {
+        (from, to) = (0.0, 1.0);
+    }
     let mut found: Vec<f64> = Vec::new();
     while from < to {
         let graph = graph(&powers, from);
         for t in graph.times_at_coordinate(1, 0.0).expect("y") {
-            if found
-                .last()
-                .is_none_or(|last| from + t - last > fact.tolerance)
-            {
+            let another = |last: &f64| from + t - last > fact.tolerance;
+            if found.last().is_none_or(another) {
                 found.push(from + t);
             }
         }
@@ -58,46 +51,33 @@ fn graph(powers: &[f64], from: f64) -> Curve<DVec2> {
             taylor[i] = taylor[i] + taylor[i + 1] * exactly(from);
         }
     }
-    let binomial = |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * real(n - i) / real(i + 1));
     let height = |j: usize| {
-        let terms =
-            (0..=j).map(|k| (taylor[k].hi + taylor[k].lo) * binomial(j, k) / binomial(n, k));
+        let share = |k: usize| binomial(j, k) / binomial(n, k);
+        let terms = (0..=j).map(|k| (taylor[k].hi + taylor[k].lo) * share(k));
         sum(&terms.collect::<Vec<f64>>())
     };
-    let points: Vec<(f64, f64)> = (0..=n).map(|j| (real(j) / real(n), height(j))).collect();
-    plane(&points)
+    let point = |j: usize| DVec2::new(real(j) / real(n), height(j));
+    Curve::new(&(0..=n).map(point).collect::<Vec<_>>()).expect("finite")
 }
 
 pub(crate) fn extrema(fact: &Fact) {
-    let plane = flat(fact);
+    let plane = fact.flat();
     all(fact, &plane.extrema(0).expect("x"), &fact.expect["x"]);
     all(fact, &plane.extrema(1).expect("y"), &fact.expect["y"]);
 }
 
 pub(crate) fn inflections(fact: &Fact) {
-    all(fact, &flat(fact).inflections(), &fact.expect);
+    all(fact, &fact.flat().inflections(), &fact.expect);
 }
 
 pub(crate) fn classify(fact: &Fact) {
-    let (plane, space) = (flat(fact), fact.curve());
-    let class = match fact.expect["class"].as_str().expect("a class") {
-        "point" => CurveKind::Point,
-        "line" => CurveKind::Line,
-        "quadratic" => CurveKind::Quadratic,
-        "arch" => CurveKind::Arch,
-        "serpentine" => CurveKind::Serpentine,
-        "loop" => CurveKind::Loop,
-        "cusp" => CurveKind::Cusp,
-        other => panic!("{}: {other}", fact.id),
-    };
-    assert_eq!(
-        (plane.classify(), space.classify()),
-        (class, class),
-        "{}",
-        fact.id
-    );
+    let (plane, space) = (fact.flat(), fact.curve());
+    let name = text(&fact.expect["class"]);
+    for class in [plane.classify(), space.classify()] {
+        assert_eq!(format!("{class:?}").to_lowercase(), name, "{}", fact.id);
+    }
     if let Some(t) = fact.expect.get("t") {
-        match class {
+        match plane.classify() {
             CurveKind::Cusp => all(fact, &plane.cusps(), t),
             CurveKind::Serpentine => all(fact, &plane.inflections(), t),
             _ => {}
@@ -110,23 +90,13 @@ pub(crate) fn solve(fact: &Fact) {
         Some(x) => (0, number(x)),
         None => (1, number(&fact.input["y"])),
     };
-    all(
-        fact,
-        &flat(fact)
-            .times_at_coordinate(axis, value)
-            .expect("an axis"),
-        &fact.expect,
-    );
+    let found = fact.flat().times_at_coordinate(axis, value);
+    all(fact, &found.expect("an axis"), &fact.expect);
 }
 
 pub(crate) fn nearest(fact: &Fact) {
     let query = point(&fact.input["query"]);
-    fn check<P: casteljau::Point>(
-        fact: &Fact,
-        on: &Curve<P>,
-        query: P,
-        location: impl Fn(P) -> DVec3,
-    ) {
+    fn check<P: Point>(fact: &Fact, on: &Curve<P>, query: P) {
         let found = on.nearest(query).expect("finite");
         fact.number(found.distance, &fact.expect["distance"]);
         let reach = fact.tolerance * (1.0 + largest(on.control_points()));
@@ -135,17 +105,12 @@ pub(crate) fn nearest(fact: &Fact) {
         if also.into_iter().any(either) {
             return;
         }
-        assert!(
-            either(number(&fact.expect["t"])),
-            "{}: {}",
-            fact.id,
-            found.t
-        );
-        let apart = (location(found.point) - point(&fact.expect["point"])).length();
-        assert!(apart <= reach, "{}: {apart}", fact.id);
+        fact.number(found.t, &fact.expect["t"]);
+        let expected = point(&fact.expect["point"]);
+        near_at(found.point.to_3d(), expected, reach, fact.id);
     }
-    check(fact, &fact.curve(), query, |p| p);
-    check(fact, &flat(fact), query.truncate(), |p| p.extend(0.0));
+    check(fact, &fact.curve(), query);
+    check(fact, &fact.flat(), query.truncate());
 }
 
 pub(crate) fn min_distance(fact: &Fact) {

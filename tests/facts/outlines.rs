@@ -1,23 +1,23 @@
 //! Golden data on paths: path data, winding numbers, arcs.
 
-use crate::facts::fact::{Fact, number, numbers, point};
-use casteljau::Path;
+use crate::facts::fact::{Fact, count, number, point, points, text};
+use crate::support::{near_at, to_3d};
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::path::FillRule;
+use casteljau::{Curve, Path};
 use serde_json::Value;
 
 /// The points of all segments, with a letter for each degree.
 fn segments(path: &Path) -> Vec<(&'static str, Vec<DVec3>)> {
-    let splines = path.subpaths().collect::<Vec<_>>();
-    let curves = splines
+    let splines: Vec<_> = path.subpaths().collect();
+    let row = |curve: Curve<DVec2>| {
+        let letter = ["", "L", "Q", "C"][curve.degree()];
+        (letter, to_3d(curve.control_points()))
+    };
+    splines
         .iter()
-        .flat_map(|spline| spline.segments().collect::<Vec<_>>());
-    curves
-        .map(|curve| {
-            let points = curve.control_points().iter().map(|p| p.extend(0.0));
-            (["", "L", "Q", "C"][curve.degree()], points.collect())
-        })
+        .flat_map(|spline| spline.segments().map(row))
         .collect()
 }
 
@@ -26,11 +26,8 @@ fn same(fact: &Fact, got: &[(&'static str, Vec<DVec3>)], expected: &[(&str, Vec<
     for ((letter, points), (other, others)) in got.iter().zip(expected) {
         assert_eq!((letter, points.len()), (other, others.len()), "{}", fact.id);
         for (p, q) in points.iter().zip(others) {
-            assert!(
-                (*p - *q).abs().max_element() <= fact.tolerance,
-                "{}: {p}, not {q}",
-                fact.id
-            );
+            let difference = (*p - *q).abs().max_element();
+            near_at(difference, 0.0, fact.tolerance, (fact.id, p, q));
         }
     }
 }
@@ -40,8 +37,7 @@ const ARC_TOLERANCE: f64 = 1e-10;
 
 /// `svgpath`: checks every property that the record states.
 pub(crate) fn path_data(fact: &Fact) {
-    let d = fact.input["d"].as_str().expect("path data");
-    let result = Path::from_svg_with(d, ARC_TOLERANCE);
+    let result = Path::from_svg_with(text(&fact.input["d"]), ARC_TOLERANCE);
     for (question, answer) in fact.expect.as_object().expect("answers") {
         let refused = question == "error" && answer == &Value::Bool(true);
         assert_eq!(result.is_err(), refused, "{}: {result:?}", fact.id);
@@ -49,13 +45,11 @@ pub(crate) fn path_data(fact: &Fact) {
         match question.as_str() {
             "segments" => same(fact, &segments(path), &rows(answer)),
             "segment_count" => {
-                assert_eq!(Value::from(path.segment_count()), *answer, "{}", fact.id)
+                assert_eq!(path.segment_count(), count(answer), "{}", fact.id);
             }
             "reversed" => {
-                let expected =
-                    Path::from_svg(answer.as_str().expect("path data")).expect("good data");
-                let expected = segments(&expected);
-                same(fact, &segments(&path.reverse()), &expected);
+                let expected = Path::from_svg(text(answer)).expect("good data");
+                same(fact, &segments(&path.reverse()), &segments(&expected));
             }
             "length" => fact.number(path.length(None).expect("no tolerance"), answer),
             "area" => fact.number(path.area(), answer),
@@ -71,52 +65,38 @@ pub(crate) fn path_data(fact: &Fact) {
 }
 
 fn rows(answer: &Value) -> Vec<(&str, Vec<DVec3>)> {
-    let row = |row: &'_ Value| -> Vec<DVec3> {
-        row[1]
-            .as_array()
-            .expect("points")
-            .iter()
-            .map(point)
-            .collect()
-    };
     let rows = answer.as_array().expect("segments").iter();
-    rows.map(|r| (r[0].as_str().expect("a letter"), row(r)))
-        .collect()
+    rows.map(|row| (text(&row[0]), points(&row[1]))).collect()
 }
 
 /// The points of an arc keep their distance from the centre, and the arc sweeps its angle.
 fn arc(fact: &Fact, path: &Path, expected: &Value) {
-    let centre = numbers(&expected["center"]);
-    let centre = DVec2::new(centre[0], centre[1]);
+    let centre = point(&expected["center"]).truncate();
     let radius = number(&expected["radius"]);
-    let points: Vec<DVec2> = path.subpaths().collect::<Vec<_>>()[0]
-        .sample(64)
-        .expect("few");
     let mut swept = 0.0;
-    for pair in points.windows(2) {
-        let off = (pair[1].distance(centre) - radius).abs();
-        assert!(off <= 1e-9 * radius, "{}: {off}", fact.id);
+    for pair in samples(path, 64).windows(2) {
+        near_at(pair[1].distance(centre), radius, 1e-9 * radius, fact.id);
         swept += (pair[0] - centre).angle_to(pair[1] - centre);
     }
     let degrees = number(&expected["sweep_deg"]);
-    assert!(
-        (swept.to_degrees() - degrees).abs() <= 1e-6,
-        "{}: {swept}",
-        fact.id
-    );
+    near_at(swept.to_degrees(), degrees, 1e-6, fact.id);
+}
+
+/// Points of the first subpath.
+fn samples(path: &Path, count: usize) -> Vec<DVec2> {
+    let first = path.subpaths().next().expect("not empty");
+    first.sample(count).expect("few")
 }
 
 /// `contains`.
 pub(crate) fn contains(fact: &Fact) {
-    let path = Path::from_svg(fact.input["svg"].as_str().expect("path data")).expect("good data");
-    let queries = fact.input["queries"].as_array().expect("points").iter();
+    let path = Path::from_svg(text(&fact.input["svg"])).expect("good data");
     let rule = match fact.input.get("rule").and_then(Value::as_str) {
         Some("evenodd") => FillRule::EvenOdd,
         _ => FillRule::NonZero,
     };
-    let answers: Vec<Value> = queries
-        .map(|query| Value::from(path.contains(point(query).truncate(), rule)))
-        .collect();
+    let queries = points(&fact.input["queries"]).into_iter();
+    let answers: Vec<bool> = queries.map(|p| path.contains(p.truncate(), rule)).collect();
     assert_eq!(Value::from(answers), fact.expect, "{}", fact.id);
 }
 
@@ -133,10 +113,7 @@ pub(crate) fn circle(fact: &Fact) {
     fact.number(max, &fact.expect["max_radial_error"]);
     fact.number(min, &fact.expect["min_radial_error"]);
     let quarter = Path::from_svg_with("M1 0A1 1 0 0 1 0 1", ARC_TOLERANCE).expect("an arc");
-    for p in quarter.subpaths().collect::<Vec<_>>()[0]
-        .sample(100)
-        .expect("few")
-    {
-        assert!((p.length() - 1.0).abs() <= 1e-9, "{p}");
+    for p in samples(&quarter, 100) {
+        near_at(p.length(), 1.0, 1e-9, p);
     }
 }

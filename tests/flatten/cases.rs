@@ -53,10 +53,8 @@ impl Case {
         assert_eq!(points.len(), ts.len());
         assert_eq!((points[0], points[last]), (curve.start(), curve.end()));
         assert_eq!((ts[0], ts[last]), (0.0, 1.0));
-        assert!(
-            ts.windows(2).all(|t| t[0] < t[1]),
-            "not increasing: {self:?}"
-        );
+        let increasing = ts.windows(2).all(|t| t[0] < t[1]);
+        assert!(increasing, "{self:?}");
         let on_curve = |k: usize| points[k] == curve.eval(ts[k]);
         assert!((1..last).all(on_curve), "not on the curve: {self:?}");
         (ts, to_3d(&points))
@@ -66,15 +64,12 @@ impl Case {
     pub(crate) fn check(&self) {
         let (ts, vertices) = self.flatten();
         let reference = Reference::new(&self.points);
-        let vertices: Vec<DVec3> = vertices.iter().map(|&v| reference.location(v)).collect();
+        let vertices = reference.locations(&vertices);
         let allowed = reference.length(self.tolerance + self.rounding()) + reference.noise();
         let distance = farthest(&reference, &ts, &vertices, allowed);
-        let chords = ts.len() - 1;
-        assert!(
-            distance <= allowed,
-            "{} of the tolerance with {chords} chords: {self:?}",
-            distance / reference.length(self.tolerance)
-        );
+        let (chords, share) = (ts.len() - 1, distance / reference.length(self.tolerance));
+        let what = format!("{share} tolerances, {chords} chords: {self:?}");
+        assert!(distance <= allowed, "{what}");
     }
 }
 

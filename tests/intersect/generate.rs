@@ -1,6 +1,6 @@
 //! Pairs of curves, most of them degenerate.
 
-use crate::support::{Rng, real};
+use crate::support::{Rng, random_points, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 
@@ -15,15 +15,14 @@ pub(crate) fn new(points: &[DVec2]) -> Curve<DVec2> {
 }
 
 fn free(rng: &mut Rng, degree: usize) -> Vec<DVec2> {
-    (0..=degree)
-        .map(|_| DVec2::new(rng.signed(), rng.signed()))
-        .collect()
+    random_points(rng, degree + 1)
 }
 
 /// Points of a small grid, so that coincidences are exact.
 fn grid(rng: &mut Rng, degree: usize, size: usize) -> Vec<DVec2> {
+    let mut coordinate = || real(rng.below(size + 1));
     (0..=degree)
-        .map(|_| DVec2::new(real(rng.below(size + 1)), real(rng.below(size + 1))))
+        .map(|_| DVec2::new(coordinate(), coordinate()))
         .collect()
 }
 
@@ -36,31 +35,21 @@ fn through_middle(rng: &mut Rng, point: DVec2, derivative: DVec2) -> Vec<DVec2> 
     let inner = grid(rng, 1, 4);
     let sum = point * 8.0 - (inner[0] + inner[1]) * 3.0;
     let difference = derivative * (4.0 / 3.0) - (inner[1] - inner[0]);
-    vec![
-        (sum - difference) * 0.5,
-        inner[0],
-        inner[1],
-        (sum + difference) * 0.5,
-    ]
+    let (first, last) = ((sum - difference) * 0.5, (sum + difference) * 0.5);
+    vec![first, inner[0], inner[1], last]
 }
 
 /// The graph of a polynomial with these Bernstein coefficients over [0, 1].
-fn graph(rows: &[f64]) -> Vec<DVec2> {
+pub(crate) fn graph(rows: &[f64]) -> Vec<DVec2> {
     let n = real(rows.len() - 1);
-    rows.iter()
-        .enumerate()
-        .map(|(i, &y)| DVec2::new(real(i) / n, y))
-        .collect()
+    let point = |(i, &y): (usize, &f64)| DVec2::new(real(i) / n, y);
+    rows.iter().enumerate().map(point).collect()
 }
 
 /// (x − r)ᵏ in Bernstein form of degree k: exact for a dyadic r.
-fn power(k: usize, r: f64) -> Vec<f64> {
-    (0..=k)
-        .map(|j| {
-            (-r).powi(i32::try_from(k - j).expect("small"))
-                * (1.0 - r).powi(i32::try_from(j).expect("small"))
-        })
-        .collect()
+fn power(k: i32, r: f64) -> Vec<f64> {
+    let term = |j: i32| (-r).powi(k - j) * (1.0 - r).powi(j);
+    (0..=k).map(term).collect()
 }
 
 /// Two graphs whose difference is c (x − r)ᵏ.
@@ -69,41 +58,30 @@ fn touching_graphs(rng: &mut Rng) -> (Vec<DVec2>, Vec<DVec2>) {
     let r = rng.pick(&[0.0, 0.25, 0.5, 0.75, 1.0]);
     let c = rng.pick(&[-2.0, -1.0, 0.5, 1.0, 4.0]);
     let base: Vec<f64> = (0..=k).map(|_| real(rng.below(9)) * 0.25).collect();
-    let other: Vec<f64> = base
-        .iter()
-        .zip(power(k, r))
-        .map(|(y, p)| y + c * p)
-        .collect();
-    (graph(&base), graph(&other))
+    let other = base.iter().zip(power(k, r)).map(|(y, p)| y + c * p);
+    (graph(&base), graph(&other.collect::<Vec<_>>()))
 }
 
 fn straight(rng: &mut Rng) -> Vec<DVec2> {
     let degree = rng.pick(&[1, 2, 3, 3]);
-    (0..=degree)
-        .map(|_| {
-            let k = real(rng.below(9));
-            DVec2::new(k, 2.0 * k)
-        })
-        .collect()
+    let mut point = || DVec2::new(1.0, 2.0) * real(rng.below(9));
+    (0..=degree).map(|_| point()).collect()
 }
 
 fn cusp(rng: &mut Rng) -> Vec<DVec2> {
     let (x, y) = (real(1 + rng.below(4)), real(1 + rng.below(4)));
-    vec![
-        DVec2::ZERO,
-        DVec2::new(x, y),
-        DVec2::new(0.0, y),
-        DVec2::new(x, 0.0),
-    ]
+    let handles = (DVec2::new(x, y), DVec2::new(0.0, y));
+    vec![DVec2::ZERO, handles.0, handles.1, DVec2::new(x, 0.0)]
 }
 
 fn shapes(rng: &mut Rng) -> (&'static str, Curve<DVec2>, Curve<DVec2>) {
     let (n, m) = (low_degree(rng), low_degree(rng));
-    let a = if rng.chance(0.5) {
-        new(&grid(rng, n, 4))
+    let on_grid = rng.chance(0.5);
+    let a = new(&if on_grid {
+        grid(rng, n, 4)
     } else {
-        new(&free(rng, n))
-    };
+        free(rng, n)
+    });
     let dyadic = [0.0, 0.25, 0.5, 0.75, 1.0];
     match rng.below(14) {
         0 => ("free", new(&free(rng, n)), new(&free(rng, m))),
@@ -188,17 +166,13 @@ pub(crate) fn case(rng: &mut Rng) -> Case {
         _ => (1.0, DVec2::ZERO),
     };
     let location = |c: &Curve<DVec2>| {
-        let points: Vec<DVec2> = c
-            .control_points()
-            .iter()
-            .map(|p| *p * scale + shift)
-            .collect();
-        new(&points)
+        let points = c.control_points().iter().map(|p| *p * scale + shift);
+        new(&points.collect::<Vec<_>>())
     };
-    let (a, b) = if rng.chance(0.5) {
-        (location(&a), location(&b))
-    } else {
-        (location(&b), location(&a))
-    };
-    Case { name, a, b }
+    let (a, b) = if rng.chance(0.5) { (a, b) } else { (b, a) };
+    Case {
+        name,
+        a: location(&a),
+        b: location(&b),
+    }
 }

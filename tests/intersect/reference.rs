@@ -35,11 +35,12 @@ pub(crate) struct Reference {
 
 impl Reference {
     pub(crate) fn new(a: &Curve<DVec2>, b: &Curve<DVec2>, margin: f64) -> Self {
+        let (a, b) = (a.control_points().to_vec(), b.control_points().to_vec());
         let mut cells = vec![Cell {
             t: 0.0,
             u: 0.0,
-            a: a.control_points().to_vec(),
-            b: b.control_points().to_vec(),
+            a,
+            b,
         }];
         let mut side = 1.0;
         for _ in 0..DEPTH {
@@ -71,33 +72,18 @@ impl Reference {
 
 fn quarters(cell: &Cell, side: f64) -> [Cell; 4] {
     let ((a0, a1), (b0, b1)) = (halves(&cell.a), halves(&cell.b));
-    let (t, u) = (cell.t, cell.u);
     [
-        Cell {
-            t,
-            u,
-            a: a0.clone(),
-            b: b0.clone(),
-        },
-        Cell {
-            t,
-            u: u + side,
-            a: a0,
-            b: b1.clone(),
-        },
-        Cell {
-            t: t + side,
-            u,
-            a: a1.clone(),
-            b: b0,
-        },
-        Cell {
-            t: t + side,
-            u: u + side,
-            a: a1,
-            b: b1,
-        },
+        (0.0, 0.0, &a0, &b0),
+        (0.0, side, &a0, &b1),
+        (side, 0.0, &a1, &b0),
+        (side, side, &a1, &b1),
     ]
+    .map(|(t, u, a, b)| Cell {
+        t: cell.t + t,
+        u: cell.u + u,
+        a: a.clone(),
+        b: b.clone(),
+    })
 }
 
 fn halves(p: &[DVec2]) -> (Vec<DVec2>, Vec<DVec2>) {
@@ -155,11 +141,12 @@ fn clusters(cells: &[Cell], side: f64) -> Vec<Cluster> {
         let of = root(&mut group, i);
         let (t, u) = (cell.t, cell.u);
         let k = found.iter().position(|(g, _)| *g == of).unwrap_or_else(|| {
+            let (t, u) = ([t; 2], [u; 2]);
             found.push((
                 of,
                 Cluster {
-                    t: [t, t],
-                    u: [u, u],
+                    t,
+                    u,
                     boxes: Vec::new(),
                 },
             ));

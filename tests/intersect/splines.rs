@@ -1,77 +1,33 @@
 //! Intersections and self-intersections of splines.
 
-use crate::support::{Rng, plane, real};
-use casteljau::curve::{Intersection, IntersectionKind};
+use crate::intersect::{kinds, overlap};
+use crate::support::{Rng, bezier, near, random_points, real, spline};
+use casteljau::curve::IntersectionKind::{Cross, Tangent};
 use casteljau::glam::DVec2;
-use casteljau::take_steps;
-use casteljau::{Curve, Spline};
+use casteljau::{Curve, Spline, take_steps};
 
-fn polygon(points: &[(f64, f64)], closed: bool) -> Spline<DVec2> {
-    let points: Vec<DVec2> = points.iter().map(|&p| DVec2::from(p)).collect();
-    Spline::new(&points, 1, closed).expect("a polygon")
-}
-
-fn kinds(found: &[Intersection]) -> Vec<(f64, f64, IntersectionKind)> {
-    found.iter().map(|p| (p.t, p.u, p.kind)).collect()
-}
+const SQUARE: &str = "0 0, 2 0, 2 2, 0 2";
 
 #[test]
 fn joints_are_one_intersection() {
-    let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
-    let diagonal = plane(&[(-1.0, -1.0), (3.0, 3.0)]);
-    let expected = [
-        (0.0, 0.25, IntersectionKind::Cross),
-        (2.0, 0.75, IntersectionKind::Cross),
-    ];
-    assert_eq!(kinds(&square.intersections_with_curve(&diagonal)), expected);
-    let zigzag = polygon(&[(-1.0, 0.0), (0.0, 0.0), (0.0, -1.0)], false);
-    assert_eq!(
-        kinds(&square.intersections(&zigzag)),
-        [(0.0, 1.0, IntersectionKind::Tangent)]
-    );
-}
-
-#[test]
-fn shared_pieces_run_across_joints() {
-    let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
-    let whole = IntersectionKind::Overlap {
-        t_end: 4.0,
-        u_end: 4.0,
-    };
-    assert_eq!(kinds(&square.intersections(&square)), [(0.0, 0.0, whole)]);
-    let hook = polygon(
-        &[
-            (3.0, 0.0),
-            (1.0, 0.0),
-            (0.5, 0.0),
-            (0.0, 0.0),
-            (0.0, 1.0),
-            (-1.0, 1.0),
-        ],
-        false,
-    );
-    let found = kinds(&square.intersections(&hook));
-    let bottom = IntersectionKind::Overlap {
-        t_end: 1.0,
-        u_end: 0.5,
-    };
-    let side = IntersectionKind::Overlap {
-        t_end: 4.0,
-        u_end: 3.0,
-    };
-    assert_eq!(found, [(0.0, 3.0, bottom), (3.5, 4.0, side)]);
+    let square = spline(SQUARE, 1, true);
+    let found = square.intersections_with_curve(&bezier("-1 -1, 3 3"));
+    assert_eq!(kinds(&found), [(0.0, 0.25, Cross), (2.0, 0.75, Cross)]);
+    let found = square.intersections(&spline("-1 0, 0 0, 0 -1", 1, false));
+    assert_eq!(kinds(&found), [(0.0, 1.0, Tangent)]);
+    // Shared pieces run across joints.
+    let found = square.intersections(&square);
+    assert_eq!(kinds(&found), [(0.0, 0.0, overlap(4.0, 4.0))]);
+    let hook = spline("3 0, 1 0, 0.5 0, 0 0, 0 1, -1 1", 1, false);
+    let expected = [(0.0, 3.0, overlap(1.0, 0.5)), (3.5, 4.0, overlap(4.0, 3.0))];
+    assert_eq!(kinds(&square.intersections(&hook)), expected);
 }
 
 #[test]
 fn a_curve_cut_into_a_spline_meets_as_the_curve_does() {
     let mut rng = Rng(8);
     for _ in 0..300 {
-        let mut draw = || {
-            let points: Vec<DVec2> = (0..4)
-                .map(|_| DVec2::new(rng.signed(), rng.signed()))
-                .collect();
-            Curve::new(&points).expect("finite")
-        };
+        let mut draw = || Curve::new(&random_points::<DVec2>(&mut rng, 4)).expect("finite");
         let (a, b) = (draw(), draw());
         let cuts = [0.0, 0.21, 0.5, 0.83, 1.0];
         let pieces: Vec<_> = cuts.windows(2).map(|c| a.subsegment(c[0], c[1])).collect();
@@ -83,17 +39,15 @@ fn a_curve_cut_into_a_spline_meets_as_the_curve_does() {
         let (curve, chain) = (a.intersections(&b), spline.intersections_with_curve(&b));
         assert_eq!(curve.len(), chain.len(), "{curve:?} {chain:?}");
         for (p, q) in curve.iter().zip(&chain) {
-            assert!(
-                (p.t - whole(q.t)).abs() + (p.u - q.u).abs() < 1e-9,
-                "{p:?} {q:?}"
-            );
+            near((p.t - whole(q.t)).abs() + (p.u - q.u).abs(), 0.0, 1e-9);
         }
         let (curve, chain) = (a.self_intersections(), spline.self_intersections());
         assert_eq!(curve.len(), chain.len(), "{curve:?} {chain:?}");
         for (p, q) in curve.iter().zip(&chain) {
-            assert!(
-                (p.t - whole(q.t)).abs() + (p.u - whole(q.u)).abs() < 1e-9,
-                "{p:?} {q:?}"
+            near(
+                (p.t - whole(q.t)).abs() + (p.u - whole(q.u)).abs(),
+                0.0,
+                1e-9,
             );
         }
     }
@@ -101,25 +55,21 @@ fn a_curve_cut_into_a_spline_meets_as_the_curve_does() {
 
 #[test]
 fn selves() {
-    let bow = polygon(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)], true);
-    let found = bow.self_intersections();
-    assert_eq!(
-        (found.len(), found[0].t, found[0].u, found[0].point),
-        (1, 0.5, 2.5, DVec2::ONE)
-    );
-    let ring = polygon(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)], false);
-    let found = ring.self_intersections();
-    assert_eq!((found.len(), found[0].t, found[0].u), (1, 0.0, 3.0));
-    let closed = polygon(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], true);
-    assert_eq!(closed.self_intersections(), []);
-    let back = polygon(&[(0.0, 0.0), (4.0, 0.0), (1.0, 0.0)], false);
-    assert_eq!(back.self_intersections(), []);
+    for (points, closed, expected) in [
+        ("0 0, 2 2, 2 0, 0 2", true, Some((0.5, 2.5, DVec2::ONE))),
+        ("0 0, 1 0, 0 1, 0 0", false, Some((0.0, 3.0, DVec2::ZERO))),
+        ("0 0, 1 0, 0 1", true, None),
+        ("0 0, 4 0, 1 0", false, None),
+    ] {
+        let found = spline(points, 1, closed).self_intersections();
+        let found: Vec<_> = found.iter().map(|p| (p.t, p.u, p.point)).collect();
+        assert_eq!(found, Vec::from_iter(expected), "{points}");
+    }
 }
 
 fn wave(segments: usize, height: f64) -> Spline<DVec2> {
-    let points: Vec<DVec2> = (0..=3 * segments)
-        .map(|i| DVec2::new(real(i), height * [0.0, 2.0, -2.0][i % 3]))
-        .collect();
+    let point = |i: usize| DVec2::new(real(i), height * [0.0, 2.0, -2.0][i % 3]);
+    let points: Vec<DVec2> = (0..=3 * segments).map(point).collect();
     Spline::new(&points, 3, false).expect("a wave")
 }
 

@@ -1,9 +1,9 @@
 //! Corners of fitted splines: those of known shapes are kept, noise adds none.
 
 use crate::offset::reference::{dense, farthest};
-use crate::support::{Rng, real};
+use crate::support::{Rng, bezier, real, refused, spline};
+use casteljau::Spline;
 use casteljau::glam::DVec2;
-use casteljau::{Curve, Error, Spline};
 use std::f64::consts::{PI, TAU};
 
 /// Points along a closed polygon, `count` on each edge.
@@ -19,24 +19,23 @@ fn with_noise(rng: &mut Rng, points: &[DVec2], size: f64) -> Vec<DVec2> {
 }
 
 fn regular(count: usize) -> Vec<DVec2> {
+    let angle = |k: usize| TAU * real(k) / real(count);
     (0..count)
-        .map(|k| DVec2::from_angle(TAU * real(k) / real(count)) * 200.0)
+        .map(|k| DVec2::from_angle(angle(k)) * 200.0)
         .collect()
 }
 
 fn star() -> Vec<DVec2> {
     let radius = |k: usize| if k.is_multiple_of(2) { 200.0 } else { 90.0 };
-    (0..10)
-        .map(|k| DVec2::from_angle(TAU * real(k) / 10.0) * radius(k))
-        .collect()
+    let point = |k: usize| DVec2::from_angle(TAU * real(k) / 10.0) * radius(k);
+    (0..10).map(point).collect()
 }
 
 /// The joints where the tangent turns, also at the start of a closed spline.
-fn corners(spline: &Spline<DVec2>) -> Vec<DVec2> {
-    (usize::from(!spline.is_closed())..spline.segment_count())
-        .filter(|&k| !spline.continuity(k, Some(1e-6)).expect("a joint").g1)
-        .map(|k| spline.eval(real(k)))
-        .collect()
+pub(crate) fn corners(spline: &Spline<DVec2>) -> Vec<DVec2> {
+    let sharp = |k: &usize| !spline.continuity(*k, Some(1e-6)).expect("a joint").g1;
+    let joints = usize::from(!spline.is_closed())..spline.segment_count();
+    joints.filter(sharp).map(|k| spline.eval(real(k))).collect()
 }
 
 /// The largest turn of the direction within an arc length, by small steps.
@@ -64,7 +63,7 @@ fn sharpest_turn(spline: &Spline<DVec2>, length: f64) -> f64 {
     sharpest
 }
 
-fn is_within(spline: &Spline<DVec2>, points: &[DVec2], tolerance: f64) {
+pub(crate) fn is_within(spline: &Spline<DVec2>, points: &[DVec2], tolerance: f64) {
     let off = farthest(&dense(spline, 0.01 * tolerance), points, tolerance);
     assert!(off <= 1.02 * tolerance, "{off} for {tolerance}");
 }
@@ -197,9 +196,10 @@ fn the_corner_angle_selects_corners() {
     let angles = [10.0_f64, 30.0, 70.0, 120.0].map(|angle| count(Some(angle.to_radians())));
     assert_eq!((angles, count(None)), ([3, 2, 1, 0], 2));
     for angle in [0.0, -1.0, 3.2, f64::NAN, f64::INFINITY] {
-        let refused = Spline::fit(&points, 1.0, Some(angle), false);
-        let what = "corner_angle";
-        assert!(matches!(refused, Err(Error::Range { what: got, .. }) if got == what));
+        refused(
+            Spline::fit(&points, 1.0, Some(angle), false),
+            "Range corner_angle",
+        );
     }
     assert_eq!(count(Some(PI)), 0);
 }
@@ -207,11 +207,6 @@ fn the_corner_angle_selects_corners() {
 /// The derivative of this straight curve is zero at ½ and has the same sign on both sides.
 #[test]
 fn a_straight_curve_that_stops_goes_on() {
-    let points = [0.0, -3.0, -2.0, -1.0, -4.0].map(|x| DVec2::new(x, 0.0));
-    let offset = Curve::new(&points)
-        .expect("finite")
-        .offset(1.0, None)
-        .expect("an offset");
-    let expected = [DVec2::new(0.0, -1.0), DVec2::new(-4.0, -1.0)];
-    assert_eq!(offset.control_points(), expected);
+    let offset = bezier("0 0, -3 0, -2 0, -1 0, -4 0").offset(1.0, None);
+    assert_eq!(offset, Ok(spline("0 -1, -4 -1", 1, false)));
 }

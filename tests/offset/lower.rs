@@ -1,13 +1,13 @@
 //! Degree reduction, and curves through points.
 
-use crate::offset::reference::at;
-use crate::support::{Rng, largest, real, ulp};
+use crate::support::de_casteljau as at;
+use crate::support::{Rng, largest, near_at, random_points, real, ulp};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
+use std::f64::consts::PI;
 
 fn random(rng: &mut Rng, degree: usize) -> Curve<DVec2> {
-    let points: Vec<DVec2> = (0..=degree).map(|_| rng.point(2).truncate()).collect();
-    Curve::new(&points).expect("finite")
+    Curve::new(&random_points(rng, degree + 1)).expect("finite")
 }
 
 #[test]
@@ -18,10 +18,8 @@ fn the_error_is_the_greatest_distance() {
             let curve = random(&mut rng, degree);
             let reduced = curve.reduce();
             assert_eq!(reduced.curve.degree(), degree.saturating_sub(1).max(1));
-            assert_eq!(
-                (reduced.curve.start(), reduced.curve.end()),
-                (curve.start(), curve.end())
-            );
+            let ends = (reduced.curve.start(), reduced.curve.end());
+            assert_eq!(ends, (curve.start(), curve.end()));
             let steps = 4000;
             let apart = |k: usize| {
                 let t = real(k) / real(steps);
@@ -29,11 +27,7 @@ fn the_error_is_the_greatest_distance() {
             };
             let max = (0..=steps).map(apart).fold(0.0, f64::max);
             let noise = 1e-13 * largest(reduced.curve.control_points());
-            assert!(
-                (max - reduced.error).abs() <= 1e-3 * reduced.error + noise,
-                "degree {degree}: {max}, {}",
-                reduced.error
-            );
+            near_at(max, reduced.error, 1e-3 * reduced.error + noise, degree);
         }
     }
 }
@@ -45,11 +39,7 @@ fn elevated_curves_come_back() {
         let curve = random(&mut rng, degree);
         let back = curve.elevate().expect("below 64").reduce();
         assert!(back.error <= 1e-14);
-        assert!(
-            back.curve.approx_eq(&curve, 1e-12),
-            "degree {degree}: {:?}, {curve:?}",
-            back.curve
-        );
+        assert!(back.curve.approx_eq(&curve, 1e-12), "{back:?}, {curve:?}");
     }
 }
 
@@ -57,11 +47,10 @@ fn elevated_curves_come_back() {
 fn through_points() {
     let mut rng = Rng(7);
     for count in (2..=16).chain([33, 65]) {
-        let points: Vec<DVec2> = (0..count).map(|_| rng.point(2).truncate()).collect();
+        let points: Vec<DVec2> = random_points(&mut rng, count);
         let last = real(count - 1);
-        let crowded: Vec<f64> = (0..count)
-            .map(|i| 0.5 - 0.5 * (std::f64::consts::PI * real(i) / last).cos())
-            .collect();
+        let crowd = |i: usize| 0.5 - 0.5 * (PI * real(i) / last).cos();
+        let crowded: Vec<f64> = (0..count).map(crowd).collect();
         for ts in [None, Some(&crowded[..])] {
             let curve = Curve::interpolate(&points, ts).expect("different");
             assert_eq!((curve.start(), curve.end()), (points[0], points[count - 1]));
@@ -73,11 +62,8 @@ fn through_points() {
                 continue;
             }
             for (&t, &p) in chosen.iter().zip(&points) {
-                let missed = (at(curve.control_points(), t) - p).length();
-                assert!(
-                    missed <= real(count) * 8.0 * ulp(size),
-                    "{count}: {missed}, control points {size}"
-                );
+                let got = at(curve.control_points(), t);
+                near_at(got, p, real(count) * 8.0 * ulp(size), (count, size));
             }
         }
     }

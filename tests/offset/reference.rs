@@ -1,32 +1,13 @@
 //! The true offset curve, computed slowly: a dense polyline with each vertex from the curve's own point and derivative.
 
-use crate::support::measure::from_plane_segment;
-use crate::support::real;
+use crate::support::measure::from_segment;
+use crate::support::{de_casteljau as at, real};
 use casteljau::glam::DVec2;
 use std::f64::consts::PI;
 
 /// A dense polyline of the offset curve.
 pub(crate) struct DenseReference {
     pub(crate) vertices: Vec<DVec2>,
-}
-
-/// De Casteljau's algorithm without optimisations.
-pub(crate) fn at(points: &[DVec2], t: f64) -> DVec2 {
-    if points.len() <= 4 {
-        return at_in::<4>(points, t);
-    }
-    at_in::<65>(points, t)
-}
-
-fn at_in<const N: usize>(points: &[DVec2], t: f64) -> DVec2 {
-    let mut row = [DVec2::ZERO; N];
-    row[..points.len()].copy_from_slice(points);
-    for last in (1..points.len()).rev() {
-        for i in 0..last {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-    row[0]
 }
 
 fn differences(points: &[DVec2]) -> Vec<DVec2> {
@@ -108,44 +89,38 @@ impl Walker<'_> {
     }
 }
 
+fn fastest(vectors: &[DVec2]) -> f64 {
+    vectors.iter().map(|v| v.length()).fold(0.0, f64::max)
+}
+
 /// The control points, where those that an end's handle of rounding size leads to are moved to that end.
 fn without_tiny_handles(points: &[DVec2]) -> Vec<DVec2> {
-    let longest = differences(points)
-        .iter()
-        .map(|v| v.length())
-        .fold(0.0, f64::max);
+    let longest = fastest(&differences(points));
     let min = NO_HANDLE * real(points.len() - 1) * longest;
     let mut moved = points.to_vec();
     let (first, last) = (points[0], points[points.len() - 1]);
-    let at_first = |p: &&mut DVec2| (**p - first).length() <= min;
-    moved
+    for p in moved
         .iter_mut()
-        .take_while(at_first)
-        .for_each(|p| *p = first);
-    let at_last = |p: &&mut DVec2| (**p - last).length() <= min;
-    moved
-        .iter_mut()
-        .rev()
-        .take_while(at_last)
-        .for_each(|p| *p = last);
+        .take_while(|p| (**p - first).length() <= min)
+    {
+        *p = first;
+    }
+    let ending = moved.iter_mut().rev();
+    for p in ending.take_while(|p| (**p - last).length() <= min) {
+        *p = last;
+    }
     moved
 }
 
 /// The parameters inside (0, 1) with a minimum of the speed, and these speeds as fractions of the maximum.
 pub(crate) fn slowest(points: &[DVec2]) -> Vec<(f64, f64)> {
     let slopes = differences(points);
-    let fastest = slopes.iter().map(|v| v.length()).fold(0.0, f64::max);
+    let fastest = fastest(&slopes);
     let speed = |t: f64| at(&slopes, t).length();
     // The steps are also small next to the ends, where short handles cause stops.
     let near: Vec<f64> = (10..40).map(|k| 0.5_f64.powi(k)).collect();
-    let even = (1..512).map(|k| real(k) / 512.0);
-    let mut ts: Vec<f64> = near
-        .iter()
-        .copied()
-        .chain(even)
-        .chain(near.iter().map(|t| 1.0 - t))
-        .collect();
-    ts.extend([0.0, 1.0]);
+    let mut ts: Vec<f64> = (0..=512).map(|k| real(k) / 512.0).collect();
+    ts.extend(near.iter().flat_map(|t| [*t, 1.0 - t]));
     ts.sort_by(f64::total_cmp);
     let speeds: Vec<f64> = ts.iter().map(|&t| speed(t)).collect();
     let mut found = Vec::new();
@@ -191,13 +166,11 @@ impl DenseReference {
             let (n0, n1) = (walker.tangent(before), walker.tangent(after));
             walker.walk(from, (before, n0), &mut vertices);
             let angle = n0.angle_to(n1);
-            let outside = if around >> k & 1 == 0 {
-                -1.0_f64.copysign(distance)
-            } else {
-                1.0_f64.copysign(distance)
-            };
+            let inside = around >> k & 1 != 0;
+            let outside = 1.0_f64.copysign(if inside { distance } else { -distance });
             // A stop without a turn back has no inside.
-            let angle = if angle.abs() < 3.0 || angle.signum() == outside {
+            let known = angle.abs() < 3.0 || angle.signum() == outside;
+            let angle = if known {
                 angle
             } else {
                 angle + outside * 2.0 * PI
@@ -234,21 +207,19 @@ pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
     let mut max: f64 = 0.0;
     let last = line.len() - 2;
     for &p in points {
-        let mut best = f64::INFINITY;
-        let mut here = location;
+        let (mut best, mut here) = (f64::INFINITY, location);
+        let distance = |k: usize| from_segment(p, line[k], line[k + 1]);
         let mut k = location.saturating_sub(8);
         while k <= last && k <= here + 24 {
-            let distance = from_plane_segment(p, line[k], line[k + 1]);
-            if distance < best {
-                (best, here) = (distance, k);
+            if distance(k) < best {
+                (best, here) = (distance(k), k);
             }
             k += 1;
         }
         if best > enough {
             for k in 0..=last {
-                let distance = from_plane_segment(p, line[k], line[k + 1]);
-                if distance < best {
-                    (best, here) = (distance, k);
+                if distance(k) < best {
+                    (best, here) = (distance(k), k);
                 }
             }
         }
@@ -263,15 +234,10 @@ pub(crate) fn dense(spline: &casteljau::Spline<DVec2>, sag: f64) -> Vec<DVec2> {
     let mut points = Vec::new();
     for curve in spline.segments() {
         let p = curve.control_points();
-        let bend = p
-            .windows(3)
-            .map(|p| (p[0] + p[2] - p[1] * 2.0).length())
-            .fold(0.0, f64::max);
+        let bend = fastest(&differences(&differences(p)));
         let n = real(p.len() - 1);
-        let steps = (n * (n - 1.0) * bend / (8.0 * sag))
-            .sqrt()
-            .ceil()
-            .clamp(4.0, 16_384.0);
+        let steps = (n * (n - 1.0) * bend / (8.0 * sag)).sqrt().ceil();
+        let steps = steps.clamp(4.0, 16_384.0);
         let mut k = 0.0;
         while k <= steps {
             points.push(curve.eval(k / steps));

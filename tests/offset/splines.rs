@@ -1,14 +1,15 @@
 //! Offset curves of splines: corners, closed splines.
 
 use crate::offset::reference::dense;
-use crate::support::{Rng, real};
+use crate::support::{Rng, near, random_points, real, spline};
 use casteljau::Spline;
 use casteljau::glam::DVec2;
 use casteljau::spline::OffsetJoin;
 
 fn closed_spline(rng: &mut Rng) -> Spline<DVec2> {
     let count = 3 * (1 + rng.below(5));
-    let points: Vec<DVec2> = (0..count).map(|_| rng.point(2).truncate() * 10.0).collect();
+    let points: Vec<DVec2> = random_points(rng, count);
+    let points: Vec<DVec2> = points.iter().map(|&p| p * 10.0).collect();
     Spline::new(&points, 3, true).expect("finite")
 }
 
@@ -20,16 +21,13 @@ fn round_joins_keep_the_distance() {
     for _ in 0..60 {
         let spline = closed_spline(&mut rng);
         let distance = rng.signed() * 3.0;
-        let offset = spline
-            .offset(distance, Some(1e-3), OffsetJoin::Round)
-            .expect("finite");
+        let offset = spline.offset(distance, Some(1e-3), OffsetJoin::Round);
+        let offset = offset.expect("finite");
         assert!(offset.is_closed());
         let source = dense(&spline, 1e-5);
         for p in dense(&offset, 1e-2) {
-            let nearest = source
-                .iter()
-                .map(|&q| (p - q).length())
-                .fold(f64::INFINITY, f64::min);
+            let distances = source.iter().map(|&q| (p - q).length());
+            let nearest = distances.fold(f64::INFINITY, f64::min);
             assert!(nearest <= distance.abs() + 1e-2, "{nearest} for {distance}");
         }
     }
@@ -39,50 +37,28 @@ fn round_joins_keep_the_distance() {
 fn smooth_joints_need_no_join() {
     let mut rng = Rng(31);
     for _ in 0..100 {
-        let points: Vec<DVec2> = (0..4)
-            .map(|k| DVec2::new(real(k) * 3.0, rng.signed()))
-            .collect();
+        let mut point = |k: usize| DVec2::new(real(k) * 3.0, rng.signed());
+        let points = [point(0), point(1), point(2), point(3)];
         let whole = Spline::new(&points, 3, false).expect("finite");
         let cut = whole
             .insert(0.3)
-            .expect("inside")
-            .insert(1.5)
+            .and_then(|cut| cut.insert(1.5))
             .expect("inside");
-        let (d, tolerance) = (0.2, Some(1e-3));
-        let one = cut.offset(d, tolerance, OffsetJoin::Round).expect("finite");
-        assert!(
-            (one.eval(0.0)
-                - whole
-                    .offset(d, tolerance, OffsetJoin::Round)
-                    .expect("finite")
-                    .eval(0.0))
-            .length()
-                < 1e-14
-        );
-        let count = one.segment_count();
-        assert!((1..count).all(|k| one.continuity(k, Some(1e-6)).expect("a joint").g1));
+        let [one, other] = [&cut, &whole].map(|spline| {
+            spline
+                .offset(0.2, Some(1e-3), OffsetJoin::Round)
+                .expect("finite")
+        });
+        near(one.eval(0.0), other.eval(0.0), 1e-14);
+        let g1 = |k: usize| one.continuity(k, Some(1e-6)).expect("a joint").g1;
+        assert!((1..one.segment_count()).all(g1));
     }
 }
 
 #[test]
 fn segments_without_a_length_are_left_out() {
-    let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 0.0), (2.0, 2.0)].map(DVec2::from);
-    let spline = Spline::new(&points, 1, false).expect("finite");
-    let offset = spline
-        .offset(-1.0, Some(0.01), OffsetJoin::Miter)
-        .expect("finite");
-    let expected = [
-        (0.0, -1.0),
-        (2.0, -1.0),
-        (3.0, -1.0),
-        (3.0, 0.0),
-        (3.0, 2.0),
-    ]
-    .map(DVec2::from);
-    assert_eq!(offset.control_points(), expected);
-    let point = Spline::new(&[DVec2::ONE; 4], 3, false).expect("finite");
-    assert_eq!(
-        point.offset(1.0, None, OffsetJoin::Round).expect("finite"),
-        point
-    );
+    let offset = spline("0 0, 2 0, 2 0, 2 2", 1, false).offset(-1.0, Some(0.01), OffsetJoin::Miter);
+    assert_eq!(offset, Ok(spline("0 -1, 2 -1, 3 -1, 3 0, 3 2", 1, false)));
+    let point = spline("1 1, 1 1, 1 1, 1 1", 3, false);
+    assert_eq!(point.offset(1.0, None, OffsetJoin::Round), Ok(point));
 }

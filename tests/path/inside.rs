@@ -1,7 +1,7 @@
 //! Winding numbers, compared with the sum of the angles under which a fine polygon is seen, and for partitions of the
 //! plane.
 
-use crate::support::measure::from_plane_segment;
+use crate::support::measure::from_segment;
 use crate::support::paths::{RandomPlane, path, polygons, random_splines, sides};
 use crate::support::{Rng, adversarial, real};
 use casteljau::glam::{DAffine2, DVec2};
@@ -38,7 +38,7 @@ fn angle_sum(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
 
 fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
     let sides = rings.iter().flat_map(|ring| sides(ring));
-    let distances = sides.map(|(a, b)| from_plane_segment(p, a, b));
+    let distances = sides.map(|(a, b)| from_segment(p, a, b));
     distances.fold(f64::INFINITY, f64::min)
 }
 

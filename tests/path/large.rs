@@ -1,6 +1,6 @@
 //! Paths and splines as large as maps and scans: 50,000 segments, a million with `CASTELJAU_DEEP=1`.
 
-use crate::support::measure::from_plane_segment;
+use crate::support::measure::from_segment;
 use crate::support::paths::{lines, sides};
 use crate::support::{Rng, assert_close, deep, real};
 use casteljau::glam::DVec2;
@@ -44,7 +44,7 @@ fn queries_of_a_coast() {
     assert_eq!(path.self_intersections(), []);
     for p in [[3.0, 4.0], [101.0, 2.0], [-200.0, 9.0]].map(DVec2::from) {
         let nearest = path.nearest(p).expect("a finite point").expect("a path");
-        let distances = sides(&points).map(|(a, b)| from_plane_segment(p, a, b));
+        let distances = sides(&points).map(|(a, b)| from_segment(p, a, b));
         let expected = distances.fold(f64::INFINITY, f64::min);
         assert_close(nearest.distance, expected, 1e-12);
     }

@@ -1,7 +1,7 @@
 //! Winding numbers and distances by halving control polygons; independent of the code under test.
 
 use crate::support::de_casteljau;
-use crate::support::measure::from_plane_segment;
+use crate::support::measure::from_segment;
 use casteljau::Path;
 use casteljau::glam::DVec2;
 
@@ -88,7 +88,7 @@ fn halves(curve: &[DVec2]) -> (Vec<DVec2>, Vec<DVec2>) {
 /// The hull is in the box of the control points.
 fn is_near(curve: &[DVec2], p: DVec2, distance: f64, halvings: usize) -> bool {
     if let [a, b] = *curve {
-        return from_plane_segment(p, a, b) <= distance;
+        return from_segment(p, a, b) <= distance;
     }
     let min = curve.iter().copied().reduce(DVec2::min).expect("points");
     let max = curve.iter().copied().reduce(DVec2::max).expect("points");

@@ -2,9 +2,9 @@
 
 use crate::points::{cases, hostile, steps};
 use crate::support::adversarial::ORDINARY;
-use crate::support::{Rng, Space, curve, largest, plane, real, ulp};
+use crate::support::{Rng, Space, bezier, curve, largest, near, near_at, real, ulp, xyz};
 use casteljau::Curve;
-use casteljau::glam::{DVec2, DVec3};
+use casteljau::glam::{DAffine2, DVec2, DVec3};
 use casteljau::take_steps;
 
 /// Two curves that may cross, touch, overlap, or be equal.
@@ -19,11 +19,10 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
             let direction = rng.point(dimension) * rng.magnitude(-12.0, 1.0);
             a.iter().map(|&p| p + direction).collect()
         }
-        3 => a
-            .iter()
-            .rev()
-            .map(|&p| p + rng.point(dimension) * 1e-9)
-            .collect(),
+        3 => {
+            let beside = |&p: &DVec3| p + rng.point(dimension) * 1e-9;
+            a.iter().rev().map(beside).collect()
+        }
         4 => {
             let mut b = hostile(rng, &ORDINARY, dimension);
             b[0] = on.eval(t);
@@ -31,10 +30,8 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
         }
         _ => {
             let direction = rng.point(dimension) * rng.pick(&[0.0, 1.0, 3.0]);
-            hostile(rng, &ORDINARY, dimension)
-                .iter()
-                .map(|&p| p + direction)
-                .collect()
+            let b = hostile(rng, &ORDINARY, dimension);
+            b.iter().map(|&p| p + direction).collect()
         }
     };
     (a, b)
@@ -59,16 +56,11 @@ fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     };
     let sampled = min(&p, &q).min(min(&q, &p));
     let side_by_side = 1e-5 * size;
-    assert!(
-        found.distance <= sampled + side_by_side,
-        "{found:?}, but {sampled}: {a:?} {b:?}"
-    );
     let back = q.distance_to(&p);
     let apart = (back.distance - found.distance).abs();
-    assert!(
-        apart <= side_by_side + slack,
-        "{found:?} {back:?}: {a:?} {b:?}"
-    );
+    let what = format!("{found:?}, but {sampled}, {back:?}: {a:?} {b:?}");
+    assert!(found.distance <= sampled + side_by_side, "{what}");
+    assert!(apart <= side_by_side + slack, "{what}");
     found.distance <= sampled * (1.0 + 1e-11) + slack && apart <= 1e-9 * found.distance + slack
 }
 
@@ -78,12 +70,8 @@ fn nothing_sampled_is_less_apart() {
     let mut rough = 0;
     for case in 0..cases() / 4 {
         let (a, b) = pair(&mut rng, 2 + case % 2);
-        let exact = if case % 2 == 0 {
-            check::<DVec2>(&a, &b)
-        } else {
-            check::<DVec3>(&a, &b)
-        };
-        rough += usize::from(!exact);
+        let check = [check::<DVec2>, check::<DVec3>][case % 2];
+        rough += usize::from(!check(&a, &b));
     }
     println!("{rough} of {} to fewer digits", cases() / 4);
     assert!(rough <= cases() / 400, "{rough}");
@@ -91,50 +79,31 @@ fn nothing_sampled_is_less_apart() {
 
 #[test]
 fn known_distances() {
-    let arch = plane(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)]);
-    let line = plane(&[(0.0, 2.0), (2.0, 2.0)]);
-    let found = arch.distance_to(&line);
-    assert!(
-        (found.distance - 0.5).abs() < 1e-15 && (found.t - 0.5).abs() < 1e-7,
-        "{found:?}"
-    );
-    assert_eq!(arch.distance_to(&arch).distance, 0.0);
-    assert_eq!(
-        arch.distance_to(&plane(&[(1.0, 0.0), (1.0, 5.0)])).distance,
-        0.0
-    );
-    // Parallel lines, a point, and curves that touch.
-    assert_eq!(
-        line.distance_to(&plane(&[(5.0, 7.0), (1.0, 7.0)])).distance,
-        5.0
-    );
-    assert_eq!(
-        line.distance_to(&plane(&[(1.0, 3.0), (1.0, 3.0)])).distance,
-        1.0
-    );
-    let bowl = plane(&[(-1.0, 1.0), (0.0, -1.0), (1.0, 1.0)]);
-    assert_eq!(
-        bowl.distance_to(&plane(&[(-1.0, -1.0), (0.0, 1.0), (1.0, -1.0)]))
-            .distance,
-        0.0
-    );
+    let arch = bezier("0 0, 0 2, 2 2, 2 0");
+    for (points, other, distance) in [
+        // A curve itself, a line that crosses it.
+        ("0 0, 0 2, 2 2, 2 0", "0 0, 0 2, 2 2, 2 0", 0.0),
+        ("0 0, 0 2, 2 2, 2 0", "1 0, 1 5", 0.0),
+        // Parallel lines, a point, and curves that touch.
+        ("0 2, 2 2", "5 7, 1 7", 5.0),
+        ("0 2, 2 2", "1 3, 1 3", 1.0),
+        ("-1 1, 0 -1, 1 1", "-1 -1, 0 1, 1 -1", 0.0),
+    ] {
+        let found = bezier(points).distance_to(&bezier(other));
+        assert_eq!(found.distance, distance, "{points} and {other}");
+    }
     // One above the other in space, at the same distance everywhere.
-    let points = [(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)];
-    let at = |z: f64| Curve::new(&points.map(|(x, y)| DVec3::new(x, y, z))).expect("finite");
-    assert_eq!(at(0.0).distance_to(&at(3.0)).distance, 3.0);
-    for scale in [1e149, 1e-300] {
-        let big = |curve: &Curve<DVec2>| {
-            Curve::new(
-                &curve
-                    .control_points()
-                    .iter()
-                    .map(|&p| p * scale)
-                    .collect::<Vec<_>>(),
-            )
-            .expect("finite")
-        };
-        let found = big(&arch).distance_to(&big(&line));
-        assert!((found.distance / scale - 0.5).abs() < 1e-15, "{found:?}");
+    let (low, high) = (
+        xyz("0 0 0, 0 2 0, 2 2 0, 2 0 0"),
+        xyz("0 0 3, 0 2 3, 2 2 3, 2 0 3"),
+    );
+    let (low, high) = (curve::<DVec3>(&low), curve::<DVec3>(&high));
+    assert_eq!(low.distance_to(&high).distance, 3.0);
+    for scale in [1.0, 1e149, 1e-300] {
+        let scale = DAffine2::from_scale(DVec2::splat(scale));
+        let found = (scale * &arch).distance_to(&(scale * &bezier("0 2, 2 2")));
+        near(found.distance / scale.x_axis.x, 0.5, 1e-15);
+        near(found.t, 0.5, 1e-7);
     }
 }
 
@@ -149,41 +118,29 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
         // For curves that overlap with different parametrisations the search stops without proof, with about three
         // quarters of the distance or more (documented).
         let size = largest(&a).max(largest(&b));
-        let slack = if found < 1e-8 * size {
+        let unproven = if found < 1e-8 * size {
             0.4 * found
         } else {
             0.0
-        } + 1e-11 * size;
+        };
+        let slack = unproven + 1e-11 * size;
         let farthest = |p: &Curve<DVec3>, q: &Curve<DVec3>| {
             let of = |t: f64| q.nearest(p.eval(t)).expect("finite").distance;
-            let (far, at) = steps(60)
-                .map(|t| (of(t), t))
-                .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+            let farther = |a: (f64, f64), b: (f64, f64)| if b.0 > a.0 { b } else { a };
+            let (far, at) = steps(60).map(|t| (of(t), t)).fold((0.0, 0.0), farther);
             // Refined around the farthest sample.
-            steps(20)
-                .map(|s| of((at + (s - 0.5) / 30.0).clamp(0.0, 1.0)))
-                .fold(far, f64::max)
+            let beside = steps(20).map(|s| (at + (s - 0.5) / 30.0).clamp(0.0, 1.0));
+            beside.map(of).fold(far, f64::max)
         };
         let sampled = farthest(&p, &q).max(farthest(&q, &p));
-        assert!(
-            found >= sampled * (1.0 - 2e-9) - slack,
-            "{found}, but {sampled}: {a:?} {b:?}"
-        );
+        let what = format!("{found}, but {sampled}: {a:?} {b:?}");
+        assert!(found >= sampled * (1.0 - 2e-9) - slack, "{what}");
         // The farthest point is within one step of a sample, so the sampled maximum is off by at most this step.
-        let max = sampled
-            + (p.derivative()
-                .control_points()
-                .iter()
-                .chain(q.derivative().control_points()))
-            .map(|d| d.length())
-            .fold(0.0, f64::max)
-                / 120.0;
-        assert!(found <= max + slack, "{found} above {max}: {a:?} {b:?}");
-        let back = q.hausdorff(&p);
-        assert!(
-            (back - found).abs() <= 4e-9 * found + slack,
-            "{found} {back}: {a:?} {b:?}"
-        );
+        let speeds = [p.derivative(), q.derivative()];
+        let speeds = speeds.iter().flat_map(Curve::control_points);
+        let max = sampled + speeds.map(|d| d.length()).fold(0.0, f64::max) / 120.0;
+        assert!(found <= max + slack, "{max}: {what}");
+        near_at(q.hausdorff(&p), found, 4e-9 * found + slack, what);
     }
 }
 
@@ -199,48 +156,35 @@ fn hausdorff_distance_of_nearly_straight_curves() {
         (x - p - along * (x - p).dot(along)).length()
     };
     let sampled = steps(3000).map(off).fold(0.0, f64::max);
-    for found in [a.hausdorff(&b), b.hausdorff(&a)] {
-        assert!((found - sampled).abs() < 1e-14, "{found}, but {sampled}");
-    }
+    near(a.hausdorff(&b), sampled, 1e-14);
+    near(b.hausdorff(&a), sampled, 1e-14);
 }
 
 #[test]
 fn known_hausdorff_distances() {
-    let arch = plane(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)]);
-    let line = plane(&[(0.0, 0.0), (2.0, 0.0)]);
-    assert_eq!(arch.hausdorff(&arch), 0.0);
+    let arch = bezier("0 0, 0 2, 2 2, 2 0");
     assert_eq!(arch.hausdorff(&arch.reverse()), 0.0);
     assert_eq!(arch.elevate().expect("below 64").hausdorff(&arch), 0.0);
-    assert_eq!(arch.hausdorff(&line), 1.5);
-    assert_eq!(
-        line.hausdorff(&plane(&[(0.0, 0.0), (2.0, 0.0), (0.0, 0.0), (2.0, 0.0)])),
-        0.0
-    );
-    assert_eq!(
-        line.hausdorff(&plane(&[(0.5, 0.0), (0.0, 0.0), (2.0, 0.0), (5.0, 0.0)])),
-        3.0
-    );
-    assert_eq!(line.hausdorff(&plane(&[(0.0, 7.0), (2.0, 7.0)])), 7.0);
-    assert_eq!(
-        line.hausdorff(&plane(&[(0.0, 3.0), (0.0, 3.0)])),
-        13.0_f64.sqrt()
-    );
-    assert!(
-        (arch.hausdorff(&arch.subsegment(0.0, 0.5)) - arch.hausdorff(&arch.subsegment(0.5, 1.0)))
-            .abs()
-            < 1e-9
-    );
+    for (a, b, expected) in [
+        ("0 0, 0 2, 2 2, 2 0", "0 0, 0 2, 2 2, 2 0", 0.0),
+        ("0 0, 0 2, 2 2, 2 0", "0 0, 2 0", 1.5),
+        ("0 0, 2 0", "0 0, 2 0, 0 0, 2 0", 0.0),
+        ("0 0, 2 0", "0.5 0, 0 0, 2 0, 5 0", 3.0),
+        ("0 0, 2 0", "0 7, 2 7", 7.0),
+        ("0 0, 2 0", "0 3, 0 3", 13.0_f64.sqrt()),
+    ] {
+        assert_eq!(bezier(a).hausdorff(&bezier(b)), expected, "{a} and {b}");
+    }
+    let to_part = |t0, t1| arch.hausdorff(&arch.subsegment(t0, t1));
+    near(to_part(0.0, 0.5), to_part(0.5, 1.0), 1e-9);
 }
 
 /// The first intersection found is not exact, but another one is.
 #[test]
 fn a_curve_meets_its_reverse() {
-    let points = [
-        (0.0002543344871933788, 10989.3293293552),
-        (-20355.57064578817, 16056.545368093748),
-        (700211776.1813443, -174296297.85941),
-        (0.00013144108736206755, 10989.32935994768),
-    ];
-    let curve = Curve::new(&points.map(DVec2::from)).expect("a curve");
+    let curve = bezier(
+        "0.0002543344871933788 10989.3293293552, -20355.57064578817 16056.545368093748,
+         700211776.1813443 -174296297.85941, 0.00013144108736206755 10989.32935994768",
+    );
     assert_eq!(curve.distance_to(&curve.reverse()).distance, 0.0);
 }

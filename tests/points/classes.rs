@@ -2,8 +2,7 @@
 
 use crate::points::cases;
 use crate::support::adversarial::{self, elevated};
-use crate::support::{Rng, curve, plane};
-use casteljau::Curve;
+use crate::support::{Rng, bezier, curve, xyz};
 use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};
 
@@ -16,12 +15,10 @@ fn result(rng: &mut Rng, class: CurveKind) -> Vec<DVec3> {
         CurveKind::Line => [(); 4].map(|()| rng.signed()).map(|x| (x, 0.0)),
         CurveKind::Arch => crossed(between(rng, 0.05, 0.48)),
         CurveKind::Serpentine if rng.chance(0.5) => crossed(between(rng, 0.52, 0.97)),
-        CurveKind::Serpentine => [
-            (0.0, 0.0),
-            (1.0, between(rng, 0.1, 2.0)),
-            (2.0, between(rng, -2.0, -0.1)),
-            (3.0, 0.0),
-        ],
+        CurveKind::Serpentine => {
+            let (up, down) = (between(rng, 0.1, 2.0), between(rng, -2.0, -0.1));
+            [(0.0, 0.0), (1.0, up), (2.0, down), (3.0, 0.0)]
+        }
         CurveKind::Cusp => crossed(1.0),
         CurveKind::Loop => crossed(between(rng, 1.03, 4.0)),
         CurveKind::Quadratic | CurveKind::Twisted => {
@@ -59,40 +56,38 @@ fn the_class_stays_under_affine_maps() {
         for _ in 0..rng.below(3) {
             points = elevated(&points);
         }
-        let dimension = if class == CurveKind::Twisted {
+        let twisted = class == CurveKind::Twisted;
+        let dimension = if twisted {
             3
         } else {
             2 + case / CLASSES.len() % 2
         };
         let (a, b, c) = (rng.point(dimension), rng.point(dimension), rng.point(3));
+        let across = a.cross(b);
         let spread = if dimension == 2 {
-            a.cross(b).z.abs()
+            across.z
         } else {
-            a.cross(b).dot(c).abs()
-        };
+            across.dot(c)
+        }
+        .abs();
         if spread < 0.05 {
             continue;
         }
         let offset = rng.point(dimension) * rng.pick(&[0.0, 1.0, 1e3]);
         let scale = rng.pick(&[1.0, 1e9, 1e-9, 1e140, 1e-200]);
-        let image: Vec<DVec3> = points
-            .iter()
-            .map(|p| (a * p.x + b * p.y + c * p.z + offset) * scale)
-            .collect();
-        let found = if dimension == 2 {
-            curve::<DVec2>(&image).classify()
+        let map = |p: &DVec3| (a * p.x + b * p.y + c * p.z + offset) * scale;
+        let image: Vec<DVec3> = points.iter().map(map).collect();
+        if dimension == 2 {
+            assert_eq!(curve::<DVec2>(&image).classify(), class, "{image:?}");
         } else {
-            curve::<DVec3>(&image).classify()
-        };
-        assert_eq!(found, class, "{image:?}");
+            assert_eq!(curve::<DVec3>(&image).classify(), class, "{image:?}");
+        }
         let back: Vec<DVec3> = image.into_iter().rev().collect();
         assert_eq!(curve::<DVec3>(&back).classify(), class, "{back:?}");
         if class == CurveKind::Cusp {
             let ts = curve::<DVec3>(&back).cusps();
-            assert!(
-                ts.len() == 1 && (ts[0] - 0.5).abs() < 1e-6,
-                "{ts:?} {back:?}"
-            );
+            let middle = ts.len() == 1 && (ts[0] - 0.5).abs() < 1e-6;
+            assert!(middle, "{ts:?} {back:?}");
         }
     }
 }
@@ -116,50 +111,28 @@ fn every_curve_has_a_class() {
 
 #[test]
 fn features_count_only_inside() {
-    // The inflection at t = 0 of a zero-length handle, a double point beyond the end, a cusp at the start.
-    assert_eq!(
-        plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]).classify(),
-        CurveKind::Arch
-    );
-    let whole = plane(&[(0.0, 0.0), (4.0, 2.0), (-2.0, 2.0), (2.0, 0.0)]);
-    assert_eq!(whole.classify(), CurveKind::Loop);
-    assert_eq!(whole.subsegment(0.0, 0.5).classify(), CurveKind::Arch);
-    assert_eq!(
-        plane(&[(0.0, 0.0), (3.0, 2.0), (-3.0, 2.0), (0.0, 0.0)]).classify(),
-        CurveKind::Loop
-    );
-    let cusp = plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]);
-    assert_eq!(cusp.subsegment(0.0, 0.5).classify(), CurveKind::Arch);
-    assert_eq!(cusp.subsegment(0.5, 1.0).classify(), CurveKind::Arch);
-    assert!(cusp.inflections().is_empty());
-    // Degree 4: a loop, and a wave with more inflections than a cubic has.
-    assert_eq!(
-        plane(&[(0.0, 0.0), (4.0, 1.0), (1.0, 3.0), (-2.0, 1.0), (2.0, 0.0)]).classify(),
-        CurveKind::Loop
-    );
-    assert_eq!(
-        plane(&[(0.0, 0.0), (1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, 0.0)]).classify(),
-        CurveKind::Serpentine
-    );
-    assert_eq!(
-        plane(&[(0.0, 0.0), (0.0, 1.0), (1.0, 2.0), (2.0, 1.0), (2.0, 0.0)]).classify(),
-        CurveKind::Arch
-    );
-    let turning: Curve<DVec2> = plane(&[(0.0, 0.0), (2.0, 2.0), (1.0, 1.0)]);
-    assert_eq!(
-        (turning.classify(), turning.cusps().len()),
-        (CurveKind::Line, 1)
-    );
-}
-
-#[test]
-fn lines_in_oblique_directions_are_lines() {
-    let ends = [
-        [(1.0, 2.0, -2.0), (-2.0, -2.0, 1.0)],
-        [(2.0, 2.0, -2.0), (-2.0, -1.0, 1.0)],
-    ];
-    for ends in ends {
-        let points = ends.map(DVec3::from);
-        assert_eq!(curve::<DVec3>(&points).classify(), CurveKind::Line);
+    use CurveKind::{Arch, Line, Loop, Serpentine};
+    for (points, [t0, t1], class) in [
+        // The inflection at t = 0 of a zero-length handle, a double point beyond the end, a cusp at the start.
+        ("0 0, 0 0, 1 1, 2 0", [0.0, 1.0], Arch),
+        ("0 0, 4 2, -2 2, 2 0", [0.0, 1.0], Loop),
+        ("0 0, 4 2, -2 2, 2 0", [0.0, 0.5], Arch),
+        ("0 0, 3 2, -3 2, 0 0", [0.0, 1.0], Loop),
+        ("0 0, 1 1, 0 1, 1 0", [0.0, 0.5], Arch),
+        ("0 0, 1 1, 0 1, 1 0", [0.5, 1.0], Arch),
+        // Degree 4: a loop, and a wave with more inflections than a cubic has.
+        ("0 0, 4 1, 1 3, -2 1, 2 0", [0.0, 1.0], Loop),
+        ("0 0, 1 2, 2 -3, 3 2, 4 0", [0.0, 1.0], Serpentine),
+        ("0 0, 0 1, 1 2, 2 1, 2 0", [0.0, 1.0], Arch),
+        ("0 0, 2 2, 1 1", [0.0, 1.0], Line),
+    ] {
+        let part = bezier(points).subsegment(t0, t1);
+        assert_eq!(part.classify(), class, "{points} from {t0} to {t1}");
+    }
+    assert!(bezier("0 0, 1 1, 0 1, 1 0").inflections().is_empty());
+    assert_eq!(bezier("0 0, 2 2, 1 1").cusps().len(), 1);
+    // Lines in oblique directions.
+    for ends in ["1 2 -2, -2 -2 1", "2 2 -2, -2 -1 1"] {
+        assert_eq!(curve::<DVec3>(&xyz(ends)).classify(), Line, "{ends}");
     }
 }

@@ -2,9 +2,11 @@
 
 use crate::points::{cases, extent, hostile, steps};
 use crate::support::adversarial::{self, ORDINARY};
-use crate::support::{Rng, Space, curve, largest, plane, real, ulp};
+use crate::support::{
+    Rng, Space, bezier, curve, highest, largest, near_at, real, refused, ulp, xy,
+};
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Error, Point, Spline};
+use casteljau::{Curve, Point, Spline};
 
 /// The minimum distance by samples and golden-section search around the best of them; never below the true minimum.
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
@@ -12,35 +14,13 @@ fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
     let all: Vec<f64> = steps(samples).map(distance).collect();
     let mut min = all.iter().copied().fold(f64::INFINITY, f64::min);
     for i in 0..=samples {
-        let valley = all[i] <= all[i.saturating_sub(1)] && all[i] <= all[(i + 1).min(samples)];
-        if valley {
-            let (lo, hi) = (i.saturating_sub(1), (i + 1).min(samples));
-            min = min.min(golden(
-                real(lo) / real(samples),
-                real(hi) / real(samples),
-                distance,
-            ));
+        let (lo, hi) = (i.saturating_sub(1), (i + 1).min(samples));
+        if all[i] <= all[lo] && all[i] <= all[hi] {
+            let around = [lo, hi].map(|k| real(k) / real(samples));
+            min = min.min(-highest(|t| -distance(t), around, 60));
         }
     }
     min
-}
-
-fn golden(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let share = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut a, mut b) = (hi - share * (hi - lo), lo + share * (hi - lo));
-    let (mut fa, mut fb) = (f(a), f(b));
-    for _ in 0..60 {
-        if fa < fb {
-            (hi, b, fb) = (b, a, fa);
-            a = hi - share * (hi - lo);
-            fa = f(a);
-        } else {
-            (lo, a, fa) = (a, b, fb);
-            b = lo + share * (hi - lo);
-            fb = f(b);
-        }
-    }
-    fa.min(fb)
 }
 
 /// Query points near a curve, far from it, on it, at its ends, in its middle and on its evolute.
@@ -57,15 +37,13 @@ fn query(rng: &mut Rng, points: &[DVec3], dimension: usize) -> DVec3 {
         }
         4 => rng.pick(points),
         5 => (points[0] + points[points.len() - 1]) * 0.5,
-        6 => points
-            .iter()
-            .fold(DVec3::ZERO, |sum, &p| sum + p / real(points.len())),
+        6 => points.iter().sum::<DVec3>() / real(points.len()),
         7 => {
-            let (bend, normal) = (on.curvature(t), on.normal(t));
-            let radius = (1.0 / bend).min(1e3 * size);
+            let radius = (1.0 / on.curvature(t)).min(1e3 * size);
+            let finite = radius.is_finite();
             on.eval(t)
-                + if radius.is_finite() {
-                    normal * radius
+                + if finite {
+                    on.normal(t) * radius
                 } else {
                     DVec3::ZERO
                 }
@@ -84,28 +62,21 @@ fn check<P: Space>(points: &[DVec3], q: DVec3, samples: usize) {
     let slack = 8.0 * (2.0 + real(points.len())) * ulp(size);
     assert!((0.0..=1.0).contains(&found.t), "{found:?}");
     assert_eq!(found.point, on.eval(found.t));
-    assert!((found.distance - (found.point - location).length()).abs() <= slack);
+    let there = (found.point - location).length();
+    near_at(there, found.distance, slack, (points, q));
     let min = sampled(&on, location, samples);
-    assert!(
-        found.distance <= min + slack,
-        "{found:?}, but {min} is nearer ({:e}): {points:?} from {q:?}",
-        found.distance - min
-    );
+    let none_nearer = found.distance <= min + slack;
+    assert!(none_nearer, "{found:?}, but {min}: {points:?} from {q:?}");
 }
 
 #[test]
 fn nothing_sampled_is_nearer() {
     let mut rng = Rng(90);
     for case in 0..cases() {
-        let dimension = 2 + case % 2;
-        let points = hostile(&mut rng, &ORDINARY, dimension);
-        let q = query(&mut rng, &points, dimension);
+        let points = hostile(&mut rng, &ORDINARY, 2 + case % 2);
+        let q = query(&mut rng, &points, 2 + case % 2);
         let samples = if points.len() > 5 { 60 } else { 120 };
-        if dimension == 2 {
-            check::<DVec2>(&points, q, samples);
-        } else {
-            check::<DVec3>(&points, q, samples);
-        }
+        [check::<DVec2>, check::<DVec3>][case % 2](&points, q, samples);
     }
 }
 
@@ -134,48 +105,43 @@ fn follows_when_turned_scaled_and_reversed() {
     for _ in 0..cases() / 10 {
         let points = hostile(&mut rng, &ORDINARY, 2);
         let q = query(&mut rng, &points, 2);
-        let found = curve::<DVec2>(&points)
-            .nearest(q.truncate())
-            .expect("finite");
-        let (sin, cos) = rng.signed().sin_cos();
+        let at = |p: DVec3| p.truncate();
+        let found = curve::<DVec2>(&points).nearest(at(q)).expect("finite");
+        let size = largest(&points).max(q.abs().max_element());
+        let slack = 16.0 * (2.0 + real(points.len())) * ulp(size) + 1e-300;
+        let turn = DVec2::from_angle(rng.signed());
         for scale in [1.0, 1e9, 1e-9, 1e140, 1e-290] {
-            let turn = |p: DVec3| DVec2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y) * scale;
-            let turned: Vec<DVec2> = points.iter().rev().map(|&p| turn(p)).collect();
-            let again = Curve::new(&turned)
-                .expect("finite")
-                .nearest(turn(q))
-                .expect("finite");
-            let slack = 16.0
-                * (2.0 + real(points.len()))
-                * ulp(largest(&points).max(q.abs().max_element()));
-            assert!(
-                (again.distance / scale - found.distance).abs() <= slack + 1e-300,
-                "{points:?} from {q}, {scale}"
-            );
+            let image = |p: DVec3| turn.rotate(at(p)) * scale;
+            let turned: Vec<DVec2> = points.iter().rev().map(|&p| image(p)).collect();
+            let turned = Curve::new(&turned).expect("finite");
+            let again = turned.nearest(image(q)).expect("finite").distance / scale;
+            near_at(again, found.distance, slack, (&points, q, scale));
         }
     }
 }
 
 #[test]
 fn of_equally_near_points_the_first() {
-    let arch = plane(&[(-1.0, 0.0), (-1.0, 2.0), (1.0, 2.0), (1.0, 0.0)]);
-    let middle = arch.nearest(DVec2::ZERO).expect("finite");
-    assert_eq!(
-        (middle.t, middle.point, middle.distance),
-        (0.0, DVec2::new(-1.0, 0.0), 1.0)
-    );
-    // Two minima inside: the parabola y = x² from above.
-    let parabola = plane(&[(-2.0, 4.0), (0.0, -4.0), (2.0, 4.0)]);
-    let found = parabola.nearest(DVec2::new(0.0, 2.0)).expect("finite");
-    assert!((found.point.x + 1.5_f64.sqrt()).abs() < 1e-15, "{found:?}");
-    // At the centre of curvature of the vertex three minima coincide.
-    let found = parabola.nearest(DVec2::new(0.0, 0.5)).expect("finite");
-    assert!((found.distance - 0.5).abs() < 1e-15, "{found:?}");
-    let closed = plane(&[(0.0, 0.0), (3.0, 1.0), (-1.0, 2.0), (0.0, 0.0)]);
-    assert_eq!(closed.nearest(DVec2::ZERO).expect("finite").t, 0.0);
-    let point = plane(&[(1.0, 1.0); 4]);
-    let found = point.nearest(DVec2::new(4.0, 5.0)).expect("finite");
-    assert_eq!((found.t, found.distance), (0.0, 5.0));
+    for (points, q, t, x, distance) in [
+        ("-1 0, -1 2, 1 2, 1 0", "0 0", Some(0.0), Some(-1.0), 1.0),
+        // Two minima inside: the parabola y = x² from above.
+        (
+            "-2 4, 0 -4, 2 4",
+            "0 2",
+            None,
+            Some(-(1.5_f64.sqrt())),
+            1.75_f64.sqrt(),
+        ),
+        // At the centre of curvature of the vertex three minima coincide.
+        ("-2 4, 0 -4, 2 4", "0 0.5", None, None, 0.5),
+        ("0 0, 3 1, -1 2, 0 0", "0 0", Some(0.0), Some(0.0), 0.0),
+        ("1 1, 1 1, 1 1, 1 1", "4 5", Some(0.0), Some(1.0), 5.0),
+    ] {
+        let found = bezier(points).nearest(xy(q)[0]).expect("finite");
+        assert!(t.is_none_or(|t| found.t == t), "{found:?}");
+        near_at(found.point.x, x.unwrap_or(found.point.x), 1e-15, points);
+        near_at(found.distance, distance, 1e-15, points);
+    }
 }
 
 #[test]
@@ -185,22 +151,11 @@ fn a_query_on_the_curve_is_found() {
         let points = hostile(&mut rng, &[adversarial::Kind::Random], 3);
         let (on, t): (Curve<DVec3>, f64) = (curve(&points), rng.unit());
         let found = on.nearest(on.eval(t)).expect("finite");
-        assert!(
-            found.distance < 1e-15 * real(points.len()),
-            "{found:?} {points:?}"
-        );
+        near_at(found.distance, 0.0, 1e-15 * real(points.len()), points);
     }
-}
-
-#[test]
-fn a_query_that_is_not_finite_is_refused() {
-    let line = plane(&[(0.0, 0.0), (1.0, 0.0)]);
     for bad in [f64::NAN, f64::INFINITY] {
-        let refused = line.nearest(DVec2::new(0.0, bad));
-        assert!(
-            matches!(refused, Err(Error::NotFinite { what: "p", .. })),
-            "{refused:?}"
-        );
+        let line = bezier("0 0, 1 0");
+        refused(line.nearest(DVec2::new(0.0, bad)), "NotFinite p 0");
     }
 }
 
@@ -215,11 +170,10 @@ fn on_a_spline_the_nearest_of_all_segments() {
         let chain = Spline::new(&points, degree, closed).expect("fits");
         let q = rng.point(dimension) * rng.pick(&[0.5, 1.5, 100.0]);
         let found = chain.nearest(q).expect("finite");
-        let segments = chain.segments().collect::<Vec<_>>();
-        let of_all = segments
-            .iter()
+        let of_all = chain
+            .segments()
             .map(|s| s.nearest(q).expect("finite").distance);
         assert_eq!(found.distance, of_all.fold(f64::INFINITY, f64::min));
-        assert!((found.point - chain.eval(found.t)).length() < 1e-13);
+        near_at(found.point, chain.eval(found.t), 1e-13, points);
     }
 }

@@ -3,9 +3,10 @@
 
 use crate::points::{cases, hostile, steps};
 use crate::support::adversarial::{Kind, ORDINARY};
-use crate::support::{Rng, curve, largest, plane, real, ulp};
+use crate::support::{Rng, all_near, bezier, curve, largest, near, random_points, real, ulp};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
+use std::fmt::Debug;
 
 /// The effect of rounding of the control points and of the evaluation on a coordinate.
 fn slack(points: &[DVec3]) -> f64 {
@@ -20,27 +21,21 @@ fn coordinates_are_monotone_between_extrema() {
         let points = hostile(&mut rng, &ORDINARY, 2);
         let (on, axis): (Curve<DVec2>, usize) = (curve(&points), case % 2);
         let at = |t: f64| on.eval(t)[axis];
-        let mut stops = vec![0.0];
-        stops.extend(on.extrema(axis).expect("an axis"));
-        assert!(stops.windows(2).all(|pair| pair[0] < pair[1]) && stops[stops.len() - 1] < 1.0);
-        stops.push(1.0);
+        let stops = with_ends(&on.extrema(axis).expect("an axis"));
+        assert!(stops.windows(2).all(|pair| pair[0] < pair[1]));
         let slack = slack(&points);
         let mut last = 0.0_f64;
         for pair in stops.windows(2) {
             let direction = at(pair[1]) - at(pair[0]);
-            assert!(
-                direction.abs() <= slack || last.abs() <= slack || direction * last < 0.0,
-                "{points:?}: no turn at {}",
-                pair[0]
-            );
+            let turns = direction * last < 0.0;
+            let known = direction.abs() <= slack || last.abs() <= slack || turns;
+            assert!(known, "{points:?}: no turn at {}", pair[0]);
             last = direction;
             let mut before = at(pair[0]);
             for s in steps(20) {
                 let now = at(pair[0] + (pair[1] - pair[0]) * s);
-                assert!(
-                    (now - before) * direction.signum() >= -slack,
-                    "{points:?}: back at {s} of {pair:?}"
-                );
+                let goes_on = (now - before) * direction.signum() >= -slack;
+                assert!(goes_on, "{points:?}: back at {s} of {pair:?}");
                 before = now;
             }
         }
@@ -67,23 +62,25 @@ fn every_time_at_a_value_is_found_once() {
         let off = |t: f64| on.eval(t)[axis] - value;
         assert!(!found.is_empty(), "{points:?} at {wanted}");
         assert!(found.windows(2).all(|pair| pair[0] < pair[1]), "{found:?}");
+        let right = |&t: &f64| (0.0..=1.0).contains(&t) && off(t).abs() <= slack;
+        assert!(found.iter().all(right), "{points:?} {found:?}");
+        assert_no_crossing(&with_ends(&found), off, slack, &points);
+    }
+}
+
+fn with_ends(ts: &[f64]) -> Vec<f64> {
+    [&[0.0], ts, &[1.0]].concat()
+}
+
+/// Asserts that a function keeps its sign between some parameters.
+fn assert_no_crossing(ts: &[f64], f: impl Fn(f64) -> f64, slack: f64, what: impl Debug) {
+    for pair in ts.windows(2) {
+        let within = steps(20).map(|s| f(pair[0] + (pair[1] - pair[0]) * s));
+        let (low, high) = within.fold((0.0_f64, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
         assert!(
-            found
-                .iter()
-                .all(|&t| (0.0..=1.0).contains(&t) && off(t).abs() <= slack),
-            "{points:?} {found:?}"
+            low >= -slack || high <= slack,
+            "{what:?}: missed between {pair:?}"
         );
-        let mut ends = vec![0.0];
-        ends.extend(&found);
-        ends.push(1.0);
-        for pair in ends.windows(2) {
-            let within = steps(20).map(|s| off(pair[0] + (pair[1] - pair[0]) * s));
-            let (low, high) = within.fold((0.0, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
-            assert!(
-                low >= -slack || high <= slack,
-                "{points:?}: missed between {pair:?}"
-            );
-        }
     }
 }
 
@@ -105,16 +102,11 @@ fn the_bend_keeps_its_side_between_inflections() {
     for _ in 0..cases() {
         let points = hostile(&mut rng, &ORDINARY, 2);
         let on: Curve<DVec2> = curve(&points);
-        let mut stops = vec![0.0];
-        stops.extend(on.inflections());
-        stops.push(1.0);
-        for pair in stops.windows(2) {
-            let (mut left, mut right) = (false, false);
-            for s in steps(20) {
-                let (bend, slack) = bend(&on, pair[0] + (pair[1] - pair[0]) * s);
-                left |= bend > slack;
-                right |= bend < -slack;
-            }
+        for pair in with_ends(&on.inflections()).windows(2) {
+            let within = steps(20).map(|s| bend(&on, pair[0] + (pair[1] - pair[0]) * s));
+            let bends: Vec<(f64, f64)> = within.collect();
+            let left = bends.iter().any(|&(bend, slack)| bend > slack);
+            let right = bends.iter().any(|&(bend, slack)| bend < -slack);
             assert!(
                 !(left && right),
                 "{points:?}: an inflection between {pair:?}"
@@ -128,7 +120,7 @@ fn inflections_stay_under_affine_maps() {
     let mut rng = Rng(103);
     for _ in 0..cases() / 4 {
         let degree = 3 + rng.below(4);
-        let points: Vec<DVec2> = (0..=degree).map(|_| rng.point(2).truncate()).collect();
+        let points: Vec<DVec2> = random_points(&mut rng, degree + 1);
         let on = Curve::new(&points).expect("finite");
         let plain = on.inflections();
         // Only where the numerator of the curvature crosses zero steeply.
@@ -143,11 +135,7 @@ fn inflections_stay_under_affine_maps() {
         let scale = rng.pick(&[1.0, 1e9, 1e-9, 1e140, 1e-250]);
         let image: Vec<DVec2> = points.iter().map(|p| (a * p.x + b * p.y) * scale).collect();
         let again = Curve::new(&image).expect("finite").inflections();
-        assert_eq!(again.len(), plain.len(), "{points:?}");
-        assert!(
-            again.iter().zip(&plain).all(|(a, b)| (a - b).abs() < 1e-9),
-            "{points:?}"
-        );
+        all_near(&again, &plain, 1e-9);
     }
 }
 
@@ -155,17 +143,8 @@ fn inflections_stay_under_affine_maps() {
 fn tangents_pass_through_the_point() {
     let mut rng = Rng(104);
     for _ in 0..cases() {
-        let points = hostile(
-            &mut rng,
-            &[
-                Kind::Random,
-                Kind::Integers,
-                Kind::Closed,
-                Kind::ZeroHandles,
-                Kind::Loop,
-            ],
-            2,
-        );
+        use Kind::{Closed, Integers, Loop, Random, ZeroHandles};
+        let points = hostile(&mut rng, &[Random, Integers, Closed, ZeroHandles, Loop], 2);
         let (on, t): (Curve<DVec2>, f64) = (curve(&points), rng.unit());
         let reach = rng.pick(&[0.0, 0.5, -2.0]);
         let p = on.eval(t) + on.tangent(t) * reach;
@@ -174,24 +153,13 @@ fn tangents_pass_through_the_point() {
         let off = |t: f64| (p - on.eval(t)).perp_dot(on.derivative_at(t, 1));
         let size = largest(on.control_points()).max(p.abs().max_element());
         let slack = 1e-13 * real(points.len()).powi(3) * size * size;
-        for &t in &found {
-            assert!(
-                (0.0..=1.0).contains(&t) && off(t).abs() <= slack,
-                "{points:?} {p} {t}"
-            );
-        }
+        let right = |&t: &f64| (0.0..=1.0).contains(&t) && off(t).abs() <= slack;
+        assert!(found.iter().all(right), "{points:?} {p} {found:?}");
         // At a cusp B′ changes its sign, so this product does too.
         let mut stops = on.cusps();
         stops.extend(found.iter().chain(&[0.0, 1.0]));
         stops.sort_by(f64::total_cmp);
-        for pair in stops.windows(2) {
-            let within = steps(20).map(|s| off(pair[0] + (pair[1] - pair[0]) * s));
-            let (low, high) = within.fold((0.0, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
-            assert!(
-                low >= -slack || high <= slack,
-                "{points:?} {p}: missed between {pair:?}"
-            );
-        }
+        assert_no_crossing(&stops, off, slack, (&points, p));
         // Where the speed is almost zero, the direction is lost in rounding.
         let goes = on.derivative_at(t, 1).length() > 1e-3 * size;
         assert!(!goes || !found.is_empty(), "{points:?} from {p} at {t}");
@@ -201,50 +169,27 @@ fn tangents_pass_through_the_point() {
 #[test]
 fn known_answers() {
     // The curvature has a triple root at ½, after a simple one.
-    let star = plane(&[
-        (1.0, 1.0),
-        (2.0, -2.0),
-        (-2.0, 1.0),
-        (1.0, -2.0),
-        (1.0, 1.0),
-        (1.0, -2.0),
-    ]);
-    let ts = star.inflections();
-    assert!(
-        ts.len() == 2 && (ts[0] - 0.434_258_545_910_66).abs() < 1e-12 && (ts[1] - 0.5).abs() < 1e-4,
-        "{ts:?}"
-    );
-    let wave = plane(&[(0.0, 0.0), (1.0, 0.25), (0.0, 1.0), (1.0, 0.0)]);
-    let ts = wave.inflections();
-    assert!(
-        (ts[0] - 0.5).abs() < 1e-15 && (ts[1] - 0.8).abs() < 1e-15 && ts.len() == 2,
-        "{ts:?}"
-    );
+    let ts = bezier("1 1, 2 -2, -2 1, 1 -2, 1 1, 1 -2").inflections();
+    assert_eq!(ts.len(), 2, "{ts:?}");
+    near(ts[0], 0.434_258_545_910_66, 1e-12);
+    near(ts[1], 0.5, 1e-4);
+    let ts = bezier("0 0, 1 0.25, 0 1, 1 0").inflections();
+    all_near(&ts, &[0.5, 0.8], 1e-15);
     // A double root that rounding splits: y = (t − 0.3)² touches 0 once.
-    let touch = plane(&[(0.0, 0.09), (0.5, -0.21), (1.0, 0.49)]);
-    let ts = touch.times_at_coordinate(1, 0.0).expect("finite");
-    assert!(ts.len() == 1 && (ts[0] - 0.3).abs() < 1e-8, "{ts:?}");
-    let flat = plane(&[(0.0, 2.0), (5.0, 2.0), (1.0, 2.0)]);
-    assert_eq!(
-        flat.times_at_coordinate(1, 2.0).expect("finite"),
-        [0.0, 1.0]
+    let touch = bezier("0 0.09, 0.5 -0.21, 1 0.49");
+    all_near(
+        &touch.times_at_coordinate(1, 0.0).expect("finite"),
+        &[0.3],
+        1e-8,
     );
-    assert!(flat.times_at_coordinate(1, 2.1).expect("finite").is_empty());
-    assert!(flat.extrema(1).expect("y").is_empty());
-    assert!(
-        flat.extrema(2).is_err()
-            && flat.times_at_coordinate(2, 0.0).is_err()
-            && flat.times_at_coordinate(0, f64::NAN).is_err()
-    );
-    let line = plane(&[(0.0, 0.0), (1.0, 1.0)]);
-    assert_eq!(
-        line.tangents_from(DVec2::new(5.0, 5.0)).expect("finite"),
-        [0.0, 1.0]
-    );
-    assert!(
-        line.tangents_from(DVec2::new(5.0, 6.0))
-            .expect("finite")
-            .is_empty()
-    );
+    let flat = bezier("0 2, 5 2, 1 2");
+    assert_eq!(flat.times_at_coordinate(1, 2.0), Ok(vec![0.0, 1.0]));
+    assert_eq!(flat.times_at_coordinate(1, 2.1), Ok(vec![]));
+    assert_eq!(flat.extrema(1), Ok(vec![]));
+    assert!(flat.extrema(2).is_err() && flat.times_at_coordinate(2, 0.0).is_err());
+    assert!(flat.times_at_coordinate(0, f64::NAN).is_err());
+    let line = bezier("0 0, 1 1");
+    assert_eq!(line.tangents_from(DVec2::splat(5.0)), Ok(vec![0.0, 1.0]));
+    assert_eq!(line.tangents_from(DVec2::new(5.0, 6.0)), Ok(vec![]));
     assert!(line.tangents_from(DVec2::NAN).is_err());
 }

@@ -1,6 +1,6 @@
 //! The work of distance queries, in counted steps, where rounding makes termination hardest.
 
-use crate::support::plane;
+use crate::support::{bezier, spline, xyz};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::take_steps;
 use casteljau::{Curve, Spline};
@@ -9,13 +9,9 @@ use casteljau::{Curve, Spline};
 fn arc(radius: f64, angle: f64, degree: usize) -> Curve<DVec2> {
     let handle = 4.0 / 3.0 * (angle / 4.0).tan();
     let end = DVec2::from_angle(angle);
-    let points = [
-        DVec2::new(1.0, 0.0),
-        DVec2::new(1.0, handle),
-        end - end.perp() * handle,
-        end,
-    ];
-    let mut curve = Curve::new(&points.map(|p| p * radius)).expect("finite");
+    let handles = (DVec2::new(1.0, handle), end - end.perp() * handle);
+    let points = [DVec2::X, handles.0, handles.1, end].map(|p| p * radius);
+    let mut curve = Curve::new(&points).expect("finite");
     while curve.degree() < degree {
         curve = curve.elevate().expect("a degree below the limit");
     }
@@ -32,14 +28,15 @@ fn steps_of<T>(call: impl FnOnce() -> T) -> (T, usize) {
 #[test]
 fn nearest_on_an_arc_about_the_point() {
     for angle in [1e-1, 1e-2, 1e-3, 1e-4] {
-        for (degree, limit) in [
+        let limits = [
             (3, 256),
             (4, 128),
             (6, 160),
             (12, 256),
             (24, 448),
             (64, 1088),
-        ] {
+        ];
+        for (degree, limit) in limits {
             for radius in [1.0, 1e6] {
                 let arc = arc(radius, angle, degree);
                 let (nearest, steps) = steps_of(|| arc.nearest(DVec2::ZERO).expect("finite"));
@@ -70,14 +67,8 @@ fn curves_at_a_constant_distance() {
 /// The direction of this curve is rounding noise on long stretches.
 #[test]
 fn frames_where_directions_are_rounding() {
-    let numbers = [
-        (3e14, 1e-9, 2.0),
-        (1e-12, -4e3, 1.0),
-        (-2e15, 7e-4, 0.0),
-        (5.0, 1e15, -3e-7),
-        (3e14, 1e-9, 2.0),
-    ];
-    let curve = Curve::new(&numbers.map(DVec3::from)).expect("finite");
+    let points = "3e14 1e-9 2, 1e-12 -4e3 1, -2e15 7e-4 0, 5 1e15 -3e-7, 3e14 1e-9 2";
+    let curve: Curve<DVec3> = crate::support::curve(&xyz(points));
     for count in [1, 16, 400] {
         let (frames, steps) = steps_of(|| curve.frames(count).expect("few"));
         assert_eq!(frames.len(), count + 1);
@@ -88,13 +79,10 @@ fn frames_where_directions_are_rounding() {
 /// A fine tolerance once produced a million vertices.
 #[test]
 fn simplify_at_a_fine_tolerance() {
-    let points = [(-2.0, -2.0), (0.0, 0.5), (-3.0, -2.0), (3.0, -3.0)];
-    let plain = Spline::from_curves(&[plane(&points)], false).expect("a curve");
-    assert_eq!(
-        plain.simplify(1e-12).expect("the same").control_points(),
-        plain.control_points()
-    );
-    let higher = plane(&points).elevate().expect("degree 4");
+    let cubic = bezier("-2 -2, 0 0.5, -3 -2, 3 -3");
+    let plain = spline("-2 -2, 0 0.5, -3 -2, 3 -3", 3, false);
+    assert_eq!(plain.simplify(1e-12), Ok(plain));
+    let higher = cubic.elevate().expect("degree 4");
     let higher = Spline::from_curves(&[higher], false).expect("a curve");
     let (cubics, steps) = steps_of(|| higher.simplify(1e-12).expect("cubics"));
     assert!(steps <= 4096, "{steps}");

@@ -1,86 +1,30 @@
-//! Points, samples, polylines, bounding boxes, and drawing of splines.
+//! Points, polylines, bounding boxes, and drawing of splines.
 
-use crate::spline::{STRUCTURES, control, plane, random};
+use crate::spline::{control, each_spline, random};
 use crate::support::measure::{Reference, farthest};
-use crate::support::{Rng, exact, real};
-use casteljau::Error;
+use crate::support::{Rng, exact, near_at, real, refused, spline, xy};
+use casteljau::Spline;
 use casteljau::curve::PathSink;
-use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};
+use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn t_counts_the_segments() {
-    let mut rng = Rng(4);
-    for degrees in STRUCTURES {
-        for closed in [false, true] {
-            let spline = random(&mut rng, degrees, closed);
-            let points = spline.control_points();
-            for k in 0..degrees.len() {
-                let segment = control(points, degrees, k);
-                assert_eq!(spline.eval(real(k)), segment[0]);
-                for rest in [0.25, 0.5, 0.875] {
-                    let off = (spline.eval(real(k) + rest) - exact::eval(&segment, rest)).length();
-                    assert!(
-                        off < 1e-14 * real(degrees[k] + 1),
-                        "{degrees:?} at {k} + {rest}"
-                    );
-                }
-            }
-            let end = control(points, degrees, degrees.len() - 1)[degrees[degrees.len() - 1]];
-            assert_eq!(spline.eval(real(degrees.len())), end);
-            assert!(!closed || end == points[0]);
-            let ts = [0.0, 0.3, 0.99];
-            assert_eq!(spline.eval_at(&ts), ts.map(|t| spline.eval(t)));
-        }
-    }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn values_outside_extrapolate_the_first_and_the_last_segment() {
-    let spline = plane(&[(0.0, 0.0), (1.0, 2.0), (3.0, 3.0)], 1, false);
-    assert_eq!(spline.eval(-1.0), DVec2::new(-1.0, -2.0));
-    assert_eq!(spline.eval(4.0), DVec2::new(7.0, 5.0));
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn samples_take_even_steps_on_each_segment() {
-    let mut rng = Rng(5);
-    for degrees in STRUCTURES {
-        let spline = random(&mut rng, degrees, true);
-        for steps in [1, 3, 10] {
-            let samples = spline.sample(steps).expect("samples");
-            assert_eq!(samples.len(), steps * degrees.len() + 1);
-            for (i, &p) in samples.iter().enumerate() {
-                let off = (p - spline.eval(real(i) / real(steps))).length();
-                assert!(
-                    off < 1e-14 * 66.0,
-                    "{degrees:?}: sample {i} of {steps} is {off} off"
-                );
+    each_spline(4, |spline, degrees| {
+        let points = spline.control_points();
+        for k in 0..degrees.len() {
+            let segment = control(points, degrees, k);
+            assert_eq!(spline.eval(real(k)), segment[0]);
+            for rest in [0.25, 0.5, 0.875] {
+                let (got, max) = (spline.eval(real(k) + rest), 1e-14 * real(degrees[k] + 1));
+                near_at(got, exact::eval(&segment, rest), max, (degrees, k, rest));
             }
         }
-    }
-    let line = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], 1, false);
-    assert!(matches!(
-        line.sample(0),
-        Err(Error::Range {
-            what: "segments",
-            ..
-        })
-    ));
-    assert!(matches!(
-        line.sample(1 << 25),
-        Err(Error::TooMany {
-            what: "segments",
-            ..
-        })
-    ));
-    assert!(matches!(
-        line.sample(usize::MAX),
-        Err(Error::TooMany {
-            what: "segments",
-            ..
-        })
-    ));
+        let last = control(points, degrees, degrees.len() - 1);
+        assert_eq!(spline.eval(real(degrees.len())), last[last.len() - 1]);
+        let ts = [0.0, 0.3, 0.99];
+        assert_eq!(spline.eval_at(&ts), ts.map(|t| spline.eval(t)));
+    });
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -88,147 +32,97 @@ fn polylines_keep_the_tolerance_and_have_a_vertex_at_each_joint() {
     let mut rng = Rng(6);
     for degrees in [&[3, 3, 3][..], &[2, 2], &[1, 2, 3, 4, 5]] {
         for tolerance in [0.3, 1e-2, 1e-4] {
-            let spline = random(&mut rng, degrees, true);
+            let spline = random::<DVec3>(&mut rng, degrees, true);
             let line = spline.flatten(tolerance).expect("flat");
             assert_eq!(line.ts.len(), line.points.len());
             assert!(line.ts.windows(2).all(|t| t[0] < t[1]));
+            let at = |t: usize| line.ts.iter().position(|&s| s == real(t));
             for k in 0..degrees.len() {
-                let at = |t: usize| {
-                    line.ts
-                        .iter()
-                        .position(|&s| s == real(t))
-                        .expect("a vertex at each joint")
-                };
-                let (from, to) = (at(k), at(k + 1));
+                let (from, to) = (at(k).expect("a joint"), at(k + 1).expect("a joint"));
                 let ts: Vec<f64> = line.ts[from..=to].iter().map(|t| t - real(k)).collect();
                 let reference = Reference::new(&control(spline.control_points(), degrees, k));
-                let vertices: Vec<DVec3> = line.points[from..=to]
-                    .iter()
-                    .map(|&p| reference.location(p))
-                    .collect();
+                let vertices = reference.locations(&line.points[from..=to]);
                 let max = reference.length(tolerance) * (1.0 + 1e-9);
-                assert!(
-                    farthest(&reference, &ts, &vertices, max) <= max,
-                    "{degrees:?}, {tolerance}"
-                );
+                let off = farthest(&reference, &ts, &vertices, max);
+                assert!(off <= max, "{degrees:?}, {tolerance}: {off}");
             }
         }
     }
-    let line = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], 1, false);
+    let line = spline("0 0, 1 1, 2 0", 1, false);
     assert_eq!(line.flatten(0.1).expect("flat").ts, [0.0, 1.0, 2.0]);
-    assert!(matches!(
-        line.flatten(0.0),
-        Err(Error::Range {
-            what: "tolerance",
-            ..
-        })
-    ));
-    assert!(matches!(line.flatten(1e-16), Err(Error::Tolerance { .. })));
+    refused(line.flatten(0.0), "Range tolerance");
+    refused(line.flatten(1e-16), "Tolerance");
+    refused(line.sample(0), "Range segments");
+    for many in [1 << 25, usize::MAX] {
+        refused(line.sample(many), "TooMany segments 67108863");
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn boxes_are_those_of_all_segments() {
-    let spline = plane(
-        &[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0), (3.0, -1.0), (4.0, 0.0)],
-        2,
-        false,
-    );
-    let (exact, control) = (spline.bounds(), spline.control_bounds());
-    assert_eq!(
-        (exact.min, exact.max),
-        (DVec2::new(0.0, -0.5), DVec2::new(4.0, 0.5))
-    );
-    assert_eq!(
-        (control.min, control.max),
-        (DVec2::new(0.0, -1.0), DVec2::new(4.0, 1.0))
-    );
+    let arcs = spline("0 0, 1 1, 2 0, 3 -1, 4 0", 2, false);
+    let (exact, control) = (arcs.bounds(), arcs.control_bounds());
+    assert_eq!([exact.min, exact.max].to_vec(), xy("0 -0.5, 4 0.5"));
+    assert_eq!([control.min, control.max].to_vec(), xy("0 -1, 4 1"));
     // If the spline is closed, the last segment counts too.
-    let closed = plane(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (-4.0, 4.0)], 2, true).bounds();
-    assert!((closed.min.x + 4.0 / 3.0 * 1.0).abs() < 1.0 && closed.min.x < -1.0);
+    let closed = spline("0 0, 2 0, 2 2, -4 4", 2, true).bounds();
+    assert!((closed.min.x + 4.0 / 3.0).abs() < 1.0 && closed.min.x < -1.0);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn reversed_and_mapped_splines() {
-    let mut rng = Rng(7);
-    for degrees in STRUCTURES {
-        for closed in [false, true] {
-            let spline = random(&mut rng, degrees, closed);
-            let back = spline.reverse();
-            assert_eq!(
-                back.degrees(),
-                degrees.iter().rev().copied().collect::<Vec<usize>>()
-            );
-            assert_eq!(back.reverse(), spline);
-            let map = DAffine3::from_mat3_translation(
-                DMat3::from_diagonal(DVec3::new(2.0, -4.0, 0.5)),
-                DVec3::ONE,
-            );
-            let mapped = spline.transform(&map).expect("a finite image");
-            assert_eq!(mapped.degrees(), degrees);
-            for i in 0..=8 * degrees.len() {
-                let t = real(i) / 8.0;
-                let off = (back.eval(real(degrees.len()) - t) - spline.eval(t)).length();
-                assert!(off < 1e-14 * 66.0, "{degrees:?} at {t}: {off}");
-                assert!(
-                    (mapped.eval(t) - map.transform_point3(spline.eval(t))).length() < 1e-13 * 66.0
-                );
-            }
+fn reversed_splines() {
+    each_spline(7, |spline, degrees| {
+        let back = spline.reverse();
+        assert!(back.degrees().iter().rev().eq(degrees));
+        for t in (0..=8 * degrees.len()).map(|i| real(i) / 8.0) {
+            let got = back.eval(real(degrees.len()) - t);
+            near_at(got, spline.eval(t), 1e-14 * 66.0, (degrees, t));
         }
+    });
+}
+
+/// Notes a letter for each call, and the point at which the pen is after it.
+#[derive(Default)]
+struct Notes(String, Vec<DVec2>);
+
+impl Notes {
+    fn add(&mut self, letter: char, p: DVec2) {
+        self.0.push(letter);
+        self.1.push(p);
     }
 }
 
-/// Counts what is drawn: moves, segments by degree, closings.
-#[derive(Default, Debug, PartialEq)]
-struct Counts([usize; 5], Vec<DVec2>);
-
-impl PathSink for Counts {
+impl PathSink for Notes {
     fn move_to(&mut self, p: DVec2) {
-        self.0[0] += 1;
-        self.1.push(p);
+        self.add('M', p);
     }
     fn line_to(&mut self, p: DVec2) {
-        self.0[1] += 1;
-        self.1.push(p);
+        self.add('L', p);
     }
     fn quad_to(&mut self, _: DVec2, p: DVec2) {
-        self.0[2] += 1;
-        self.1.push(p);
+        self.add('Q', p);
     }
     fn cubic_to(&mut self, _: DVec2, _: DVec2, p: DVec2) {
-        self.0[3] += 1;
-        self.1.push(p);
+        self.add('C', p);
     }
     fn close(&mut self) {
-        self.0[4] += 1;
+        self.0.push('Z');
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn drawing_moves_once_and_closes_closed_splines() {
-    let points: Vec<DVec2> = (0..6).map(|i| DVec2::new(real(i), real(i * i))).collect();
-    let spline = |closed: bool| {
-        let degrees = if closed { [1, 2, 3] } else { [1, 2, 2] };
-        casteljau::Spline::with_degrees(points.clone(), &degrees, closed).expect("a spline")
-    };
-    let mut open = Counts::default();
-    spline(false).trace(&mut open, None).expect("drawn");
-    assert_eq!(
-        open,
-        Counts(
-            [1, 1, 2, 0, 0],
-            vec![points[0], points[1], points[3], points[5]]
-        )
-    );
-    let mut closed = Counts::default();
-    spline(true).trace(&mut closed, Some(0.1)).expect("drawn");
-    assert_eq!(
-        closed,
-        Counts(
-            [1, 1, 1, 1, 1],
-            vec![points[0], points[1], points[3], points[0]]
-        )
-    );
-    let mut nothing = Counts::default();
-    assert!(spline(true).trace(&mut nothing, Some(-1.0)).is_err());
-    assert_eq!(nothing, Counts::default());
+    let points = xy("0 0, 1 1, 2 4, 3 9, 4 16, 5 25");
+    for (degrees, closed, letters, ends) in [
+        ([1, 2, 2], false, "MLQQ", "0 0, 1 1, 3 9, 5 25"),
+        ([1, 2, 3], true, "MLQCZ", "0 0, 1 1, 3 9, 0 0"),
+    ] {
+        let spline = Spline::with_degrees(points.clone(), &degrees, closed).expect("a spline");
+        let mut notes = Notes::default();
+        spline.trace(&mut notes, Some(0.1)).expect("drawn");
+        assert_eq!((notes.0.as_str(), notes.1), (letters, xy(ends)));
+        let mut nothing = Notes::default();
+        refused(spline.trace(&mut nothing, Some(-1.0)), "Range tolerance");
+        assert_eq!(nothing.0, "");
+    }
 }

@@ -67,45 +67,37 @@ pub(crate) fn sum(numbers: &[f64]) -> f64 {
 
 /// The value of one coordinate at t, by de Casteljau's algorithm in double the precision of f64.
 pub(crate) fn eval_scalar(coefficients: &[f64], t: f64) -> Double {
+    eval_row(coefficients.iter().map(|&c| exactly(c)).collect(), t)
+}
+
+fn eval_row(mut row: Vec<Double>, t: f64) -> Double {
     let s = two_sum(1.0, -t);
-    let mut row: Vec<Double> = coefficients.iter().map(|&c| exactly(c)).collect();
     while row.len() > 1 {
-        row = row
-            .windows(2)
-            .map(|pair| pair[0] * s + pair[1] * exactly(t))
-            .collect();
+        let step = |pair: &[Double]| pair[0] * s + pair[1] * exactly(t);
+        row = row.windows(2).map(step).collect();
     }
     row[0]
 }
 
 /// The point at t, correctly rounded (nearly always).
 pub(crate) fn eval(points: &[DVec3], t: f64) -> DVec3 {
-    let axis = |k: usize| {
-        let coordinates: Vec<f64> = points.iter().map(|p| p[k]).collect();
-        eval_scalar(&coordinates, t).hi
-    };
-    DVec3::new(axis(0), axis(1), axis(2))
+    derivative(points, t, 0)
 }
 
 /// The k-th derivative at t, correctly rounded (nearly always), for moderate coordinates.
 pub(crate) fn derivative(points: &[DVec3], t: f64, order: usize) -> DVec3 {
     let axis = |k: usize| {
         let mut row: Vec<Double> = points.iter().map(|p| exactly(p[k])).collect();
-        for _ in 0..order {
+        for _ in 0..order.min(points.len()) {
             let factor = exactly(super::real(row.len() - 1));
-            row = row
-                .windows(2)
-                .map(|pair| (pair[1] - pair[0]) * factor)
-                .collect();
+            let step = |pair: &[Double]| (pair[1] - pair[0]) * factor;
+            row = row.windows(2).map(step).collect();
         }
-        let s = two_sum(1.0, -t);
-        while row.len() > 1 {
-            row = row
-                .windows(2)
-                .map(|pair| pair[0] * s + pair[1] * exactly(t))
-                .collect();
+        if row.is_empty() {
+            0.0
+        } else {
+            eval_row(row, t).hi
         }
-        row.first().map_or(0.0, |value| value.hi)
     };
     DVec3::new(axis(0), axis(1), axis(2))
 }

@@ -45,18 +45,8 @@ pub(crate) fn integral(points: &[DVec3], (lo, hi): (f64, f64), times: &dyn Fn(f6
 }
 
 impl Along<'_> {
-    fn slope(&self, t: f64) -> DVec3 {
-        let mut row = self.slopes.clone();
-        for last in (1..row.len()).rev() {
-            for i in 0..last {
-                row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-            }
-        }
-        row[0]
-    }
-
     fn speed(&self, t: f64) -> f64 {
-        self.slope(t).length()
+        super::de_casteljau(&self.slopes, t).length()
     }
 
     fn once(&self, lo: f64, hi: f64) -> f64 {

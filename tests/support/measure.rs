@@ -1,7 +1,8 @@
 //! Distance of a curve from a polyline, computed independently of the code under test: samples, then refined peaks.
 
-use super::{largest, real, ulp};
-use casteljau::glam::{DVec2, DVec3};
+use super::{de_casteljau, highest, largest, real, ulp};
+use casteljau::Point;
+use casteljau::glam::DVec3;
 
 /// The number of samples of the piece for one chord. Their order finds a large deviation early.
 const SAMPLES: usize = 24;
@@ -36,6 +37,10 @@ impl Reference {
         p * self.scale - self.start
     }
 
+    pub(crate) fn locations<P: Point>(&self, points: &[P]) -> Vec<DVec3> {
+        points.iter().map(|p| self.location(p.to_3d())).collect()
+    }
+
     /// The caller's length in measuring coordinates.
     pub(crate) fn length(&self, length: f64) -> f64 {
         length * self.scale
@@ -46,13 +51,8 @@ impl Reference {
         2.0 * ulp(largest(&self.points))
     }
 
-    /// De Casteljau's algorithm without optimisations; short rows for cubics, which are the most common.
     pub(crate) fn at(&self, t: f64) -> DVec3 {
-        if self.points.len() <= 4 {
-            point_at::<4>(&self.points, t)
-        } else {
-            point_at::<65>(&self.points, t)
-        }
+        de_casteljau(&self.points, t)
     }
 
     /// The maximum distance of the piece from t₀ to t₁ from the segment a b (scaled); stops once it exceeds `enough`.
@@ -77,64 +77,30 @@ impl Reference {
         for i in 1..SAMPLES {
             let peak = samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1];
             if peak && samples[i] > 0.7 * max && max > 0.6 * enough {
-                let around = (real(i - 1) / real(SAMPLES), real(i + 1) / real(SAMPLES));
-                max = max.max(highest(distance, around));
+                let around = [i - 1, i + 1].map(|i| real(i) / real(SAMPLES));
+                max = max.max(highest(distance, around, 16));
             }
         }
         max
     }
 }
 
-fn point_at<const ROOM: usize>(points: &[DVec3], t: f64) -> DVec3 {
-    let mut row = [DVec3::ZERO; ROOM];
-    let count = points.len();
-    row[..count].copy_from_slice(points);
-    for last in (1..count).rev() {
-        for i in 0..last {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-    row[0]
-}
-
-/// The maximum of a function with one peak, by golden-section search.
-fn highest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut x1, mut x2) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
-    let (mut f1, mut f2) = (f(x1), f(x2));
-    for _ in 0..16 {
-        if f1 > f2 {
-            (hi, x2, f2) = (x2, x1, f1);
-            x1 = hi - ratio * (hi - lo);
-            f1 = f(x1);
-        } else {
-            (lo, x1, f1) = (x1, x2, f2);
-            x2 = lo + ratio * (hi - lo);
-            f2 = f(x2);
-        }
-    }
-    f1.max(f2)
-}
-
 /// The distance from a point to a segment.
-pub(crate) fn from_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let share = nearest_share((p - a).dot(b - a), (b - a).length_squared());
-    (p - (a + (b - a) * share)).length()
-}
-
-/// The distance from a point to a segment in the plane.
-pub(crate) fn from_plane_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let share = nearest_share((p - a).dot(b - a), (b - a).length_squared());
-    (p - (a + (b - a) * share)).length()
-}
-
-/// The parameter of the nearest point of a segment, from 0 to 1.
-fn nearest_share(along: f64, square: f64) -> f64 {
-    if square > 0.0 {
+pub(crate) fn from_segment<P: Point>(p: P, a: P, b: P) -> f64 {
+    let (along, square) = ((p - a).dot(b - a), (b - a).dot(b - a));
+    // The parameter of the nearest point, from 0 to 1.
+    let share = if square > 0.0 {
         (along / square).clamp(0.0, 1.0)
     } else {
         0.0
-    }
+    };
+    (p - (a + (b - a) * share)).length()
+}
+
+/// The distance from a point to a polyline.
+pub(crate) fn from_polyline<P: Point>(p: P, line: &[P]) -> f64 {
+    let distances = line.windows(2).map(|s| from_segment(p, s[0], s[1]));
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 /// The maximum distance from the curve to a polyline: of each piece from its own chord, and where that exceeds
@@ -153,13 +119,11 @@ pub(crate) fn farthest(reference: &Reference, ts: &[f64], vertices: &[DVec3], en
 }
 
 fn from_all(reference: &Reference, (t0, t1): (f64, f64), vertices: &[DVec3]) -> f64 {
-    let nearest = |p: DVec3| {
-        let chords = vertices.windows(2).map(|v| from_segment(p, v[0], v[1]));
-        chords.fold(f64::INFINITY, f64::min)
-    };
     let steps = 400;
     let at = |i: usize| reference.at(t0 + (t1 - t0) * (real(i) / real(steps)));
-    (0..=steps).map(|i| nearest(at(i))).fold(0.0, f64::max)
+    (0..=steps)
+        .map(|i| from_polyline(at(i), vertices))
+        .fold(0.0, f64::max)
 }
 
 /// Greedy search for the fewest chords: from each vertex the longest chord within the tolerance (scaled).

@@ -16,12 +16,12 @@ pub(crate) mod surfaces;
 pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Point};
+use casteljau::{Curve, Error, Point, Spline};
 pub(crate) use casteljau_generator::{Rng, adversarial};
 use std::fmt::{Debug, Display};
 
 /// The plane or space; points are made from three coordinates.
-pub(crate) trait Space: Point {
+pub(crate) trait Space: Point + Distance {
     fn of(p: DVec3) -> Self;
 }
 
@@ -93,10 +93,58 @@ pub(crate) fn numbers(text: &str) -> Vec<f64> {
     words.map(|word| word.parse().expect("a number")).collect()
 }
 
-/// De Casteljau's algorithm, without the library.
+fn rows<const N: usize>(text: &str) -> Vec<[f64; N]> {
+    let numbers = |row: &str| -> Vec<f64> {
+        let words = row.split_whitespace();
+        words.map(|x| x.parse().expect("a number")).collect()
+    };
+    let row = |row: &str| numbers(row).try_into().expect("all coordinates of a point");
+    text.split(',').map(row).collect()
+}
+
+/// Plane points from a text such as "0 0, 1 2.5, 2 0".
+pub(crate) fn xy(text: &str) -> Vec<DVec2> {
+    rows(text).into_iter().map(DVec2::from_array).collect()
+}
+
+/// Points in space from a text such as "0 0 0, 1 2.5 -1".
+pub(crate) fn xyz(text: &str) -> Vec<DVec3> {
+    rows(text).into_iter().map(DVec3::from_array).collect()
+}
+
+/// A plane curve from the text of its control points.
+pub(crate) fn bezier(text: &str) -> Curve<DVec2> {
+    Curve::new(&xy(text)).expect("finite points")
+}
+
+/// A plane spline from the text of its control points.
+pub(crate) fn spline(text: &str, degree: usize, closed: bool) -> Spline<DVec2> {
+    Spline::new(&xy(text), degree, closed).expect("a spline")
+}
+
+pub(crate) fn random_points<P: Space>(rng: &mut Rng, count: usize) -> Vec<P> {
+    (0..count).map(|_| P::of(rng.point(P::DIMENSION))).collect()
+}
+
+/// C(n, k), exact up to 2⁵³.
+pub(crate) fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |c, i| c * real(n - i) / real(i + 1))
+}
+
+/// The point at t by de Casteljau's algorithm, as in textbooks.
 pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
-    let mut row = points.to_vec();
-    for last in (1..row.len()).rev() {
+    // Short rows for cubics, which are the most common.
+    if points.len() <= 4 {
+        de_casteljau_in::<P, 4>(points, t)
+    } else {
+        de_casteljau_in::<P, 65>(points, t)
+    }
+}
+
+fn de_casteljau_in<P: Point, const ROOM: usize>(points: &[P], t: f64) -> P {
+    let mut row = [P::default(); ROOM];
+    row[..points.len()].copy_from_slice(points);
+    for last in (1..points.len()).rev() {
         for i in 0..last {
             row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
         }
@@ -108,7 +156,7 @@ pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
 pub(crate) fn from_line(p: DVec2, line: &[DVec2]) -> f64 {
     let chords = line
         .windows(2)
-        .map(|pair| measure::from_plane_segment(p, pair[0], pair[1]));
+        .map(|pair| measure::from_segment(p, pair[0], pair[1]));
     chords.fold(f64::INFINITY, f64::min)
 }
 
@@ -124,4 +172,92 @@ pub(crate) fn assert_close(got: f64, expected: f64, tolerance: f64) {
 pub(crate) fn assert_refused<T: Debug, E: Display>(result: Result<T, E>, message: &str) {
     let error = result.expect_err(message).to_string();
     assert!(error.starts_with(message), "{error}, not {message}");
+}
+
+/// The maximum of a function with one peak, by some steps of golden-section search.
+pub(crate) fn highest(f: impl Fn(f64) -> f64, [mut lo, mut hi]: [f64; 2], steps: usize) -> f64 {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut x1, mut x2) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
+    let (mut f1, mut f2) = (f(x1), f(x2));
+    for _ in 0..steps {
+        if f1 > f2 {
+            (hi, x2, f2) = (x2, x1, f1);
+            x1 = hi - ratio * (hi - lo);
+            f1 = f(x1);
+        } else {
+            (lo, x1, f1) = (x1, x2, f2);
+            x2 = lo + ratio * (hi - lo);
+            f2 = f(x2);
+        }
+    }
+    f1.max(f2)
+}
+
+/// Numbers and points, which have a distance from each other.
+pub(crate) trait Distance: Copy + Debug {
+    fn gap(self, other: Self) -> f64;
+}
+
+impl Distance for f64 {
+    fn gap(self, other: Self) -> f64 {
+        (self - other).abs()
+    }
+}
+
+impl Distance for DVec2 {
+    fn gap(self, other: Self) -> f64 {
+        self.distance(other)
+    }
+}
+
+impl Distance for DVec3 {
+    fn gap(self, other: Self) -> f64 {
+        self.distance(other)
+    }
+}
+
+/// Asserts that two numbers or points differ by less than `max`, or not at all.
+#[track_caller]
+pub(crate) fn near<T: Distance>(got: T, expected: T, max: f64) {
+    near_at(got, expected, max, "");
+}
+
+/// Asserts that two numbers or points differ by less than `max`, or not at all; `case` is a part of the message.
+#[track_caller]
+pub(crate) fn near_at<T: Distance>(got: T, expected: T, max: f64, case: impl Debug) {
+    let off = got.gap(expected);
+    assert!(
+        off < max || off == 0.0,
+        "{got:?} instead of {expected:?}, off by {off:e}, allowed is {max:e}: {case:?}"
+    );
+}
+
+/// Asserts that two lists have the same length, and that their numbers or points differ by less than `max`.
+#[track_caller]
+pub(crate) fn all_near<T: Distance>(got: &[T], expected: &[T], max: f64) {
+    assert_eq!(got.len(), expected.len(), "{got:?}, not {expected:?}");
+    for (&a, &b) in got.iter().zip(expected) {
+        near_at(a, b, max, got);
+    }
+}
+
+/// Asserts that a call is refused with an error of this kind for this argument, such as "Range t", "NotFinite points 2"
+/// (with the index) or "Count points 7" (with the number that was received).
+#[track_caller]
+pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
+    let error = result.expect_err(expected);
+    let found = match error {
+        Error::Count { what, got, .. } => format!("Count {what} {got}"),
+        Error::NotFinite { what, index, .. } => format!("NotFinite {what} {index}"),
+        Error::Index { what, got, .. } => format!("Index {what} {got}"),
+        Error::Range { what, .. } => format!("Range {what}"),
+        Error::Item {
+            what, index, got, ..
+        } => format!("Item {what} {index} {got}"),
+        Error::TooMany { what, limit, .. } => format!("TooMany {what} {limit}"),
+        Error::Tolerance { .. } => "Tolerance".to_owned(),
+        Error::Gap { index, got } => format!("Gap {index} {got}"),
+        _ => format!("{error:?}"),
+    };
+    assert_eq!(found, expected, "{error}");
 }

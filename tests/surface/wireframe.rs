@@ -1,6 +1,6 @@
 //! Isocurves of surfaces, and their projected drawing.
 
-use crate::support::measure::from_plane_segment;
+use crate::support::measure::from_segment;
 use crate::support::nets::{RandomNet, assert_near, single, teapot};
 use crate::support::{Rng, assert_refused, from_line};
 use casteljau::curve::PathSink;
@@ -145,7 +145,7 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
     // An estimate of the distance of a polyline of samples from its curve: a quarter of the error of omitting every
     // other sample.
     let sag = |line: &[DVec2]| {
-        let off = |p: &[DVec2]| from_plane_segment(p[1], p[0], p[2]);
+        let off = |p: &[DVec2]| from_segment(p[1], p[0], p[2]);
         line.windows(3).map(off).fold(0.0, f64::max)
     };
     let slack = 1e-9 + 0.5 * sag(&reference).max(sag(&drawn));
