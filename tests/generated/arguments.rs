@@ -1,234 +1,144 @@
-//! The arguments of a case as values of the library, and the slack for rounding.
+//! The arguments of a case as values of the library, and checks that take them in their order.
 
+use crate::check::Checked;
 use crate::numbers::Numbers;
 use casteljau::curve::Basis;
 use casteljau::glam::{DAffine2, DAffine3, DMat4, DVec2, DVec3};
-use casteljau::{Curve, Patch, Path, Point, Spline, Surface};
+use casteljau::mesh::Weld;
+use casteljau::models::{Height, Up};
+use casteljau::path::FillRule;
+use casteljau::spline::{JointMode, OffsetJoin};
+use casteljau::{Curve, GridMethod, Patch, Path, Point, Spline, Surface};
 use casteljau_generator::{Case, SplineData, SurfaceData, Value};
 
 /// The plane or space; points are made from three coordinates.
-pub(crate) trait Space: Point + Numbers {
-    fn of(p: DVec3) -> Self;
-    fn affine(numbers: &[f64]) -> Self::Affine;
+pub(crate) trait Space: Point<Affine: Argument> + Numbers {
+    fn from_3d(p: DVec3) -> Self;
 }
 
 impl Space for DVec2 {
-    fn of(p: DVec3) -> Self {
+    fn from_3d(p: DVec3) -> Self {
         p.truncate()
-    }
-    fn affine(numbers: &[f64]) -> DAffine2 {
-        DAffine2::from_cols_slice(numbers)
     }
 }
 
 impl Space for DVec3 {
-    fn of(p: DVec3) -> Self {
+    fn from_3d(p: DVec3) -> Self {
         p
     }
-    fn affine(numbers: &[f64]) -> DAffine3 {
-        DAffine3::from_cols_slice(numbers)
-    }
+}
+
+/// A type of arguments.
+pub(crate) trait Argument: Sized {
+    /// The argument as a value of this type; `None` for an argument of another type.
+    fn read(value: &Value) -> Option<Self>;
+}
+
+/// Implements `Argument` by patterns; each is followed by the result, an `Option`.
+macro_rules! arguments {
+    ($([$($generic:tt)*] $type:ty: $($pattern:pat => $result:expr),+;)*) => {$(
+        impl<$($generic)*> Argument for $type {
+            fn read(value: &Value) -> Option<Self> {
+                match value {
+                    $($pattern => $result,)+
+                    #[allow(unreachable_patterns, reason = "some types accept every value")]
+                    _ => None,
+                }
+            }
+        }
+    )*};
+}
+
+/// Implements `Argument` for choices by their words; the last one stands for all other words.
+macro_rules! choices {
+    ($($type:ty: $($word:literal $choice:expr),+;)*) => {
+        arguments! {$([] $type: Value::Word(word) => match *word {
+            $($word => Some($choice),)+
+            _ => None,
+        };)*}
+    };
+}
+
+arguments! {
+    [] f64: Value::Number(x) => Some(*x);
+    [] usize: Value::Count(n) => Some(*n);
+    [] u8: Value::Count(n) => u8::try_from(*n).ok();
+    [] bool: Value::Flag(flag) => Some(*flag);
+    [] String: Value::Text(text) => Some(text.clone()), Value::Word(word) => Some((*word).to_owned());
+    [] Vec<f64>: Value::Numbers(numbers) => Some(numbers.clone());
+    [] Vec<&'static str>: Value::Words(words) => Some(words.clone());
+    [] Vec<JointMode>: Value::Words(words) => words.iter().map(|word| JointMode::read(&Value::Word(word))).collect();
+    [P: Space] P: Value::Point(_, p) => Some(P::from_3d(*p));
+    [P: Space] Vec<P>: Value::Points(_, points) => Some(mapped(points));
+    [P: Space, const N: usize] [P; N]: Value::Points(_, points) => mapped(points).try_into().ok();
+    [P: Space] Curve<P>: Value::Curve(_, points) => Curve::new(&mapped(points)).ok();
+    [P: Space] Spline<P>: Value::Spline(data) => Some(spline_of(data));
+    [] Path: Value::Path(splines) => Some(Path::new(&splines.iter().map(spline_of).collect::<Vec<_>>()));
+    [] Patch: Value::Patch(data) => Patch::new(&data.vertices, data.degrees[0][0], data.degrees[0][1]).ok();
+    [] Surface: Value::Surface(data) => surface_of(data);
+    [] SplineData: Value::Spline(data) => Some(data.clone());
+    [] SurfaceData: Value::Patch(data) | Value::Surface(data) => Some(data.clone());
+    [] DAffine2: Value::Numbers(numbers) => Some(DAffine2::from_cols_slice(numbers));
+    [] DAffine3: Value::Numbers(numbers) => Some(DAffine3::from_cols_slice(numbers));
+    [] DMat4: Value::Numbers(numbers) => Some(DMat4::from_cols_slice(numbers));
+    [] Basis: Value::Numbers(numbers) => numbers.as_slice().try_into().ok().map(Basis::Matrix),
+        Value::Word("bezier") => Some(Basis::Bezier), Value::Word("hermite") => Some(Basis::Hermite),
+        Value::Word("b-spline") => Some(Basis::BSpline), Value::Word("catmull-rom") => Some(Basis::CatmullRom);
+    [T: Argument] Option<T>: Value::Nothing => Some(None), value => T::read(value).map(Some);
+}
+
+choices! {
+    FillRule: "evenodd" FillRule::EvenOdd, "nonzero" FillRule::NonZero;
+    OffsetJoin: "round" OffsetJoin::Round, "miter" OffsetJoin::Miter, "bevel" OffsetJoin::Bevel;
+    JointMode: "free" JointMode::Free, "g1" JointMode::G1, "c1" JointMode::C1,
+        "c2" JointMode::C2, "g2" JointMode::G2, "auto" JointMode::Auto;
+    Weld: "position" Weld::Position, "normal" Weld::Normal, "none" Weld::None;
+    GridMethod: "forward" GridMethod::ForwardDifference, "bernstein" GridMethod::Bernstein;
+    Height: "original" Height::Original, "squashed" Height::Squashed;
+    Up: "y" Up::Y, "z" Up::Z;
 }
 
 fn mapped<P: Space>(points: &[DVec3]) -> Vec<P> {
-    points.iter().map(|&p| P::of(p)).collect()
-}
-
-pub(crate) fn number(case: &Case, name: &str) -> f64 {
-    optional(case, name).unwrap_or_else(|| panic!("{name}: expected a number"))
-}
-
-pub(crate) fn optional(case: &Case, name: &str) -> Option<f64> {
-    match case.get(name) {
-        Value::Number(x) => Some(*x),
-        _ => None,
-    }
-}
-
-pub(crate) fn count(case: &Case, name: &str) -> usize {
-    optional_count(case, name).unwrap_or_else(|| panic!("{name}: expected a count"))
-}
-
-pub(crate) fn optional_count(case: &Case, name: &str) -> Option<usize> {
-    match case.get(name) {
-        Value::Count(n) => Some(*n),
-        _ => None,
-    }
-}
-
-pub(crate) fn flag(case: &Case, name: &str) -> bool {
-    matches!(case.get(name), Value::Flag(true))
-}
-
-pub(crate) fn word(case: &Case, name: &str) -> &'static str {
-    match case.get(name) {
-        Value::Word(word) => word,
-        _ => "",
-    }
-}
-
-pub(crate) fn words<'a>(case: &'a Case, name: &str) -> &'a [&'static str] {
-    match case.get(name) {
-        Value::Words(words) => words,
-        _ => &[],
-    }
-}
-
-pub(crate) fn text<'a>(case: &'a Case, name: &str) -> &'a str {
-    match case.get(name) {
-        Value::Text(text) => text,
-        _ => "",
-    }
-}
-
-pub(crate) fn numbers<'a>(case: &'a Case, name: &str) -> &'a [f64] {
-    optional_numbers(case, name).unwrap_or_default()
-}
-
-pub(crate) fn optional_numbers<'a>(case: &'a Case, name: &str) -> Option<&'a [f64]> {
-    match case.get(name) {
-        Value::Numbers(numbers) => Some(numbers),
-        _ => None,
-    }
-}
-
-pub(crate) fn optional_point<P: Space>(case: &Case, name: &str) -> Option<P> {
-    match case.get(name) {
-        Value::Point(_, p) => Some(P::of(*p)),
-        _ => None,
-    }
-}
-
-pub(crate) fn point<P: Space>(case: &Case, name: &str) -> P {
-    optional_point(case, name).unwrap_or_else(|| panic!("{name}: expected a point"))
-}
-
-pub(crate) fn points<P: Space>(case: &Case, name: &str) -> Vec<P> {
-    match case.get(name) {
-        Value::Points(_, points) => mapped(points),
-        _ => panic!("{name}: expected points"),
-    }
-}
-
-pub(crate) fn curve<P: Space>(case: &Case, name: &str) -> Curve<P> {
-    match case.get(name) {
-        Value::Curve(_, points) => Curve::new(&mapped::<P>(points)).expect("a curve"),
-        _ => panic!("{name}: expected a curve"),
-    }
+    points.iter().map(|&p| P::from_3d(p)).collect()
 }
 
 pub(crate) fn spline_of<P: Space>(data: &SplineData) -> Spline<P> {
     Spline::with_degrees(mapped(&data.points), &data.degrees, data.closed).expect("a spline")
 }
 
-pub(crate) fn spline_data<'a>(case: &'a Case, name: &str) -> &'a SplineData {
-    match case.get(name) {
-        Value::Spline(data) => data,
-        _ => panic!("{name}: expected a spline"),
-    }
+fn surface_of(data: &SurfaceData) -> Option<Surface> {
+    Surface::with_degrees(data.vertices.clone(), data.indices.clone(), &data.degrees).ok()
 }
 
-pub(crate) fn spline<P: Space>(case: &Case, name: &str) -> Spline<P> {
-    spline_of(spline_data(case, name))
+/// A check of one call, whose parameters are the arguments of the case in their order.
+pub(crate) trait Check<Arguments> {
+    fn run(&self, case: &Case) -> Checked;
 }
 
-pub(crate) fn path(case: &Case, name: &str) -> Path {
-    match case.get(name) {
-        Value::Path(splines) => Path::new(&splines.iter().map(spline_of).collect::<Vec<_>>()),
-        _ => panic!("{name}: expected a path"),
-    }
-}
-
-pub(crate) fn surface_data(case: &Case) -> &SurfaceData {
-    match &case.arguments[0].1 {
-        Value::Patch(data) | Value::Surface(data) => data,
-        _ => panic!("expected a patch or a surface"),
-    }
-}
-
-pub(crate) fn patch(case: &Case) -> Patch {
-    let data = surface_data(case);
-    let [m, n] = data.degrees[0];
-    Patch::new(&data.vertices, m, n).expect("a patch")
-}
-
-pub(crate) fn surface(case: &Case) -> Surface {
-    let data = surface_data(case).clone();
-    Surface::with_degrees(data.vertices, data.indices, &data.degrees).expect("a surface")
-}
-
-pub(crate) fn affine<P: Space>(case: &Case, name: &str) -> P::Affine {
-    P::affine(numbers(case, name))
-}
-
-pub(crate) fn projection(case: &Case, name: &str) -> DMat4 {
-    DMat4::from_cols_slice(numbers(case, name))
-}
-
-pub(crate) fn basis(case: &Case, name: &str) -> Basis {
-    match (word(case, name), numbers(case, name)) {
-        ("", numbers) => Basis::Matrix(numbers.try_into().expect("16 numbers")),
-        (word, _) => named_basis(word),
-    }
-}
-
-pub(crate) fn named_basis(word: &str) -> Basis {
-    match word {
-        "hermite" => Basis::Hermite,
-        "b-spline" => Basis::BSpline,
-        "catmull-rom" => Basis::CatmullRom,
-        _ => Basis::Bezier,
-    }
-}
-
-/// The slack for coordinates of points on curves of a degree: 16 (n + 2) units of rounding of the largest coordinate.
-pub(crate) fn slack(size: f64, degree: usize) -> f64 {
-    16.0 * real(degree + 2) * f64::EPSILON * size + f64::MIN_POSITIVE
-}
-
-/// The factor by which a parameter outside [0, 1] enlarges coordinates and their rounding errors: (|t| + |1 − t|)ⁿ.
-pub(crate) fn growth(t: f64, degree: usize) -> f64 {
-    (t.abs() + (1.0 - t).abs()).powi(i32::try_from(degree).expect("a degree"))
-}
-
-pub(crate) fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
-}
-
-/// The distance of two points.
-pub(crate) fn distance<P: Point>(a: P, b: P) -> f64 {
-    (a - b).length()
-}
-
-/// De Casteljau's algorithm, independent of the library.
-pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
-    let mut row = points.to_vec();
-    for length in (1..row.len()).rev() {
-        for i in 0..length {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+macro_rules! checks {
+    ($($($type:ident $index:literal)*;)*) => {$(
+        impl<Of: Fn($($type),*) -> Checked, $($type: Argument),*> Check<($($type,)*)> for Of {
+            fn run(&self, case: &Case) -> Checked {
+                self($(argument(case, $index)),*)
+            }
         }
-    }
-    row[0]
+    )*};
 }
 
-/// The distance of a point from a segment.
-pub(crate) fn from_segment<P: Point>(p: P, a: P, b: P) -> f64 {
-    let (along, away) = (b - a, p - a);
-    let square = along.dot(along);
-    let s = if square > 0.0 {
-        (away.dot(along) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    distance(away, along * s)
+checks! {
+    A 0;
+    A 0 B 1;
+    A 0 B 1 C 2;
+    A 0 B 1 C 2 D 3;
+    A 0 B 1 C 2 D 3 E 4;
+    A 0 B 1 C 2 D 3 E 4 F 5;
 }
 
-/// `steps` + 1 parameters from 0 to `end`.
-pub(crate) fn parameters(steps: usize, end: f64) -> impl Iterator<Item = f64> {
-    (0..=steps).map(move |k| end * real(k) / real(steps))
+fn argument<T: Argument>(case: &Case, index: usize) -> T {
+    let (name, value) = &case.arguments[index];
+    T::read(value).unwrap_or_else(|| panic!("{name}: no argument of this type, but {value:?}"))
 }
 
-/// Whether numbers are strictly increasing within [min, max].
-pub(crate) fn ascends(ts: &[f64], min: f64, max: f64) -> bool {
-    ts.windows(2).all(|w| w[0] < w[1]) && ts.iter().all(|t| (min..=max).contains(t))
+pub(crate) fn run<A>(check: &impl Check<A>, case: &Case) -> Checked {
+    check.run(case)
 }

@@ -1,30 +1,51 @@
-//! Checks of every call: finite numbers, steps within the limit, documented errors.
+//! Checks of every call: finite numbers, steps within the limit, documented errors. Comparisons that name what differs.
 
+use crate::arguments::Space;
+use crate::geometry::parameters;
 use crate::limits;
 use crate::numbers::Numbers;
 use casteljau::Error;
 use casteljau_generator::{Case, Mode};
 use std::cell::Cell;
+use std::fmt::{Debug, Display};
 
-/// Fails the check with a message unless a condition holds.
-macro_rules! ensure {
+/// Why a check fails.
+pub(crate) struct Failure(pub(crate) String);
+
+impl<T: Display> From<T> for Failure {
+    fn from(reason: T) -> Self {
+        Self(reason.to_string())
+    }
+}
+
+/// The outcome of a check.
+pub(crate) type Checked<T = ()> = Result<T, Failure>;
+
+/// A check with a message: `Ok` if a condition holds.
+macro_rules! holds {
     ($holds:expr, $($message:tt)+) => {{
         // A variable, because the negation of a comparison of numbers looks like a mistake to clippy.
         let holds: bool = $holds;
-        if !holds {
-            return Err(format!($($message)+));
-        }
+        if holds { Ok(()) } else { Err($crate::check::Failure(format!($($message)+))) }
     }};
 }
 
-/// The result of a call that may return an error. The check ends here for a documented error, and in extreme cases.
-macro_rules! answer {
-    ($case:expr, $call:expr) => {
-        answer!($case, $call, &[])
+/// Fails the check with a message unless a condition holds.
+macro_rules! ensure {
+    ($holds:expr, $($message:tt)+) => {
+        holds!($holds, $($message)+)?
     };
-    ($case:expr, $call:expr, $allowed:expr) => {
-        match $crate::check::call($case, || $call)? {
-            Ok(_) if $case.mode == casteljau_generator::Mode::Extreme => return Ok(()),
+}
+
+/// The result of a call that may return an error. The check ends here for a documented error, and in extreme cases.
+/// What an error may name is a text with `|` between the names.
+macro_rules! answer {
+    ($call:expr) => {
+        answer!($call, "")
+    };
+    ($call:expr, $allowed:expr) => {
+        match $crate::check::call(|| $call)? {
+            Ok(_) if $crate::check::is_extreme() => return Ok(()),
             Ok(value) => value,
             Err(error) => return $crate::check::refused(&error, $allowed),
         }
@@ -33,45 +54,122 @@ macro_rules! answer {
 
 /// The result of a call that never returns an error; in extreme cases the check ends here.
 macro_rules! value {
-    ($case:expr, $call:expr) => {{
-        let value = $crate::check::call($case, || $call)?;
-        if $case.mode == casteljau_generator::Mode::Extreme {
+    ($call:expr) => {{
+        let value = $crate::check::call(|| $call)?;
+        if $crate::check::is_extreme() {
             return Ok(());
         }
         value
     }};
 }
 
-/// A check for curves or splines in the plane and in space, selected by the dimension of the case.
-macro_rules! both {
-    ($check:ident) => {
-        |case| {
-            if case.dimension() == 3 {
-                $check::<casteljau::glam::DVec3>(case)
-            } else {
-                $check::<casteljau::glam::DVec2>(case)
-            }
-        }
-    };
+pub(crate) use {answer, ensure, holds, value};
+
+/// Numbers and points, which have distances.
+pub(crate) trait Metric: Copy {
+    fn distance(self, other: Self) -> f64;
 }
 
-pub(crate) use {answer, both, ensure, value};
+impl Metric for f64 {
+    fn distance(self, other: Self) -> f64 {
+        (self - other).abs()
+    }
+}
 
-/// The outcome of a check.
-pub(crate) type Checked = Result<(), String>;
+impl<P: Space> Metric for P {
+    fn distance(self, other: Self) -> f64 {
+        (self - other).length()
+    }
+}
+
+/// Checks that a number is at most a limit; NaN is not.
+pub(crate) fn at_most(x: f64, max: f64, what: impl Display) -> Checked {
+    ensure!(x <= max, "{what}: {x:e}, at most {max:e} is allowed");
+    Ok(())
+}
+
+/// Checks that two numbers or points are at most a slack apart.
+pub(crate) fn near<T: Metric>(a: T, b: T, slack: f64, what: impl Display) -> Checked {
+    at_most(a.distance(b), slack, what)
+}
+
+/// Checks that two functions agree at `steps` + 1 parameters from 0 to 1.
+pub(crate) fn agree<T: Metric>(
+    steps: usize,
+    slack: f64,
+    got: impl Fn(f64) -> T,
+    expected: impl Fn(f64) -> T,
+) -> Checked {
+    parameters(steps, 1.0).try_for_each(|t| near(got(t), expected(t), slack, t))
+}
+
+/// Checks that a result equals what is expected.
+pub(crate) fn same<A, B>(got: A, expected: B, what: impl Display) -> Checked
+where
+    A: PartialEq<B> + Debug,
+    B: Debug,
+{
+    if got != expected {
+        let texts = [format!("{got:?}"), format!("{expected:?}")];
+        let [got, expected] = texts.map(|text| text.chars().take(300).collect::<String>());
+        return Err(format!("{what}: {got}, but {expected} is expected").into());
+    }
+    Ok(())
+}
+
+/// The case that runs on this thread.
+#[derive(Clone, Copy)]
+struct Running {
+    seed: u64,
+    number: u64,
+    mode: Mode,
+    size: f64,
+    /// The maximum number of steps.
+    limit: usize,
+    /// The steps of the calls so far.
+    steps: usize,
+    /// CPU time of the calls so far, in nanoseconds; counted only for the table of percentiles.
+    time: u64,
+}
 
 thread_local! {
-    /// The steps of the calls of the case so far.
-    static STEPS: Cell<usize> = const { Cell::new(0) };
-    /// CPU time of the calls of the case so far, in nanoseconds; counted only for the table of percentiles.
-    static TIME: Cell<u64> = const { Cell::new(0) };
+    static RUNNING: Cell<Option<Running>> = const { Cell::new(None) };
     static TIMED: Cell<bool> = const { Cell::new(false) };
 }
 
+fn running() -> Running {
+    RUNNING.get().expect("a case")
+}
+
+/// The largest absolute coordinate of the case.
+pub(crate) fn size() -> f64 {
+    running().size
+}
+
+pub(crate) fn mode() -> Mode {
+    running().mode
+}
+
+/// Whether answers may be infinite or zero, so that only NaN is an error.
+pub(crate) fn is_extreme() -> bool {
+    running().mode == Mode::Extreme
+}
+
+pub(crate) fn seed_and_number() -> (u64, u64) {
+    (running().seed, running().number)
+}
+
 /// Starts a case.
-pub(crate) fn start() {
-    STEPS.set(0);
-    TIME.set(0);
+pub(crate) fn start(case: &Case) {
+    RUNNING.set(Some(Running {
+        seed: case.seed,
+        number: case.number,
+        mode: case.mode,
+        size: case.size(),
+        limit: limits::of(case),
+        steps: 0,
+        time: 0,
+    }));
 }
 
 /// Enables the measurement of CPU time.
@@ -81,20 +179,16 @@ pub(crate) fn count_time() {
 
 /// The steps and the CPU time in nanoseconds of the case.
 pub(crate) fn work() -> (usize, u64) {
-    (STEPS.get(), TIME.get())
+    (running().steps, running().time)
 }
 
 fn cpu_time() -> u64 {
-    if !TIMED.get() {
-        return 0;
-    }
     #[cfg(unix)]
-    {
+    if TIMED.get() {
         let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-        u64::try_from(time.tv_sec).unwrap_or(0) * 1_000_000_000
-            + u64::try_from(time.tv_nsec).unwrap_or(0)
+        let [seconds, rest] = [time.tv_sec, time.tv_nsec].map(|n| u64::try_from(n).unwrap_or(0));
+        return seconds * 1_000_000_000 + rest;
     }
-    #[cfg(not(unix))]
     0
 }
 
@@ -102,27 +196,26 @@ fn cpu_time() -> u64 {
 ///
 /// A result never contains a NaN. It contains no infinity either, unless coordinates lie near the limits of the range
 /// of f64 (`Mode::Extreme`).
-pub(crate) fn call<T: Numbers>(case: &Case, act: impl FnOnce() -> T) -> Result<T, String> {
-    let answer = call_unbounded(case, act)?;
+pub(crate) fn call<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> {
+    let answer = call_unbounded(act)?;
     let mut infinite = None;
     answer.visit(&mut |x| infinite = infinite.or((!x.is_finite()).then_some(x)));
     match infinite {
-        Some(x) if case.mode != Mode::Extreme => Err(format!("the answer holds {x}")),
+        Some(x) if !is_extreme() => Err(format!("the answer holds {x}").into()),
         _ => Ok(answer),
     }
 }
 
 /// As `call`, for results that may be infinite by definition (the curvature at a cusp), but not NaN.
-pub(crate) fn call_unbounded<T: Numbers>(
-    case: &Case,
-    act: impl FnOnce() -> T,
-) -> Result<T, String> {
+pub(crate) fn call_unbounded<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> {
     casteljau::take_steps();
     let begin = cpu_time();
     let answer = act();
-    TIME.set(TIME.get() + cpu_time() - begin);
-    STEPS.set(STEPS.get() + casteljau::take_steps());
-    let (steps, limit) = (STEPS.get(), limits::of(case));
+    let mut case = running();
+    case.time += cpu_time() - begin;
+    case.steps += casteljau::take_steps();
+    RUNNING.set(Some(case));
+    let (steps, limit) = (case.steps, case.limit);
     ensure!(steps <= limit, "{steps} steps, at most {limit} are allowed");
     let mut nan = false;
     answer.visit(&mut |x| nan |= x.is_nan());
@@ -131,13 +224,8 @@ pub(crate) fn call_unbounded<T: Numbers>(
 }
 
 /// Checks that an error is one that the documentation states, for the argument that it names.
-pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
-    let message = error.to_string();
-    ensure!(
-        message.contains("expected"),
-        "the refusal has no reason: {message}"
-    );
-    let allows = |what: &str| allowed.contains(&what);
+pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
+    let allows = |what: &str| allowed.split('|').any(|known| known == what);
     let fits = match *error {
         Error::Tolerance { min, got } => allows("tolerance") && got < min && min.is_finite(),
         Error::TooSmall { what, min, got } => allows(what) && got < min,
@@ -155,9 +243,7 @@ pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
         Error::Count { what, .. } | Error::Item { what, .. } => allows(what),
         _ => false,
     };
-    ensure!(
-        fits,
-        "refused without a stated reason: {message} ({error:?})"
-    );
+    ensure!(fits, "refused without a stated reason: {error} ({error:?})");
+    ensure!(error.to_string().contains("expected"), "no reason: {error}");
     Ok(())
 }

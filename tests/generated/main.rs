@@ -8,89 +8,183 @@ mod arguments;
 mod chains;
 mod check;
 mod coverage;
-mod curve_drawing;
-mod curve_edit;
-mod curve_locations;
-mod curve_measure;
-mod curve_query;
-mod curve_shape;
-mod export;
+mod curves;
+mod drawing;
+mod geometry;
 mod limits;
-mod mesh;
+mod lines;
+mod meshes;
 mod numbers;
 mod parsers;
-mod patch;
-mod patch_query;
-mod path;
-mod path_query;
-mod path_regions;
-mod path_strokes;
+mod patches;
+mod paths;
 mod percentiles;
+mod recorder;
 mod runner;
-mod spline_edit;
-mod spline_forms;
-mod spline_local;
-mod spline_measure;
-mod spline_query;
-mod surface;
-mod surface_query;
+mod shared;
+mod splines;
+mod surfaces;
 
+use arguments::run;
+use casteljau::glam::{DVec2, DVec3};
+use casteljau::{Curve, Patch, Path, Spline, Surface};
 use runner::Row;
 
-/// The functions in groups; each group is a test, so that the groups run in parallel.
-const GROUPS: [(&str, &[&[Row]]); 11] = [
-    ("curves: evaluation", &[curve_shape::ROWS]),
-    ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
-    ("curves: measures", &[curve_measure::ROWS]),
-    (
-        "curves: queries",
-        &[curve_query::ROWS, curve_locations::ROWS],
-    ),
-    (
-        "splines",
-        &[
-            spline_edit::ROWS,
-            spline_forms::ROWS,
-            spline_local::ROWS,
-            spline_measure::ROWS,
-            spline_query::ROWS,
-        ],
-    ),
-    (
-        "paths",
-        &[
-            path::ROWS,
-            path_query::ROWS,
-            path_regions::ROWS,
-            path_strokes::ROWS,
-        ],
-    ),
-    ("patches", &[patch::ROWS, patch_query::ROWS]),
-    ("surfaces: meshes", &[surface::ROWS, export::ROWS]),
-    ("surfaces: queries", &[surface_query::ROWS]),
-    ("parsers", &[parsers::ROWS]),
-    ("chains", &[chains::ROWS]),
-];
-
-macro_rules! groups {
-    ($($name:ident: $index:literal,)*) => {$(
-        #[test]
-        fn $name() {
-            runner::run(GROUPS[$index].1);
+/// A row for one function and a check `(module name)`; without a name, the check is named as the function.
+///
+/// `one` is a check of no parameter. `of` takes the type itself; `each` takes the type in the plane and in space, by the
+/// dimension of the case; `plane` and `space` take one of them. `points` takes the type of points instead.
+macro_rules! row {
+    ($type:ident $kind:ident ($module:ident) $name:ident) => {
+        row!($type $kind ($module $name) $name)
+    };
+    ($type:ident $kind:ident ($module:ident $check:ident) $name:ident) => {
+        (
+            concat!(stringify!($type), "::", stringify!($name)),
+            |case| row!(@ $kind $type case $module $check),
+        )
+    };
+    (@ one $type:ident $case:ident $module:ident $check:ident) => {
+        run(&$module::$check, $case)
+    };
+    (@ of $type:ident $case:ident $module:ident $check:ident) => {
+        run(&$module::$check::<$type>, $case)
+    };
+    (@ plane $type:ident $case:ident $module:ident $check:ident) => {
+        run(&$module::$check::<$type<DVec2>>, $case)
+    };
+    (@ space $type:ident $case:ident $module:ident $check:ident) => {
+        run(&$module::$check::<$type<DVec3>>, $case)
+    };
+    (@ each $type:ident $case:ident $module:ident $check:ident) => {
+        match $case.dimension() {
+            3 => run(&$module::$check::<$type<DVec3>>, $case),
+            _ => run(&$module::$check::<$type<DVec2>>, $case),
         }
-    )*};
+    };
+    (@ points $type:ident $case:ident $module:ident $check:ident) => {
+        match $case.dimension() {
+            3 => run(&$module::$check::<DVec3>, $case),
+            _ => run(&$module::$check::<DVec2>, $case),
+        }
+    };
+}
+
+/// The functions in groups; each group is a test, so that the groups run in parallel.
+macro_rules! groups {
+    ($($group:ident { $($type:ident $kind:ident $check:tt: $($name:ident)+;)* })*) => {
+        mod rows {
+            use super::*;
+            $(#[allow(non_upper_case_globals, reason = "the name of a test")]
+            pub(super) const $group: &[Row] = &[$($(row!($type $kind $check $name)),+),*];)*
+        }
+
+        /// The rows of all groups.
+        pub(crate) fn rows() -> impl Iterator<Item = Row> {
+            [$(rows::$group),*].into_iter().flatten().copied()
+        }
+
+        $(#[test]
+        fn $group() {
+            crate::runner::run(rows::$group);
+        })*
+    };
 }
 
 groups! {
-    curves_evaluation: 0,
-    curves_editing: 1,
-    curves_measures: 2,
-    curves_queries: 3,
-    splines: 4,
-    paths: 5,
-    patches: 6,
-    surfaces_meshes: 7,
-    surfaces_queries: 8,
-    parsers_read_what_they_wrote: 9,
-    chains_of_operations: 10,
+    curves_evaluation {
+        Curve points (curves): new from_basis to_basis approx_eq interpolate sample_into;
+        Curve points (curves accessors): degree control_points start end;
+        Curve points (curves low_degrees): line quad cubic;
+        Curve points (curves): derivative derivative_at tangent normal curvature torsion;
+        Curve one (curves): basis_matrix;
+        Curve one (curves bernstein_weights): bernstein;
+        Curve each (lines): eval eval_at sample;
+    }
+    curves_editing {
+        Curve each (lines): split subsegment reverse transform flatten;
+        Curve points (curves): halve elevate reduce flatten_with subdivide;
+        Curve points (curves every_level): de_casteljau;
+        Curve plane (drawing): trace to_svg;
+        Curve one (drawing curve_offset): offset;
+    }
+    curves_measures {
+        Curve each (lines): length time_at_length equidistant_times bounds control_bounds;
+        Curve plane (lines): area;
+        Curve space (lines): frames frames_at;
+        Curve one (curves): moments hull;
+    }
+    curves_queries {
+        Curve plane (lines): intersections self_intersections;
+        Curve one (lines with_spline): intersections_with_spline;
+        Curve each (lines): nearest;
+        Curve points (curves): distance_to hausdorff extrema times_at_coordinate cusps classify;
+        Curve one (curves): inflections tangents_from;
+    }
+    splines {
+        Spline points (splines): new segment from_curves approx_eq append insert remove move_point set_joint;
+        Spline points (splines accessors): with_degrees control_points is_closed segment_count degrees segments;
+        Spline points (splines): from_bspline to_bspline interpolate fit simplify cumulative_lengths continuity;
+        Spline points (splines): derivative_at tangent normal curvature;
+        Spline one (splines): torsion;
+        Spline each (lines): eval eval_at sample split subsegment reverse transform flatten nearest;
+        Spline each (lines): length time_at_length equidistant_times bounds control_bounds;
+        Spline plane (lines): area intersections self_intersections;
+        Spline one (lines with_curve): intersections_with_curve;
+        Spline space (lines): frames frames_at;
+        Spline plane (drawing): trace to_svg;
+        Spline one (drawing spline_offset): offset;
+    }
+    paths {
+        Path one (paths accessors): new subpath_count segment_count is_empty subpaths segments;
+        Path one (paths): subpath approx_eq bounds control_bounds length time_at_length equidistant_times;
+        Path one (paths): area moments flatten transform reverse nearest winding_number contains;
+        Path one (paths): intersections self_intersections;
+        Path one (paths): union intersect subtract exclude combine remove_overlaps faces divide clip;
+        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners;
+        Path one (drawing): elements;
+        Path of (drawing): trace to_svg;
+    }
+    patches {
+        Patch one (patches new): new degree_u degree_v control_points;
+        Patch one (patches): from_basis approx_eq eval partials normal curvature isocurve_at_u isocurve_at_v;
+        Patch one (patches every_level): de_casteljau;
+        Patch one (patches): split_u split_v split elevate flatness area;
+        Patch of (patches): control_bounds transform move_point bounds nearest intersect_ray;
+        Patch of (meshes): grid grid_into grid_by;
+        Patch of (meshes): tessellate tessellate_f64;
+    }
+    surfaces_meshes {
+        Surface one (surfaces): new teapot teacup teaspoon to_text;
+        Surface one (surfaces accessors): with_degrees vertices indices patch_count patches;
+        Surface one (surfaces one_patch): degrees patch_indices patch;
+        Surface of (patches): control_bounds transform move_point;
+        Surface of (meshes): grid grid_into grid_by;
+        Surface of (meshes): tessellate tessellate_f64;
+        Surface one (meshes): tessellate_view;
+        Mesh one (meshes counts): vertex_count triangle_count;
+        Mesh one (meshes): to_f32 to_obj to_stl to_glb;
+        Grid one (meshes grid_check): check;
+        Grid one (meshes grid_quads): quads;
+    }
+    surfaces_queries {
+        Surface of (patches): bounds nearest intersect_ray;
+        Surface one (surfaces): area volume topology isocurves trace_projected subdivide;
+        Surface one (meshes): wireframe;
+    }
+    parsers_read_what_they_wrote {
+        Path one (parsers): from_svg from_svg_with;
+        Surface one (parsers): parse;
+        Easing one (parsers easing_new): new;
+        Easing one (parsers easing_eval): eval;
+        Easing one (parsers easing_to_linear): to_linear;
+        Easing one (parsers easing_text): text;
+    }
+    chains_of_operations {
+        Curve points (chains curve): chain;
+        Spline points (chains spline): chain;
+        Path one (chains path): chain;
+        Patch one (chains patch): chain;
+        Surface one (chains surface): chain;
+    }
 }

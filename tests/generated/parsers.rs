@@ -1,139 +1,85 @@
 //! Checks of parsers: no panic, errors within the text, and everything that was read can be written and read again.
 
-use crate::arguments::*;
 use crate::check::*;
-use crate::runner::Row;
+use crate::geometry::*;
+use casteljau::path::SvgError;
 use casteljau::{Easing, Path, Surface};
-use casteljau_generator::Case;
 
-pub(crate) const ROWS: &[Row] = &[
-    ("Path::from_svg_with", from_svg_with),
-    ("Path::from_svg", from_svg),
-    ("Surface::parse", parse),
-    ("Easing::new", easing_new),
-    ("Easing::eval", easing_eval),
-    ("Easing::to_linear", easing_to_linear),
-    ("Easing::text", easing_text),
-];
+/// Checks that an error is at a place in the text, and that its message is short.
+fn is_error(text: &str, offset: usize, message: &str) -> Checked {
+    ensure!(offset <= text.len(), "offset {offset} of {}", text.len());
+    ensure!(text.is_char_boundary(offset), "within a character");
+    let length = message.len();
+    holds!(length < 300 + text.len().min(100), "{length} bytes")
+}
 
-fn from_svg(case: &Case) -> Checked {
-    let text = text(case, "text");
-    let (path, error) = match call(case, || Path::from_svg(text).map_err(Box::new))? {
-        Ok(path) => (path, None),
-        Err(error) => (error.path.clone(), Some(error)),
-    };
-    if let Some(error) = error {
-        ensure!(
-            error.offset <= text.len(),
-            "offset {} of {}",
-            error.offset,
-            text.len()
-        );
-        ensure!(
-            text.as_bytes()[..error.offset].is_ascii(),
-            "text before the error that is not ASCII"
-        );
-        ensure!(
-            error.to_string().len() < 300 + text.len(),
-            "a message of {} bytes",
-            error.to_string().len()
-        );
-        let before = Path::from_svg(&text[..error.offset]).unwrap_or_else(|error| error.path);
-        ensure!(
-            before.segment_count() <= error.path.segment_count() + 1,
-            "more before the error than with it"
-        );
+pub(crate) fn from_svg(text: String) -> Checked {
+    let result = call(|| Path::from_svg(&text).map_err(Box::new))?;
+    if let Err(error) = &result {
+        is_error(&text, error.offset, &error.to_string())?;
+        let before = &text[..error.offset];
+        ensure!(before.is_ascii(), "text before the error that is not ASCII");
+        let before = Path::from_svg(before).unwrap_or_else(|error| error.path);
+        let more = before.segment_count() > error.path.segment_count() + 1;
+        ensure!(!more, "more before the error than with it");
     }
+    let path = result.unwrap_or_else(|error| error.path);
     // An arc becomes at most four cubics and takes at least nine characters.
-    ensure!(
-        path.segment_count() <= text.len() + 1,
-        "{} segments of {} bytes",
-        path.segment_count(),
-        text.len()
-    );
-    let written = path.to_svg(None, None).map_err(|error| error.to_string())?;
-    ensure!(
-        written.len() <= 600 * (text.len() + 1),
-        "{} bytes of {}",
-        written.len(),
-        text.len()
-    );
-    let again = Path::from_svg(&written).map_err(|error| error.to_string())?;
-    ensure!(again == path, "another path is read from {written}");
-    Ok(())
+    let (count, length) = (path.segment_count(), text.len());
+    ensure!(count <= length + 1, "{count} segments of {length} bytes");
+    let written = path.to_svg(None, None)?;
+    let bytes = written.len();
+    ensure!(bytes <= 600 * (length + 1), "{bytes} bytes");
+    same(Path::from_svg(&written)?, path, "the path read again")
 }
 
-fn from_svg_with(case: &Case) -> Checked {
-    let (text, tolerance) = (text(case, "text"), number(case, "tolerance"));
-    let refused = |error: &casteljau::path::SvgError| error.expected == "an arc tolerance above 0";
-    match call(case, || {
-        Path::from_svg_with(text, tolerance).map_err(Box::new)
-    })? {
+pub(crate) fn from_svg_with(text: String, tolerance: f64) -> Checked {
+    let read = || Path::from_svg_with(&text, tolerance).map_err(Box::new);
+    let refused = |error: &SvgError| error.expected == "an arc tolerance above 0";
+    match call(read)? {
         Ok(path) => {
-            let plain = Path::from_svg(text).map_err(|error| error.to_string())?;
             ensure!(tolerance > 0.0, "a tolerance of {tolerance} is accepted");
-            ensure!(
-                path.subpath_count() == plain.subpath_count(),
-                "{} subpaths, not {}",
-                path.subpath_count(),
-                plain.subpath_count()
-            );
+            let plain = Path::from_svg(&text)?;
+            same(path.subpath_count(), plain.subpath_count(), "the subpaths")?;
         }
-        Err(error) => ensure!(
-            refused(&error) != (tolerance > 0.0),
-            "refused without a reason: {error}"
-        ),
+        Err(error) => {
+            let stated = refused(&error) != (tolerance > 0.0);
+            ensure!(stated, "refused without a reason: {error}");
+        }
     }
     Ok(())
 }
 
-fn parse(case: &Case) -> Checked {
-    let text = text(case, "text");
-    let surface = match call(case, || Surface::parse(text).map_err(Box::new))? {
+pub(crate) fn parse(text: String) -> Checked {
+    let surface = match call(|| Surface::parse(&text).map_err(Box::new))? {
         Ok(surface) => surface,
         Err(error) => {
             let lines = text.split('\n').count() + text.matches('\r').count() + 1;
-            ensure!(
-                (1..=lines).contains(&error.line),
-                "line {} of {lines}",
-                error.line
-            );
-            ensure!(
-                !error.expected.is_empty() && error.to_string().len() <= 300 + text.len(),
-                "no short message"
-            );
+            let line = error.line;
+            ensure!((1..=lines).contains(&line), "line {line} of {lines}");
+            let short = error.to_string().len() <= 300 + text.len();
+            ensure!(!error.expected.is_empty() && short, "no short message");
             return Ok(());
         }
     };
-    ensure!(
-        surface.vertices().len() + surface.indices().len() <= text.len(),
-        "more numbers than characters"
-    );
-    let again = Surface::parse(&surface.to_text()).map_err(|error| error.to_string())?;
-    let same = again.vertices() == surface.vertices() && again.indices() == surface.indices();
-    ensure!(same, "another surface is read from what was written");
-    Ok(())
+    let numbers = surface.vertices().len() + surface.indices().len();
+    ensure!(numbers <= text.len(), "more numbers than characters");
+    let again = Surface::parse(&surface.to_text())?;
+    same(again, surface, "the surface that is read again")
 }
 
-fn handles(case: &Case) -> [f64; 4] {
-    ["x1", "y1", "x2", "y2"].map(|name| number(case, name))
-}
-
-fn easing_new(case: &Case) -> Checked {
-    let [x1, y1, x2, y2] = handles(case);
+pub(crate) fn easing_new(x1: f64, y1: f64, x2: f64, y2: f64) -> Checked {
     casteljau::take_steps();
-    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
-    let ends = call(case, || [easing.eval(0.0), easing.eval(1.0)])?;
-    ensure!(ends == [0.0, 1.0], "the ends are {ends:?}");
-    Ok(())
+    let easing = Easing::new(x1, y1, x2, y2)?;
+    let ends = call(|| [easing.eval(0.0), easing.eval(1.0)])?;
+    same(ends, [0.0, 1.0], "the ends")
 }
 
-fn easing_eval(case: &Case) -> Checked {
-    let ([x1, y1, x2, y2], x) = (handles(case), number(case, "x"));
-    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
-    let y = call(case, || easing.eval(x))?;
+pub(crate) fn easing_eval(x1: f64, y1: f64, x2: f64, y2: f64, x: f64) -> Checked {
+    let easing = Easing::new(x1, y1, x2, y2)?;
+    let y = call(|| easing.eval(x))?;
     ensure!(y.is_finite(), "{y}");
-    if !(0.0..=1.0).contains(&x) || case.size() > 0.0 {
+    if !(0.0..=1.0).contains(&x) {
         return Ok(());
     }
     // x(t) is accurate to 1e-15, and y belongs to this t: every t with an equally close x is accepted.
@@ -144,61 +90,46 @@ fn easing_eval(case: &Case) -> Checked {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..80 {
             let middle = 0.5 * (low + high);
-            if weights(middle, x1, x2) < x {
-                low = middle;
+            let end = if weights(middle, x1, x2) < x {
+                &mut low
             } else {
-                high = middle;
-            }
+                &mut high
+            };
+            *end = middle;
         }
         low
     };
     let (below, above) = (parameter_at(x - 4e-15), parameter_at(x + 4e-15));
     let values = parameters(8, 1.0).map(|s| weights(below + (above - below) * s, y1, y2));
-    let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| {
-        (a.min(y), b.max(y))
-    });
+    let (low, high) = (min(values.clone()), -min(values.map(|y| -y)));
     let slack = 1e-9 * y1.abs().max(y2.abs()).max(1.0);
-    ensure!(
-        y >= min - slack && y <= max + slack,
-        "{y} at {x}, between {min} and {max} were expected"
-    );
-    Ok(())
+    let fits = y >= low - slack && y <= high + slack;
+    holds!(fits, "{y} at {x}, between {low} and {high} was expected")
 }
 
-fn easing_to_linear(case: &Case) -> Checked {
-    let ([x1, y1, x2, y2], tolerance) = (handles(case), number(case, "tolerance"));
-    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
-    let text = answer!(case, easing.to_linear(tolerance), &["tolerance"]);
-    let linear: Easing = text.parse().map_err(|error| format!("{text}: {error}"))?;
-    for x in parameters(200, 1.0) {
-        let error = (linear.eval(x) - easing.eval(x)).abs();
-        ensure!(
-            error <= tolerance * (1.0 + 1e-9),
-            "an error of {error} at {x}"
-        );
-    }
-    Ok(())
+pub(crate) fn easing_to_linear(x1: f64, y1: f64, x2: f64, y2: f64, tolerance: f64) -> Checked {
+    let easing = Easing::new(x1, y1, x2, y2)?;
+    let text = answer!(easing.to_linear(tolerance), "tolerance");
+    let linear: Easing = text.parse()?;
+    let slack = tolerance * (1.0 + 1e-9);
+    agree(200, slack, |x| linear.eval(x), |x| easing.eval(x))
 }
 
-fn easing_text(case: &Case) -> Checked {
-    let text = text(case, "text");
-    let written = call(case, || {
-        text.parse::<Easing>().map(|easing| easing.to_string())
-    })?;
-    let (written, easing) = match (written, text.parse::<Easing>()) {
+pub(crate) fn easing_text(text: String) -> Checked {
+    let read = || text.parse::<Easing>().map(|easing| easing.to_string());
+    let (written, easing) = match (call(read)?, text.parse::<Easing>()) {
         (Ok(written), Ok(easing)) => (written, easing),
         (_, Err(error)) | (Err(error), _) => {
-            ensure!(error.offset <= text.len(), "offset {}", error.offset);
-            ensure!(text.is_char_boundary(error.offset), "within a character");
-            let length = error.to_string().len();
-            ensure!(length <= 400, "a message of {length} bytes");
-            return Ok(());
+            return is_error(&text, error.offset, &error.to_string());
         }
     };
     let length = written.len();
     ensure!(length <= 600 * (text.len() + 1), "{length} bytes");
-    let same = written.parse().as_ref() == Ok(&easing);
-    ensure!(same, "another function is read from {written}");
+    same(
+        &written.parse::<Easing>(),
+        &Ok(easing.clone()),
+        "what is read again",
+    )?;
     for x in [-1e308, -1.0, 0.0, 0.3, 1.0, 2.0, 1e308] {
         let y = easing.eval(x);
         ensure!(y.is_finite(), "{y} at {x}");

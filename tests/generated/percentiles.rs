@@ -1,6 +1,5 @@
 //! A table of steps and CPU time per function: `cargo test --release --test generated percentiles -- --ignored --nocapture`.
 
-use crate::GROUPS;
 use crate::check;
 use crate::runner::{self, Row, Settings};
 use casteljau_generator::case;
@@ -14,21 +13,16 @@ const PER_MILLE: [usize; 5] = [500, 900, 990, 999, 1000];
 #[ignore = "prints a table, asserts nothing"]
 fn percentiles() {
     let settings = Settings::read();
-    let rows = GROUPS
-        .iter()
-        .flat_map(|(_, tables)| tables.iter().copied().flatten());
     println!(
         "| function | steps 50 % | 90 % | 99 % | 99.9 % | max | µs 50 % | 90 % | 99 % | 99.9 % | max (case) |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|");
-    for row in rows {
-        if let Some(line) = line(row, &settings) {
-            println!("{line}");
-        }
+    for line in crate::rows().filter_map(|row| line(row, &settings)) {
+        println!("{line}");
     }
 }
 
-fn line(&(name, check): &Row, settings: &Settings) -> Option<String> {
+fn line((name, check): Row, settings: &Settings) -> Option<String> {
     check::count_time();
     let (mut steps, mut times) = (Vec::new(), Vec::new());
     for number in settings.numbers(name) {

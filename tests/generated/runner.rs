@@ -1,6 +1,6 @@
 //! Runs the cases of a group on a separate thread, detects calls that do not return, and reports failures.
 
-use crate::check::{self, Checked};
+use crate::check::{self, Checked, Failure};
 use casteljau_generator::{Case, case, find};
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -99,12 +99,11 @@ impl Shared {
 }
 
 /// Runs the checks and fails with a list of the failures.
-pub(crate) fn run(tables: &'static [&'static [Row]]) {
-    let rows: Arc<Vec<Row>> = Arc::new(tables.iter().copied().flatten().copied().collect());
+pub(crate) fn run(rows: &'static [Row]) {
     let (shared, settings) = (Arc::<Mutex<Shared>>::default(), Settings::read());
     let mut first = 0;
     // A call that does not return keeps its thread; another worker continues with the next function.
-    while let Some(next) = watch(&spawn(&rows, first, &settings, &shared), &shared) {
+    while let Some(next) = watch(&spawn(rows, first, &settings, &shared), &shared) {
         first = next;
     }
     let failures = &lock(&shared).failures;
@@ -117,13 +116,13 @@ fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
 
 /// Starts a thread for the rows from `first` on; the receiver is notified when it ends.
 fn spawn(
-    rows: &Arc<Vec<Row>>,
+    rows: &'static [Row],
     first: usize,
     settings: &Settings,
     shared: &Arc<Mutex<Shared>>,
 ) -> Receiver<()> {
     let (sender, receiver) = channel();
-    let (rows, settings, shared) = (Arc::clone(rows), settings.clone(), Arc::clone(shared));
+    let (settings, shared) = (settings.clone(), Arc::clone(shared));
     let number = lock(&shared).worker;
     let work = move || {
         let _ended = sender; // dropped at the end, also after a panic
@@ -136,7 +135,7 @@ fn spawn(
                 if shared.worker != number {
                     return;
                 }
-                if let Err(message) = outcome {
+                if let Err(Failure(message)) = outcome {
                     shared.add(&case, &message);
                 }
             }
@@ -164,11 +163,11 @@ fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
 
 /// Runs a check and turns its panics into failures.
 pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
-    check::start();
+    check::start(case);
     catch_unwind(AssertUnwindSafe(|| check(case))).unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
-        Err(format!("panicked: {}", text.unwrap_or_default()))
+        Err(format!("panicked: {}", text.unwrap_or_default()).into())
     })
 }
 

@@ -1,14 +1,24 @@
 //! Adversarial curves: coincident and collinear points, cusps, loops, points a few ulps apart, huge and tiny coordinates.
 
-use crate::random::Rng;
+use crate::random::{Rng, real};
 use glam::DVec3;
 
 /// The largest coordinate that the library accepts: 2⁵⁰⁰.
 pub const MAX_COORDINATE: f64 = 3.273_390_607_896_142e150;
 
-/// What makes a curve difficult.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+/// Defines the kinds and the list of all of them.
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident,)*) => {
+        /// What makes a curve difficult.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)*
+        }
+        const KINDS: &[Kind] = &[$(Kind::$kind),*];
+    };
+}
+
+kinds! {
     /// Random control points.
     Random,
     /// Small integer coordinates.
@@ -51,38 +61,20 @@ pub enum Kind {
     Largest,
 }
 
-/// The kinds with coordinates of ordinary size.
-pub const ORDINARY: [Kind; 17] = [
-    Kind::Random,
-    Kind::Integers,
-    Kind::Closed,
-    Kind::Collinear,
-    Kind::NearlyCollinear,
-    Kind::ZeroHandles,
-    Kind::Cusp,
-    Kind::Loop,
-    Kind::FlatS,
-    Kind::FewUlps,
-    Kind::OneAway,
-    Kind::Coincident,
-    Kind::Mixed,
-    Kind::FarAway,
-    Kind::Elevated,
-    Kind::LongHandle,
-    Kind::Spike,
-];
-
-/// All kinds but [`Kind::Largest`], where results of operations exceed the limit of coordinates.
-pub const ALL: [Kind; 19] = {
-    let mut all = [Kind::Huge; 19];
-    let mut i = 0;
-    while i < 17 {
-        all[i] = ORDINARY[i];
+const fn first<const N: usize>() -> [Kind; N] {
+    let (mut kinds, mut i) = ([Kind::Random; N], 0);
+    while i < N {
+        kinds[i] = KINDS[i];
         i += 1;
     }
-    all[18] = Kind::Tiny;
-    all
-};
+    kinds
+}
+
+/// The kinds with coordinates of ordinary size.
+pub const ORDINARY: [Kind; 17] = first();
+
+/// All kinds but [`Kind::Largest`], where results of operations exceed the limit of coordinates.
+pub const ALL: [Kind; 19] = first();
 
 /// Control points of a kind and a degree; z = 0 where `dimension` is 2.
 pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec<DVec3> {
@@ -124,9 +116,7 @@ pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec
         }
         Kind::Elevated => {
             p.truncate(1 + n.div_ceil(2));
-            while p.len() < n + 1 {
-                p = elevated(&p);
-            }
+            p = elevated_to(p, n);
         }
         Kind::LongHandle => {
             let at = if rng.chance(0.5) { 1 } else { n - 1 };
@@ -165,17 +155,15 @@ fn on_a_line(rng: &mut Rng, p: &mut [DVec3], dimension: usize) {
     if rng.chance(0.4) {
         direction = rng.pick(&[DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)]);
     }
-    let origin = if rng.chance(0.5) {
+    let is_central = rng.chance(0.5);
+    let origin = if is_central {
         DVec3::ZERO
     } else {
         rng.point(dimension)
     };
     for p in p.iter_mut() {
-        let along = if rng.chance(0.3) {
-            (p.x * 3.0).round()
-        } else {
-            p.x
-        };
+        let is_rounded = rng.chance(0.3);
+        let along = if is_rounded { (p.x * 3.0).round() } else { p.x };
         *p = origin + direction * along;
     }
     let n = p.len() - 1;
@@ -188,10 +176,9 @@ fn on_a_line(rng: &mut Rng, p: &mut [DVec3], dimension: usize) {
 fn cross_handles(rng: &mut Rng, p: &mut [DVec3], kind: Kind) {
     let (u, v) = (p[0], p[1]);
     let off = rng.pick(&[0.0, 1e-15, 1e-9, 1e-4]);
-    let reach = if kind == Kind::Cusp {
-        1.0 + off
-    } else {
-        1.0 + rng.magnitude(-6.0, 0.5)
+    let reach = match kind {
+        Kind::Cusp => 1.0 + off,
+        _ => 1.0 + rng.magnitude(-6.0, 0.5),
     };
     let (low, high) = (0.5 - 0.5 * reach, 0.5 + 0.5 * reach);
     let corners = [(0.0, 0.0), (high, 1.0), (low, 1.0), (1.0, 0.0)];
@@ -202,12 +189,22 @@ fn cross_handles(rng: &mut Rng, p: &mut [DVec3], kind: Kind) {
     }
     if n > 3 {
         // The same cubic, elevated to the degree.
-        let mut raised = p[..4].to_vec();
-        while raised.len() < n + 1 {
-            raised = elevated(&raised);
-        }
-        p.copy_from_slice(&raised);
+        p.copy_from_slice(&elevated_to(p[..4].to_vec(), n));
     }
+}
+
+/// The nearest point whose coordinates are within the limit.
+pub(crate) fn within_range(p: DVec3) -> DVec3 {
+    let max = DVec3::splat(MAX_COORDINATE);
+    p.clamp(-max, max)
+}
+
+/// A curve of at least a degree, by elevation.
+pub(crate) fn elevated_to(mut p: Vec<DVec3>, degree: usize) -> Vec<DVec3> {
+    while p.len() <= degree {
+        p = elevated(&p);
+    }
+    p
 }
 
 /// Degree elevation by the textbook formula, independent of the library.
@@ -216,13 +213,7 @@ pub fn elevated(p: &[DVec3]) -> Vec<DVec3> {
     let inner = (1..p.len()).map(|i| p[i - 1] * (real(i) / n) + p[i] * (1.0 - real(i) / n));
     let mut raised = vec![p[0]];
     // Rounding may exceed the limit.
-    raised.extend(
-        inner.map(|p: DVec3| p.clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE))),
-    );
+    raised.extend(inner.map(within_range));
     raised.push(p[p.len() - 1]);
     raised
-}
-
-fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
 }

@@ -5,7 +5,7 @@ use crate::case::{Case, Mode, Value};
 use crate::functions;
 use crate::geometry;
 use crate::large;
-use crate::random::Rng;
+use crate::random::{Rng, real};
 use crate::texts;
 use glam::DVec3;
 
@@ -16,15 +16,15 @@ const CASES_PER_LARGE_CASE: u64 = 500;
 /// The largest number of control points of drawings with wide strokes.
 const MAX_POINTS_WITH_WIDE_STROKES: usize = 90;
 
+pub(crate) const BASES: [&str; 4] = ["bezier", "hermite", "b-spline", "catmull-rom"];
+pub(crate) const MODES: [&str; 6] = ["free", "g1", "c1", "c2", "g2", "auto"];
+
 /// The words of each kind of choice.
 const CHOICES: &[(&str, &[&str])] = &[
-    (
-        "named basis",
-        &["bezier", "hermite", "b-spline", "catmull-rom"],
-    ),
+    ("named basis", &BASES),
     ("interpolation", &["natural", "catmull-rom"]),
     ("join", &["round", "miter", "bevel"]),
-    ("joint mode", &["free", "g1", "c1", "c2", "g2", "auto"]),
+    ("joint mode", &MODES),
     ("rule", &["nonzero", "evenodd"]),
     ("method", &["bernstein", "forward"]),
     ("weld", &["position", "normal", "none"]),
@@ -54,12 +54,7 @@ pub fn case(seed: u64, function: &str, number: u64) -> Case {
         arguments: Vec::new(),
     };
     for &(name, kind) in &signature.arguments {
-        let value = Maker {
-            rng: &mut rng,
-            mode,
-            result: &result,
-        }
-        .value(kind);
+        let value = Maker::new(&mut rng, &result).value(kind);
         result.arguments.push((name, value));
     }
     result
@@ -72,10 +67,16 @@ pub(crate) struct Maker<'a> {
     pub(crate) result: &'a Case,
 }
 
-impl Maker<'_> {
+impl<'a> Maker<'a> {
+    fn new(rng: &'a mut Rng, result: &'a Case) -> Self {
+        let mode = result.mode;
+        Self { rng, mode, result }
+    }
+
     fn value(&mut self, kind: &'static str) -> Value {
         if let Some(kind) = kind.strip_prefix("optional ") {
-            return if self.rng.chance(0.5) {
+            let left_out = self.rng.chance(0.5);
+            return if left_out {
                 Value::Nothing
             } else {
                 self.value(kind)
@@ -84,12 +85,13 @@ impl Maker<'_> {
         if let Some((_, words)) = CHOICES.iter().find(|(known, _)| *known == kind) {
             return Value::Word(self.rng.pick(words));
         }
-        self.geometry(kind)
-            .or_else(|| self.number(kind))
-            .or_else(|| self.count(kind))
-            .or_else(|| self.list(kind))
-            .or_else(|| texts::text(self.rng, kind).map(Value::Text))
-            .unwrap_or_else(|| panic!("no kind of argument: {kind}"))
+        let value = self
+            .geometry(kind)
+            .or_else(|| self.number(kind).map(Value::Number));
+        let value = value.or_else(|| self.count(kind).map(Value::Count));
+        let value = value.or_else(|| self.list(kind));
+        let value = value.or_else(|| texts::text(self.rng, kind).map(Value::Text));
+        value.unwrap_or_else(|| panic!("no kind of argument: {kind}"))
     }
 
     fn geometry(&mut self, kind: &str) -> Option<Value> {
@@ -98,6 +100,9 @@ impl Maker<'_> {
         let curve = |rng: &mut Rng, dimension, max| {
             Value::Curve(dimension, geometry::curve(rng, mode, dimension, max))
         };
+        let number = self.result.number;
+        let is_large = number % CASES_PER_LARGE_CASE == CASES_PER_LARGE_CASE / 2;
+        let is_largest = number % (20 * CASES_PER_LARGE_CASE) == CASES_PER_LARGE_CASE / 2;
         Some(match kind {
             "curve" => curve(rng, any, 24),
             "curve2" => curve(rng, 2, 24),
@@ -112,23 +117,19 @@ impl Maker<'_> {
             "spline" => Value::Spline(geometry::spline(rng, mode, any)),
             "spline2" => Value::Spline(geometry::spline(rng, mode, 2)),
             "spline3" => Value::Spline(geometry::spline(rng, mode, 3)),
-            "path" if self.result.number % CASES_PER_LARGE_CASE == CASES_PER_LARGE_CASE / 2 => {
-                let is_largest =
-                    self.result.number % (20 * CASES_PER_LARGE_CASE) == CASES_PER_LARGE_CASE / 2;
-                Value::Path(large::path(rng, if is_largest { 4.0 } else { 3.0 }))
-            }
-            "surface" if self.result.number % CASES_PER_LARGE_CASE == CASES_PER_LARGE_CASE / 2 => {
-                Value::Surface(large::surface(rng))
-            }
+            "path" if is_largest => Value::Path(large::path(rng, 4.0)),
+            "path" if is_large => Value::Path(large::path(rng, 3.0)),
             "path" => Value::Path(geometry::path(rng, mode)),
             "patch" => Value::Patch(geometry::patch(rng, mode)),
+            "surface" if is_large => Value::Surface(large::surface(rng)),
             "surface" => Value::Surface(geometry::surface(rng, mode)),
             "point" => self.point(),
             "direction" => {
                 let direction = rng.point(3) * rng.magnitude(-3.0, 3.0);
+                let is_rounded = rng.chance(0.2);
                 Value::Point(
                     3,
-                    if rng.chance(0.2) {
+                    if is_rounded {
                         direction.round()
                     } else {
                         direction
@@ -142,25 +143,19 @@ impl Maker<'_> {
     /// Near the geometry, on one of its control points, or far away.
     fn point(&mut self) -> Value {
         let (dimension, size) = (self.result.dimension(), self.size());
-        let flat = |p: DVec3| {
-            if dimension == 2 {
-                DVec3::new(p.x, p.y, 0.0)
-            } else {
-                p
-            }
-        };
         let known = control_points(&self.result.arguments[0].1);
         let random = self.rng.point(3) * size;
-        Value::Point(
-            dimension,
-            flat(match self.rng.below(8) {
-                0 | 1 if !known.is_empty() => known[self.rng.below(known.len())],
-                2 if !known.is_empty() => (known[0] + known[known.len() - 1]) * 0.5,
-                3 => random * 1e3_f64.min(MAX_COORDINATE / (1.0 + size)),
-                4 => DVec3::ZERO,
-                _ => random,
-            }),
-        )
+        let mut p = match self.rng.below(8) {
+            0 | 1 if !known.is_empty() => known[self.rng.below(known.len())],
+            2 if !known.is_empty() => (known[0] + known[known.len() - 1]) * 0.5,
+            3 => random * 1e3_f64.min(MAX_COORDINATE / (1.0 + size)),
+            4 => DVec3::ZERO,
+            _ => random,
+        };
+        if dimension == 2 {
+            p.z = 0.0;
+        }
+        Value::Point(dimension, p)
     }
 
     /// The size of the earlier arguments, 1 where there is none.
@@ -169,26 +164,16 @@ impl Maker<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    fn number(&mut self, kind: &str) -> Option<Value> {
-        let (size, mode) = (self.size(), self.mode);
-        let min = if mode == Mode::MixedScale {
-            -12.0
-        } else {
-            -6.0
-        };
-        let number = match kind {
+    fn number(&mut self, kind: &str) -> Option<f64> {
+        let (size, mixed) = (self.size(), self.mode == Mode::MixedScale);
+        let min = if mixed { -12.0 } else { -6.0 };
+        Some(match kind {
             "t" => parameter(self.rng, 1.0),
-            "spline t" => {
-                let end = self.segments();
-                parameter(self.rng, end)
+            "spline t" => parameter(self.rng, self.segments()),
+            "unit" => {
+                let same = self.rng.clone().unit();
+                self.rng.pick(&[0.0, 0.5, 1.0, same, same])
             }
-            "unit" => self.rng.pick(&[
-                0.0,
-                0.5,
-                1.0,
-                self.rng.clone().unit(),
-                self.rng.clone().unit(),
-            ]),
             "handle" => self.handle(),
             "length" => self.length(size),
             "coordinate" => self.rng.signed() * size,
@@ -203,15 +188,13 @@ impl Maker<'_> {
             // Any number above 0 is allowed here.
             "pixels" if self.rng.chance(0.02) => self.rng.pick(&[0.0, -1.0]),
             "pixels" => {
-                let (size, min) = self
-                    .pixels_across()
-                    .map_or((1.0, -1.0), |size| (size, -3.0));
-                let min = if self.rng.chance(0.004) { -4.0 } else { min };
-                size * self.rng.magnitude(min, 0.0)
+                let across = self.pixels_across();
+                let (size, min) = across.map_or((1.0, -1.0), |size| (size, -3.0));
+                let is_fine = self.rng.chance(0.004);
+                size * self.rng.magnitude(if is_fine { -4.0 } else { min }, 0.0)
             }
             _ => return None,
-        };
-        Some(Value::Number(number))
+        })
     }
 
     /// A part of the size; one in thirty is out of range.
@@ -225,12 +208,8 @@ impl Maker<'_> {
 
     /// A part of the size between 10^usual and 10^−1, or with a probability between 10^least and 10^−1.
     fn seldom_fine(&mut self, probability: f64, size: f64, min: f64, usual: f64) -> f64 {
-        let min = if self.rng.chance(probability) {
-            min
-        } else {
-            min.max(usual)
-        };
-        self.tolerance(size, min, -1.0)
+        let is_fine = self.rng.chance(probability);
+        self.tolerance(size, if is_fine { min } else { min.max(usual) }, -1.0)
     }
 
     /// How far the control points reach on a screen 640 pixels wide, if a projection was made already.
@@ -246,22 +225,16 @@ impl Maker<'_> {
             320.0 * largest / row(3, p).max(1e-2 * depth)
         });
         let across = locations.fold(0.0, f64::max);
-        Some(if across > 0.0 && across.is_finite() {
-            across
-        } else {
-            1.0
-        })
+        let is_usable = across > 0.0 && across.is_finite();
+        Some(if is_usable { across } else { 1.0 })
     }
 
     fn length(&mut self, mut size: f64) -> f64 {
         // Wide strokes of a large drawing cover each other thousands of times.
-        let first = self.result.arguments.first();
-        if first
-            .is_some_and(|(_, value)| control_points(value).len() > MAX_POINTS_WITH_WIDE_STROKES)
-        {
+        if self.point_count() > MAX_POINTS_WITH_WIDE_STROKES {
             size *= 1e-3;
         }
-        let sign = if self.rng.chance(0.5) { 1.0 } else { -1.0 };
+        let sign = self.rng.sign();
         match self.rng.below(10) {
             0 => 0.0,
             1 => sign * size,
@@ -278,18 +251,12 @@ impl Maker<'_> {
         }
     }
 
-    fn count(&mut self, kind: &str) -> Option<Value> {
-        let first = &self.result.arguments.first();
-        let known = first.map_or(0, |(_, value)| control_points(value).len());
-        let joints = if first.is_some() {
-            self.whole_segments().max(1)
-        } else {
-            1
-        };
+    fn count(&mut self, kind: &str) -> Option<usize> {
+        let (known, joints) = (self.point_count(), self.whole_segments());
         let rng = &mut *self.rng;
         // One index or count in twenty is out of range.
         let outside = rng.chance(0.05);
-        let count = match kind {
+        Some(match kind {
             "segments" | "cells" | "lines" if outside => 0,
             "segments" => rng.pick(&[1, 2, 3, 7, 10, 32, 100]),
             "cells" => rng.pick(&[1, 1, 2, 3, 4, 8, 13]),
@@ -298,34 +265,34 @@ impl Maker<'_> {
             "order" => rng.below(26),
             "axis" if outside => 3,
             "axis" => rng.below(self.result.dimension()),
-            "any degree" | "any dimension" | "any count" => return self.whole(kind),
+            "any degree" => rng.pick(&[0, 1, 2, 3, 7, 24, 63, 64, 65]),
+            "any dimension" => 2 + rng.below(2),
+            "any count" => rng.pick(&[0, 1, 2, 100, 1_000_000, usize::MAX >> 11]),
             "low degree" => rng.pick(&[1, 2, 3, 3, 3, 4, 7]),
             "joint" => rng.below(if outside { 8 } else { joints }),
             "index" => rng.below(5),
             "point index" => rng.below((known + usize::from(outside)).max(1)),
             "precision" => rng.pick(&[0, 1, 2, 3, 6, 12, 17, 100]),
             _ => return None,
-        };
-        Some(Value::Count(count))
+        })
     }
 
-    fn whole(&mut self, kind: &str) -> Option<Value> {
-        Some(Value::Count(match kind {
-            "any degree" => self.rng.pick(&[0, 1, 2, 3, 7, 24, 63, 64, 65]),
-            "any dimension" => 2 + self.rng.below(2),
-            _ => self.rng.pick(&[0, 1, 2, 100, 1_000_000, usize::MAX >> 11]),
-        }))
+    /// The number of control points of the first argument.
+    fn point_count(&self) -> usize {
+        let first = self.result.arguments.first();
+        first.map_or(0, |(_, value)| control_points(value).len())
     }
 
+    /// The number of segments of a spline, 1 for other arguments.
     pub(crate) fn whole_segments(&self) -> usize {
-        match &self.result.arguments[0].1 {
-            Value::Spline(spline) => spline.degrees.len(),
+        match self.result.arguments.first() {
+            Some((_, Value::Spline(spline))) => spline.degrees.len(),
             _ => 1,
         }
     }
 
     pub(crate) fn segments(&self) -> f64 {
-        f64::from(u32::try_from(self.whole_segments()).expect("few segments"))
+        real(self.whole_segments())
     }
 }
 
@@ -348,10 +315,7 @@ pub(crate) fn control_points(value: &Value) -> Vec<DVec3> {
     match value {
         Value::Curve(_, points) | Value::Points(_, points) => points.clone(),
         Value::Spline(spline) => spline.points.clone(),
-        Value::Path(splines) => splines
-            .iter()
-            .flat_map(|spline| spline.points.clone())
-            .collect(),
+        Value::Path(splines) => splines.iter().flat_map(|one| one.points.clone()).collect(),
         Value::Patch(surface) | Value::Surface(surface) => surface.vertices.clone(),
         _ => Vec::new(),
     }

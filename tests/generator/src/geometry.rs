@@ -1,8 +1,8 @@
 //! Curves, splines, paths, patches and surfaces of each mode.
 
-use crate::adversarial::{self, Kind, ORDINARY};
+use crate::adversarial::{self, Kind, ORDINARY, elevated_to, within_range};
 use crate::case::{Mode, SplineData, SurfaceData};
-use crate::random::Rng;
+use crate::random::{Rng, real};
 use glam::DVec3;
 
 /// The control points of a curve.
@@ -38,7 +38,7 @@ fn moderate(rng: &mut Rng, degree: usize, dimension: usize) -> Vec<DVec3> {
 
 /// A number whose size lies between 1e-12 and 1e15, or zero, or one of few values that repeat.
 fn mixed_number(rng: &mut Rng) -> f64 {
-    let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
+    let sign = rng.sign();
     match rng.below(10) {
         0 | 1 => 0.0,
         2 => sign,
@@ -55,17 +55,16 @@ fn mixed_point(rng: &mut Rng, dimension: usize) -> DVec3 {
 fn mixed_scale(rng: &mut Rng, degree: usize, dimension: usize) -> Vec<DVec3> {
     // Half of the curves have one size for each point, so that their two or three coordinates are comparable.
     let together = rng.chance(0.5);
-    let mut points: Vec<DVec3> = if together {
-        let kind = rng.pick(&ORDINARY);
-        adversarial::points(rng, kind, degree, dimension)
-    } else {
-        (0..=degree).map(|_| mixed_point(rng, dimension)).collect()
-    };
+    let mut points: Vec<DVec3>;
     if together {
+        let kind = rng.pick(&ORDINARY);
+        points = adversarial::points(rng, kind, degree, dimension);
         let scale = rng.magnitude(-9.0, 12.0);
         points
             .iter_mut()
             .for_each(|p| *p *= scale * rng.magnitude(-3.0, 3.0));
+    } else {
+        points = (0..=degree).map(|_| mixed_point(rng, dimension)).collect();
     }
     if rng.chance(0.3) {
         repeat_points(rng, &mut points);
@@ -93,11 +92,9 @@ pub(crate) fn related(rng: &mut Rng, mode: Mode, dimension: usize, first: &[DVec
     match rng.below(8) {
         0 => points.reverse(),
         1 => {
-            let up =
-                (first[0] - first[first.len() - 1]).abs().max_element() * rng.magnitude(-16.0, 0.0);
-            points
-                .iter_mut()
-                .for_each(|p| *p += DVec3::new(0.0, up, 0.0));
+            let chord = first[0] - first[first.len() - 1];
+            let up = DVec3::Y * (chord.abs().max_element() * rng.magnitude(-16.0, 0.0));
+            points.iter_mut().for_each(|p| *p += up);
         }
         2 => points = left_piece(first, rng.unit()),
         3 => points = adversarial::elevated(first),
@@ -109,18 +106,7 @@ pub(crate) fn related(rng: &mut Rng, mode: Mode, dimension: usize, first: &[DVec
         _ => points = curve(rng, mode, dimension, 24),
     }
     points.truncate(25);
-    points.iter_mut().for_each(|p| *p = within_range(*p));
-    if points.len() < 2 {
-        first.to_vec()
-    } else {
-        points
-    }
-}
-
-/// The nearest point whose coordinates are within the limit.
-fn within_range(p: DVec3) -> DVec3 {
-    let max = DVec3::splat(adversarial::MAX_COORDINATE);
-    p.clamp(-max, max)
+    points.into_iter().map(within_range).collect()
 }
 
 /// The control points of the piece from 0 to t, by de Casteljau's algorithm.
@@ -145,10 +131,8 @@ pub(crate) fn spline(rng: &mut Rng, mode: Mode, dimension: usize) -> SplineData 
     let mut points: Vec<DVec3> = Vec::new();
     let mut degrees = Vec::new();
     for _ in 0..count {
-        let mut piece = curve(rng, mode, dimension, same_degree.unwrap_or(8));
-        while same_degree.is_some_and(|degree| piece.len() <= degree) {
-            piece = adversarial::elevated(&piece);
-        }
+        let piece = curve(rng, mode, dimension, same_degree.unwrap_or(8));
+        let piece = elevated_to(piece, same_degree.unwrap_or(1));
         degrees.push(piece.len() - 1);
         join(rng, &mut points, piece);
     }
@@ -189,10 +173,9 @@ pub(crate) fn path(rng: &mut Rng, mode: Mode) -> Vec<SplineData> {
 pub(crate) fn net(rng: &mut Rng, mode: Mode) -> (Vec<DVec3>, [usize; 2]) {
     let max = if mode == Mode::MixedScale { 12 } else { 5 };
     let [m, n] = [patch_degree(rng, max), patch_degree(rng, max)];
-    let mut net = if rng.chance(0.5) {
-        graph(rng, m, n)
-    } else {
-        rows(rng, mode, m, n)
+    let mut net = match rng.chance(0.5) {
+        true => graph(rng, m, n),
+        false => rows(rng, mode, m, n),
     };
     match rng.below(8) {
         0 => collapse_row(rng, &mut net, m, n),
@@ -220,20 +203,15 @@ fn patch_degree(rng: &mut Rng, max: usize) -> usize {
 
 fn graph(rng: &mut Rng, m: usize, n: usize) -> Vec<DVec3> {
     let noise = rng.pick(&[0.0, 0.1, 1.0]);
-    let count = |n: usize| f64::from(u32::try_from(n).expect("a degree"));
     let locations = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
-    let points = locations.map(|(i, j)| DVec3::new(count(i), count(j), 0.0) + rng.point(3) * noise);
+    let points = locations.map(|(i, j)| DVec3::new(real(i), real(j), 0.0) + rng.point(3) * noise);
     points.collect()
 }
 
 fn rows(rng: &mut Rng, mode: Mode, m: usize, n: usize) -> Vec<DVec3> {
     let mut net = Vec::new();
     for _ in 0..=n {
-        let mut row = curve(rng, mode, 3, m);
-        while row.len() <= m {
-            row = adversarial::elevated(&row);
-        }
-        net.extend(row);
+        net.extend(elevated_to(curve(rng, mode, 3, m), m));
     }
     net
 }
@@ -241,14 +219,9 @@ fn rows(rng: &mut Rng, mode: Mode, m: usize, n: usize) -> Vec<DVec3> {
 /// One side becomes a point.
 fn collapse_row(rng: &mut Rng, net: &mut [DVec3], m: usize, n: usize) {
     let along_u = rng.chance(0.5);
-    let (first, step, count) = if along_u {
-        (0, 1, m + 1)
-    } else {
-        (0, m + 1, n + 1)
-    };
-    let point = net[first];
-    for k in 0..count {
-        net[first + k * step] = point;
+    let (step, count) = if along_u { (1, m + 1) } else { (m + 1, n + 1) };
+    for k in 1..count {
+        net[k * step] = net[0];
     }
 }
 
@@ -274,24 +247,22 @@ pub(crate) fn surface(rng: &mut Rng, mode: Mode) -> SurfaceData {
         let (net, degrees) = net(rng, mode);
         let first = surface.vertices.len();
         let shares = first > 0 && rng.chance(0.6);
-        for (k, point) in net.into_iter().enumerate() {
+        for (k, mut point) in net.into_iter().enumerate() {
+            let mut index = surface.vertices.len();
             // The first row of a patch is taken from vertices that are there already, by index or by place.
-            let known = shares && k <= degrees[0] && k < first;
-            let index = if known && rng.chance(0.9) {
-                first - 1 - k
-            } else {
-                surface.vertices.len()
-            };
-            if index == surface.vertices.len() {
-                surface.vertices.push(if known {
-                    surface.vertices[first - 1 - k]
+            if shares && k <= degrees[0] && k < first {
+                point = surface.vertices[first - 1 - k];
+                index = if rng.chance(0.9) {
+                    first - 1 - k
                 } else {
-                    point
-                });
+                    index
+                };
             }
-            surface
-                .indices
-                .push(u32::try_from(index).expect("a small surface"));
+            if index == surface.vertices.len() {
+                surface.vertices.push(point);
+            }
+            let index = u32::try_from(index).expect("a small surface");
+            surface.indices.push(index);
         }
         surface.degrees.push(degrees);
     }

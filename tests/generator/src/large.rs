@@ -1,15 +1,11 @@
 //! Large ordinary drawings and surfaces: maps, hatchings, scribbles, terrains.
 
 use crate::case::{SplineData, SurfaceData};
-use crate::random::Rng;
+use crate::random::{Rng, real};
 use glam::DVec3;
 
 /// The largest number of segments of drawings in which most pairs of segments cross.
 const MAX_CROSSING: usize = 400;
-
-fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
-}
 
 fn lines(points: Vec<DVec3>, closed: bool) -> SplineData {
     let count = points.len() - usize::from(!closed);

@@ -8,11 +8,10 @@ mod arguments;
 mod case;
 mod functions;
 mod geometry;
-mod json;
 mod large;
-mod listing;
 mod lists;
 mod mutations;
+mod notation;
 mod random;
 mod texts;
 

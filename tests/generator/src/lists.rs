@@ -1,9 +1,9 @@
 //! Arguments that are lists: points, parameters, knots, matrices.
 
-use crate::arguments::{Maker, control_points, parameter};
+use crate::arguments::{BASES, MODES, Maker, control_points, parameter};
 use crate::case::Value;
 use crate::geometry;
-use crate::random::Rng;
+use crate::random::real;
 use glam::DVec3;
 
 /// The parts of the teapot.
@@ -20,27 +20,20 @@ impl Maker<'_> {
             "many points" => self.some_points(any, 2, 24),
             "stroke" => self.some_points(any, 2, 60),
             "parameters" => Value::Numbers(self.parameters(1.0)),
-            "spline parameters" => {
-                let end = self.segments();
-                Value::Numbers(self.parameters(end))
-            }
+            "spline parameters" => Value::Numbers(self.parameters(self.segments())),
             "distinct parameters" => self.distinct_parameters(),
             "knots" => self.knots(),
             "basis" => {
-                let words = ["bezier", "hermite", "b-spline", "catmull-rom"];
-                if self.rng.chance(0.3) {
-                    self.numbers(16)
-                } else {
-                    Value::Word(self.rng.pick(&words))
+                let is_matrix = self.rng.chance(0.3);
+                let mut number = |_| (4.0 * self.rng.signed()).round() * 0.5;
+                match is_matrix {
+                    true => Value::Numbers((0..16).map(&mut number).collect()),
+                    false => Value::Word(self.rng.pick(&BASES)),
                 }
             }
             "joint modes" => {
-                let modes = ["free", "g1", "c1", "c2", "g2", "auto"];
-                Value::Words(
-                    (0..=self.whole_segments())
-                        .map(|_| self.rng.pick(&modes))
-                        .collect(),
-                )
+                let joints = 0..=self.whole_segments();
+                Value::Words(joints.map(|_| self.rng.pick(&MODES)).collect())
             }
             "parts" => Value::Words(PARTS.into_iter().filter(|_| self.rng.chance(0.6)).collect()),
             "map" => self.map(),
@@ -73,10 +66,8 @@ impl Maker<'_> {
     /// As many as the points, in order and not close together; in some cases shuffled, and in a few equal.
     fn distinct_parameters(&mut self) -> Value {
         let count = control_points(&self.result.arguments[0].1).len();
-        let location = |k: usize| f64::from(u32::try_from(k).expect("few points"));
-        let mut ts: Vec<f64> = (0..count)
-            .map(|k| (location(k) + 0.5 * self.rng.unit()) / location(count))
-            .collect();
+        let near = |k: usize| (real(k) + 0.5 * self.rng.unit()) / real(count);
+        let mut ts: Vec<f64> = (0..count).map(near).collect();
         match self.rng.below(10) {
             0 => ts.reverse(),
             1 => ts.iter_mut().for_each(|t| *t = 3.0 * *t - 1.0),
@@ -94,40 +85,23 @@ impl Maker<'_> {
             _ => 3,
         };
         // An open B-spline takes points + degree + 1 knots, a closed one points + 1; whether it is closed comes later.
-        let count = if self.rng.chance(0.5) {
-            points + degree + 1
-        } else {
-            points + 1
-        };
+        let is_open = self.rng.chance(0.5);
+        let mut knots = vec![0.0; points + 1 + if is_open { degree } else { 0 }];
         let mut knot = 0.0;
-        let step = |rng: &mut Rng| {
-            if rng.chance(0.3) {
-                0.0
-            } else {
-                rng.pick(&[1.0, 1.0, 0.25, 3.0])
+        for known in &mut knots {
+            if !self.rng.chance(0.3) {
+                knot += self.rng.pick(&[1.0, 1.0, 0.25, 3.0]);
             }
-        };
-        let knots = (0..count).map(|_| {
-            knot += step(self.rng);
-            knot
-        });
-        Value::Numbers(knots.collect())
-    }
-
-    fn numbers(&mut self, count: usize) -> Value {
-        Value::Numbers(
-            (0..count)
-                .map(|_| (4.0 * self.rng.signed()).round() * 0.5)
-                .collect(),
-        )
+            *known = knot;
+        }
+        Value::Numbers(knots)
     }
 
     /// An affine map, column-major: the 2 × 2 or 3 × 3 matrix, then the translation.
     fn map(&mut self) -> Value {
         let dimension = self.result.dimension();
-        let mut numbers: Vec<f64> = (0..dimension * (dimension + 1))
-            .map(|_| 2.0 * self.rng.signed())
-            .collect();
+        let entries = 0..dimension * (dimension + 1);
+        let mut numbers: Vec<f64> = entries.map(|_| 2.0 * self.rng.signed()).collect();
         match self.rng.below(5) {
             0 => numbers.iter_mut().for_each(|x| *x = x.round()),
             1 => numbers[..dimension].fill(0.0), // singular
@@ -145,11 +119,8 @@ impl Maker<'_> {
         let sizes = [1.0, 1e100, 1e150, 1e300, 1e308, 1e-150, 1e-300, 0.0];
         let [linear, translation] = [self.rng.pick(&sizes), self.rng.pick(&sizes)];
         for (k, x) in numbers.iter_mut().enumerate() {
-            let size = if k < dimension * dimension {
-                linear
-            } else {
-                translation
-            };
+            let is_linear = k < dimension * dimension;
+            let size = if is_linear { linear } else { translation };
             *x = (*x * size).clamp(-f64::MAX, f64::MAX);
         }
         Value::Numbers(numbers)

@@ -9,7 +9,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut out = BufWriter::new(std::io::stdout().lock());
     let [seed, function, first, count, rest @ ..] = arguments.as_slice() else {
-        for row in FUNCTIONS {
+        for row in FUNCTIONS.iter() {
             writeln!(out, "{row}")?;
         }
         return Ok(());

@@ -8,93 +8,32 @@ use arbitrary::{Arbitrary, Unstructured};
 /// One change to a text; places are parts of its length in 65536ths.
 #[derive(Arbitrary, Clone, Copy, Debug)]
 enum Mutation {
-    Delete {
-        at: u16,
-        count: u8,
-    },
-    Repeat {
-        at: u16,
-        count: u8,
-        times: u8,
-    },
-    Token {
-        at: u16,
-        token: u8,
-    },
-    Number {
-        at: u16,
-        mantissa: i16,
-        exponent: i16,
-    },
-    Replace {
-        at: u16,
-        byte: u8,
-    },
-    Character {
-        at: u16,
-        character: char,
-    },
-    Truncate {
-        at: u16,
-    },
-    Swap {
-        first: u16,
-        second: u16,
-        count: u8,
-    },
+    /// Deletes some characters at a place.
+    Delete(u16, u8),
+    /// Repeats some characters at a place: their number, and how often.
+    Repeat(u16, u8, u8),
+    /// Inserts one of the tokens.
+    Token(u16, u8),
+    /// Inserts a number: mantissa and exponent.
+    Number(u16, i16, i16),
+    /// Replaces a character by one of ASCII.
+    Replace(u16, u8),
+    /// Inserts any character.
+    Character(u16, char),
+    /// Ends the text at a place.
+    Truncate(u16),
+    /// Exchanges some characters at two places.
+    Swap(u16, u16, u8),
 }
 
-/// What goes wrong in texts: numbers at the ends of their range, keywords, separators, encodings.
-pub(crate) const TOKENS: [&str; 48] = [
-    "M",
-    "m",
-    "L",
-    "Z",
-    "z",
-    "C",
-    "c",
-    "S",
-    "s",
-    "Q",
-    "T",
-    "A",
-    "a",
-    "H",
-    "v",
-    "1e999",
-    "-1e999",
-    "1e-999",
-    "NaN",
-    "Infinity",
-    "-",
-    "+",
-    ".",
-    "..",
-    "e",
-    "0",
-    "-0",
-    "00",
-    "01",
-    "4294967296",
-    "18446744073709551616",
-    "1.5",
-    "99999999999999999999",
-    ",",
-    ",,",
-    "\n",
-    "\r\n",
-    "\t",
-    " ",
-    "#",
-    "surface",
-    "patches",
-    "vertices",
-    "%",
-    "%E2%80%A8",
-    "&",
-    "=",
-    "(",
-];
+/// What goes wrong in texts: numbers at the ends of their range, keywords, separators, encodings. They are separated by
+/// vertical lines.
+const TOKENS: &str = "M|m|L|Z|z|C|c|S|s|Q|T|A|a|H|v|1e999|-1e999|1e-999|NaN|Infinity|-|+|.|..|e|0|-0|00|01|4294967296|18446744073709551616\
+    |1.5|99999999999999999999|,|,,|\n|\r\n|\t| |#|surface|patches|vertices|%|%E2%80%A8|&|=|(";
+
+pub(crate) fn tokens() -> Vec<&'static str> {
+    TOKENS.split('|').collect()
+}
 
 /// The text with one to eight mutations.
 pub(crate) fn mutated(rng: &mut Rng, text: String) -> String {
@@ -115,50 +54,34 @@ impl Mutation {
     fn apply(self, text: &mut Vec<char>) {
         let length = text.len();
         let location = |at: u16| usize::from(at) * (length + 1) / 65_536;
-        let end = |at: usize, count: u8| (at + 1 + usize::from(count % 16)).min(length);
+        let range = |at: u16, count: u8| {
+            let first = location(at).min(length);
+            first..(first + 1 + usize::from(count % 16)).min(length).max(first)
+        };
         match self {
-            Self::Delete { at, count } => {
-                let at = location(at).min(length);
-                text.drain(at..end(at, count).max(at));
+            Self::Delete(at, count) => _ = text.drain(range(at, count)),
+            Self::Repeat(at, count, times) => {
+                let piece = text[range(at, count)].repeat(usize::from(times % 32));
+                insert(text, range(at, count).start, piece);
             }
-            Self::Repeat { at, count, times } => {
-                let at = location(at).min(length);
-                let piece = text[at..end(at, count).max(at)].to_vec();
-                insert(text, at, piece.repeat(usize::from(times % 32)));
+            Self::Token(at, token) => {
+                let tokens = tokens();
+                let token = tokens[usize::from(token) % tokens.len()];
+                insert(text, location(at), token.chars().collect());
             }
-            Self::Token { at, token } => {
-                insert(
-                    text,
-                    location(at),
-                    TOKENS[usize::from(token) % TOKENS.len()].chars().collect(),
-                );
+            Self::Number(at, mantissa, exponent) => {
+                let number = format!("{mantissa}e{}", exponent % 400);
+                insert(text, location(at), number.chars().collect());
             }
-            Self::Number {
-                at,
-                mantissa,
-                exponent,
-            } => {
-                insert(
-                    text,
-                    location(at),
-                    format!("{mantissa}e{}", exponent % 400).chars().collect(),
-                );
-            }
-            Self::Replace { at, byte } if length > 0 => {
+            Self::Replace(at, byte) if length > 0 => {
                 text[location(at).min(length - 1)] = char::from(byte % 128);
             }
-            Self::Character { at, character } => text.insert(location(at), character),
-            Self::Truncate { at } => text.truncate(location(at)),
-            Self::Swap {
-                first,
-                second,
-                count,
-            } if length > 0 => {
+            Self::Character(at, character) => text.insert(location(at), character),
+            Self::Truncate(at) => text.truncate(location(at)),
+            Self::Swap(first, second, count) if length > 0 => {
+                let [first, second] = [first, second].map(location);
                 for k in 0..usize::from(count % 8) {
-                    text.swap(
-                        (location(first) + k) % length,
-                        (location(second) + k) % length,
-                    );
+                    text.swap((first + k) % length, (second + k) % length);
                 }
             }
             _ => {}

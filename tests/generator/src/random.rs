@@ -63,6 +63,11 @@ impl Rng {
         self.unit() < probability
     }
 
+    /// 1 or −1.
+    pub fn sign(&mut self) -> f64 {
+        if self.chance(0.5) { 1.0 } else { -1.0 }
+    }
+
     /// 10 to a power between these, evenly distributed by the power.
     pub fn magnitude(&mut self, min: f64, max: f64) -> f64 {
         10_f64.powf(min + self.unit() * (max - min))
@@ -79,4 +84,9 @@ impl Rng {
         let words = (0..count.div_ceil(8)).flat_map(|_| self.next().to_le_bytes());
         words.take(count).collect()
     }
+}
+
+/// A small whole number as f64.
+pub(crate) fn real(n: usize) -> f64 {
+    f64::from(u32::try_from(n).expect("a small number"))
 }

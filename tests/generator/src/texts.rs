@@ -1,6 +1,6 @@
 //! Texts for the parsers: valid ones by small grammars, and ones that were mutated.
 
-use crate::mutations::{TOKENS, mutated};
+use crate::mutations::{mutated, tokens};
 use crate::random::Rng;
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ pub(crate) fn text(rng: &mut Rng, kind: &str) -> Option<String> {
     // A quarter stays valid, and a few texts are nothing but tokens.
     Some(match rng.below(8) {
         0 | 1 => valid,
-        2 => (0..rng.below(12)).map(|_| rng.pick(&TOKENS)).collect(),
+        2 => (0..rng.below(12)).map(|_| rng.pick(&tokens())).collect(),
         _ => mutated(rng, valid),
     })
 }
