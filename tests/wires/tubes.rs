@@ -3,7 +3,7 @@
 use super::{euler, tubes};
 use crate::support::Rng;
 use crate::support::measure::from_segment;
-use crate::support::nets::{RandomNet, net, single, teapot, vector, vectors, volume};
+use crate::support::nets::{RandomNet, net, single, teapot, triangles, vector, vectors, volume};
 use casteljau::glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -22,6 +22,11 @@ fn straight_tubes_are_capsules() {
         let polygon = (2.0 * PI / sides as f64).sin() * sides as f64 / (2.0 * PI);
         let range = polygon * polygon - 0.03..polygon;
         assert!(range.contains(&share), "{sides}: {share}");
+        for t in triangles(&mesh) {
+            let [a, b, c] = t.map(|vertex| vector(&mesh.positions, vertex));
+            let outwards: DVec3 = t.map(|vertex| vector(&mesh.normals, vertex)).iter().sum();
+            assert!((b - a).cross(c - a).dot(outwards) > 0.0, "{a} {b} {c}");
+        }
         for p in vectors(&mesh.positions) {
             let beyond = |x: f64, max: f64| (x - x.clamp(0.0, max)).abs();
             // On the capsule around one of the edges.
