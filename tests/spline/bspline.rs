@@ -112,7 +112,7 @@ fn closed_ones_go_around() {
         let points: Vec<DVec2> = random_points(&mut rng, count);
         let uniform = case % 3 == 0;
         // Integers, so that all sums are exact.
-        let mut u = vec![0.0];
+        let mut u = vec![(rng.signed() * 1024.0).round()];
         while u.len() <= count {
             let repeated = !uniform && rng.chance(0.2);
             let step = if uniform { 1.0 } else { rng.unit() + 0.1 };
@@ -129,7 +129,7 @@ fn closed_ones_go_around() {
             continue;
         };
         // Enough periods before and after.
-        let period = u[count];
+        let period = u[count] - u[0];
         let at = |i: usize| u[i % count] + (real(i / count) - real(p)) * period;
         let long: Vec<f64> = (0..2 * p + count + 1)
             .map(|i| at(i + p * count - p))

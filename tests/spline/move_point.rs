@@ -68,6 +68,11 @@ fn all_joints_hold() {
     ];
     for (degrees, closed) in structures {
         drag(degrees, closed, |before, after, index, mode| {
+            // On open cubics only the neighbours of the joint move.
+            let (p, q) = (before.control_points(), after.control_points());
+            let beside = |i: usize| i.abs_diff(index) <= 2 || p[i] == q[i];
+            let cubic = !closed && degrees.iter().all(|&degree| degree == 3);
+            assert!(!cubic || (0..p.len()).all(beside), "moving {index}");
             for joint in joints(before) {
                 let hold = holds(before, joint, C1) && holds(after, joint, mode);
                 assert!(hold, "{degrees:?}: point {index}, joint {joint} {mode:?}");
