@@ -6,20 +6,10 @@ import { entryFolders, readEntries } from "../../www/api/build/entries.js";
 import { firstPicture } from "../../www/api/build/figure.js";
 import { runEntry } from "../../www/api/build/run.js";
 import { Projection } from "../../www/api/live/projection.js";
+import { pointsOf } from "./reference.js";
 
 /** Where a point is dragged, in units of the picture; some figures need several for another result. */
-const MOVES = [
-  [30, 10],
-  [-30, 25],
-  [10, -40],
-  [60, 40],
-  [-70, -30],
-  [90, -60],
-  [-20, 80],
-  [120, 10],
-  [-120, 40],
-  [0, -110],
-];
+const MOVES = pointsOf("30,10 -30,25 10,-40 60,40 -70,-30 90,-60 -20,80 120,10 -120,40 0,-110");
 
 /** Other values of the inputs, one at a time, as the figure's handles and controls give them. */
 function* changes({ inputs, values, handles, view }) {

@@ -137,18 +137,11 @@ test("refusals of lengths, areas and steps", () => {
       for (const s of [NaN, Infinity]) refused(() => call(s), RangeError, /^s: expected a finite number, got /);
       for (const s of [undefined, "1", null]) refused(() => call(s), TypeError, /^s: expected a number, got /);
     }
-    for (const n of [0, -1, 1.5, NaN])
-      refused(
-        () => target.equidistantTimes(n),
-        RangeError,
-        /^segments: expected a whole number from 1 to 4294967295, got /,
-      );
-    refused(() => target.equidistantTimes(untyped("8")), TypeError, /^segments: expected a whole number, got /);
-    refused(
-      () => target.equidistantTimes(2 ** 31),
-      RangeError,
-      /^segments: expected at most \d+, this needs 2147483648$/,
-    );
+    const times = (n) => () => target.equidistantTimes(n);
+    const whole = /^segments: expected a whole number from 1 to 4294967295, got /;
+    for (const n of [0, -1, 1.5, NaN]) refused(times(n), RangeError, whole);
+    refused(times(untyped("8")), TypeError, /^segments: expected a whole number, got /);
+    refused(times(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
   }
   refused(() => space.area(), TypeError, /^area: expected a 2D curve, got a 3D one$/);
   refused(() => new Spline(SPACE).area(), TypeError, /^area: expected a 2D spline, got a 3D one$/);

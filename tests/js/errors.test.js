@@ -264,10 +264,7 @@ test("indices, joints and modes", () => {
   refused(() => seven.setJoint(1, 2), TypeError, /^mode: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: [null, 1] }), TypeError, /^joints\[[01]\]: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: "g1" }), TypeError, /^joints: expected an object, got "g1"$/);
-  for (const [call, name] of /** @type {const} */ ([
-    [(p) => seven.movePoint(1, p), "to"],
-    [(p) => seven.append(p), "point"],
-  ])) {
+  for (const [name, call] of Object.entries({ to: (p) => seven.movePoint(1, p), point: (p) => seven.append(p) })) {
     refused(() => call([0, 0, 0]), RangeError, new RegExp(`^${name}: expected 2 coordinates, got 3$`));
     refused(() => call([0, Infinity]), RangeError, new RegExp(`^${name}\\[1\\]: `));
     refused(() => call({ x: 0 }), TypeError, new RegExp(`^${name}\\.y: expected a number, got undefined$`));

@@ -12,17 +12,14 @@ const ENTRIES = ["index", "core", "surfaces", "applet/index", "applet/classic", 
 
 /** For each file, the files that it imports, statically or on demand. */
 async function importGraph() {
-  const { metafile } = await build({
+  const output = /** @type {const} */ ({ format: "esm", outdir: "unused", splitting: true, write: false });
+  const input = /** @type {const} */ ({
     entryPoints: ENTRIES,
     absWorkingDir: root,
     bundle: true,
-    format: "esm",
-    outdir: "unused",
-    splitting: true,
     packages: "external",
-    metafile: true,
-    write: false,
   });
+  const { metafile } = await build({ ...input, ...output, metafile: true });
   const files = Object.entries(metafile.inputs);
   return new Map(files.map(([file, { imports }]) => [file, imports.filter((i) => !i.external).map((i) => i.path)]));
 }

@@ -113,12 +113,7 @@ test("slim takes a URL", async () => {
 
 test("what is no source is refused by kind, and init can be called again", async () => {
   const { init, Curve } = await fresh("slim.js");
-  for (const [source, kind] of [
-    [undefined, "nothing"],
-    ["casteljau.wasm", "string"],
-    [7, "number"],
-    [{}, "Object"],
-  ])
+  for (const [kind, source] of Object.entries({ nothing: undefined, string: "casteljau.wasm", number: 7, Object: {} }))
     await assert.rejects(init(source), { name: "TypeError", message: new RegExp(`got ${kind}`) });
   await assert.rejects(init(new Uint8Array(3)), WebAssembly.CompileError);
   await assert.rejects(init(Promise.reject(new Error("offline"))), /offline/);

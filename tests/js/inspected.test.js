@@ -28,13 +28,8 @@ test("console.log shows the points inside of other values, down to the depth of 
 
 test("{ easing } is bundled without the classes of curves", async () => {
   const contents = `import { easing } from "./dist/index.js"; globalThis.used = easing;`;
-  const { outputFiles } = await build({
-    stdin: { contents, resolveDir: root },
-    bundle: true,
-    minify: true,
-    format: "esm",
-    write: false,
-  });
+  const options = /** @type {const} */ ({ bundle: true, minify: true, format: "esm", write: false });
+  const { outputFiles } = await build({ stdin: { contents, resolveDir: root }, ...options });
   assert.doesNotMatch(outputFiles[0].text, /nodejs\.util\.inspect|WebAssembly/);
   const size = gzipSync(outputFiles[0].contents, { level: 9 }).length;
   assert.ok(size <= 5000, `${size} bytes after gzip`); // easing, its parser of CSS texts, and toLinear

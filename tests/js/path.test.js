@@ -85,9 +85,8 @@ test("garbage", () => {
   const alphabet = "MmLlHhVvCcSsQqTtAaZz0123456789.,-+eE \t\n\r\fxé😀\0\ud800";
   const rng = new Rng(4);
   for (let k = 0; k < 20_000; k++) {
-    const d =
-      (rng.below(4) ? "M1 2" : "") +
-      Array.from({ length: rng.below(60) }, () => alphabet[rng.below(alphabet.length)]).join("");
+    const start = rng.below(4) ? "M1 2" : "";
+    const d = start + Array.from({ length: rng.below(60) }, () => alphabet[rng.below(alphabet.length)]).join("");
     const { path, offset = 0 } = read(d);
     assert.ok(offset <= d.length && Path.fromSVG(path.toSVG()).equals(path), d);
   }
@@ -100,12 +99,8 @@ test("ten megabytes at once; two of anything, good and bad", () => {
   assert.ok(path.subpathCount > 100_000 && path.length() > 1e6);
   for (const good of ["z", "m0 0", "M0 0z", "0 0 ", "a0 0 0 0 0 0 0"])
     assert.ok(Path.fromSVG(`M0 0 ${large(good)}`).subpathCount >= 0);
-  for (const bad of ["9", "e", "-", ".", ",", "M", "\u00a0", "1.", "((", "😀"]) {
-    assert.throws(
-      () => Path.fromSVG(`M0 0L${large(bad)}`),
-      (error) => error instanceof RangeError && error.message.length < 400,
-    );
-  }
+  for (const bad of ["9", "e", "-", ".", ",", "M", "\u00a0", "1.", "((", "😀"])
+    assert.ok(read(`M0 0L${large(bad)}`).error.length < 400, bad);
 });
 
 test("curves and splines as path data", () => {

@@ -11,20 +11,11 @@ const teapot = Surface.teapot();
 const frame = frameOf(teapot.vertices, "z");
 const sight = sightOf(HOME, frame, WIDTH, HEIGHT);
 const [FRONT, BACK] = pointsOf("0.2,0.4,0.8 0.8,0.4,0.2");
-const tracerOf = (surface, options = {}) =>
-  new RayTracer(
-    surface.patches.map((_, k) => surface.patch(k)),
-    {
-      sight,
-      width: WIDTH,
-      height: HEIGHT,
-      radius: frame.radius,
-      front: FRONT,
-      back: BACK,
-      hasShadows: true,
-      ...options,
-    },
-  );
+const lighting = { radius: frame.radius, front: FRONT, back: BACK, hasShadows: true };
+function tracerOf(surface, options = {}) {
+  const patches = surface.patches.map((_, k) => surface.patch(k));
+  return new RayTracer(patches, { sight, width: WIDTH, height: HEIGHT, ...lighting, ...options });
+}
 
 test("the nearest hit is the first one of the surface's query", () => {
   const tracer = tracerOf(teapot);

@@ -9,6 +9,7 @@ const highlight = await codeHighlighter();
 const folder = new URL("../../www/samples/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, folder), "utf8");
 const files = readdirSync(folder);
+const CHARACTERS = { lt: "<", gt: ">", quot: '"', amp: "&" };
 const names = (ending) =>
   files.filter((file) => file.endsWith(`.${ending}`)).map((file) => file.slice(0, -ending.length - 1));
 
@@ -28,14 +29,8 @@ for (const name of names("js")) {
       assert.doesNotMatch(shown, /println!\( /, "a call over several lines keeps them");
       assert.match(shown, language === "js" ? /console\.log\(/ : /println!\(/);
       const text = highlight(shown, language).replace(/<[^>]*>/g, "");
-      assert.equal(
-        text
-          .replace(/&lt;/g, "<")
-          .replace(/&gt;/g, ">")
-          .replace(/&quot;/g, '"')
-          .replace(/&amp;/g, "&"),
-        shown,
-      );
+      const plain = text.replace(/&(\w+);/g, (entity, name) => CHARACTERS[name] ?? entity);
+      assert.equal(plain, shown);
     }
   });
 }

@@ -10,7 +10,7 @@ import { surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
 import { JOINT_POINT, jointAngle, SURFACES } from "../../www/figures/lib/surfaces.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
-import { pointsOf } from "./reference.js";
+import { pairs, pointsOf } from "./reference.js";
 
 /** What a task sees of <bezier-surface>, with the element's own figure. */
 function figure(properties) {
@@ -46,16 +46,11 @@ const diced = (zoom) => ({
 });
 
 /** What it sees of <ray-tracing>. */
-const traced = (state, segments) => ({
-  state,
-  target: { segments },
-  start() {
-    this.state = "done";
-  },
-  get figure() {
-    return { state: this.state, segments: this.target.segments };
-  },
-});
+function traced(state, segments) {
+  const element = { state, target: { segments }, start: () => Object.assign(element, { state: "done" }) };
+  const figure = () => ({ state: element.state, segments: element.target.segments });
+  return Object.defineProperty(element, "figure", { get: figure });
+}
 
 const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
@@ -177,18 +172,13 @@ test("what the text says of the predictions and of the data is so", async () => 
 
 /** The legs across a side of a teapot patch, from the side inwards, in the order of the side. */
 function legsAcross(patch, { edge, reversed }) {
-  const points = patch.controlPoints();
-  const at = (i, j) => [...points.slice(3 * (4 * j + i), 3 * (4 * j + i) + 3)];
-  const pairs = [0, 1, 2, 3].map((k) => {
-    const [onSide, inside] = {
-      u0: [at(0, k), at(1, k)],
-      u1: [at(3, k), at(2, k)],
-      v0: [at(k, 0), at(k, 1)],
-      v1: [at(k, 3), at(k, 2)],
-    }[edge];
-    return inside.map((x, axis) => x - onSide[axis]);
+  const points = pairs(patch.controlPoints(), 3);
+  const legs = [0, 1, 2, 3].map((k) => {
+    const [side, inside] = edge.endsWith("0") ? [0, 1] : [3, 2];
+    const [from, to] = [side, inside].map((i) => points[edge.startsWith("u") ? 4 * k + i : 4 * i + k]);
+    return to.map((x, axis) => x - from[axis]);
   });
-  return reversed ? pairs.reverse() : pairs;
+  return reversed ? legs.reverse() : legs;
 }
 
 test("the joints of the teapot are smooth: the ratio is 1, and 4 or 1/4 at rim and spout", () => {
@@ -210,8 +200,7 @@ test("the joints of the teapot are smooth: the ratio is 1, and 4 or 1/4 at rim a
 
 test("what the text says of splitting, of the second derivatives and of the tip of the knob", () => {
   const hill = SURFACES.hill().patch(0);
-  const parts = hill.split(0.5, 0.5).map((part) => part.controlPoints());
-  const points = parts.flatMap((net) => Array.from({ length: 16 }, (_, k) => `${net.slice(3 * k, 3 * k + 3)}`));
+  const points = hill.split(0.5, 0.5).flatMap((part) => pairs(part.controlPoints(), 3).map(String));
   assert.equal(new Set(points).size, 49);
   const lid = Surface.teapot().patch(20);
   for (const u of [0.1, 0.5, 0.9]) {

@@ -71,10 +71,8 @@ function readAddress({ text }) {
   for (const known of Object.values(SHARED)) {
     const { values, problems } = read(query, known);
     for (const name of values.keys()) assert.ok(Object.hasOwn(known, name), name);
-    assert.ok(
-      problems.every((problem) => problem.length < 200),
-      "a problem that quotes too much",
-    );
+    const longest = Math.max(0, ...problems.map((problem) => problem.length));
+    assert.ok(longest < 200, "a problem that quotes too much");
     const again = read(write(values), known);
     assert.deepEqual([...again.values.keys()], [...values.keys()], "other values are read from what was written");
     assert.deepEqual(again.problems, []);
