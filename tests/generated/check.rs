@@ -7,7 +7,13 @@ use crate::numbers::Numbers;
 use casteljau::Error;
 use casteljau_generator::{Case, Mode};
 use std::cell::Cell;
+use std::env;
+use std::ffi::OsString;
 use std::fmt::{Debug, Display};
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::path::Path;
+use std::sync::LazyLock;
 
 /// Why a check fails.
 pub(crate) struct Failure(pub(crate) String);
@@ -120,6 +126,7 @@ where
 /// The case that runs on this thread.
 #[derive(Clone, Copy)]
 struct Running {
+    function: &'static str,
     seed: u64,
     number: u64,
     mode: Mode,
@@ -162,6 +169,7 @@ pub(crate) fn seed_and_number() -> (u64, u64) {
 /// Starts a case.
 pub(crate) fn start(case: &Case) {
     RUNNING.set(Some(Running {
+        function: case.function,
         seed: case.seed,
         number: case.number,
         mode: case.mode,
@@ -192,6 +200,24 @@ fn cpu_time() -> u64 {
     0
 }
 
+/// Appends the numbers of a result to the file of its function in the folder `CASTELJAU_RECORD`, for `cargo xtask compare`:
+/// how many there are, the number of the case, and the numbers.
+fn record(case: Running, answer: &impl Numbers) {
+    static FOLDER: LazyLock<Option<OsString>> = LazyLock::new(|| env::var_os("CASTELJAU_RECORD"));
+    let Some(folder) = FOLDER.as_ref() else {
+        return;
+    };
+    let mut numbers = vec![case.number as f64];
+    answer.visit(&mut |x| numbers.push(x));
+    let words = numbers.iter().map(|x| x.to_bits());
+    let words = [numbers.len() as u64].into_iter().chain(words);
+    let bytes: Vec<u8> = words.flat_map(u64::to_le_bytes).collect();
+    let path = Path::new(folder).join(case.function.replace("::", "."));
+    let file = OpenOptions::new().create(true).append(true).open(path);
+    let written = file.and_then(|mut file| file.write_all(&bytes));
+    written.expect("CASTELJAU_RECORD: the folder can be written");
+}
+
 /// Makes the call of a case. Its result must consist of finite numbers.
 ///
 /// A result never contains a NaN. It contains no infinity either, unless coordinates lie near the limits of the range
@@ -217,6 +243,7 @@ pub(crate) fn call_unbounded<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> 
     RUNNING.set(Some(case));
     let (steps, limit) = (case.steps, case.limit);
     ensure!(steps <= limit, "{steps} steps, at most {limit} are allowed");
+    record(case, &answer);
     let mut nan = false;
     answer.visit(&mut |x| nan |= x.is_nan());
     ensure!(!nan, "the answer holds a NaN");

@@ -1,4 +1,5 @@
-//! Access to all numbers of a result, whatever its type.
+//! Access to all numbers of a result, whatever its type. A text or a kind counts as the number of its hash, so that two
+//! results can be compared by their numbers.
 
 use crate::shared::Found;
 use casteljau::curve::*;
@@ -9,6 +10,15 @@ use casteljau::path::{Face, PathElement, PathIntersection, PathPoint, PathTime};
 use casteljau::spline::*;
 use casteljau::surface::*;
 use casteljau::{Curve, Error, Path, Point, Spline};
+use std::fmt::Debug;
+use std::hash::{DefaultHasher, Hasher};
+
+/// A hash of 32 bits, which f64 holds exactly.
+fn hash(value: &impl Debug) -> f64 {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(format!("{value:?}").as_bytes());
+    (hasher.finish() >> 32) as f64
+}
 
 /// A value that contains numbers.
 pub(crate) trait Numbers {
@@ -45,9 +55,23 @@ macro_rules! by_method {
 numbers! {
     [] f64, x, see => see(*x);
     [] f32, x, see => see(f64::from(*x));
-    [T: Numbers] [T], items, see => items.iter().for_each(|item| item.visit(see));
-    [T: Numbers] Option<T>, item, see => item.iter().for_each(|item| item.visit(see));
-    [T: Numbers, E] Result<T, E>, item, see => item.iter().for_each(|item| item.visit(see));
+    [] bool, x, see => see(f64::from(u8::from(*x)));
+    [] u8, x, see => see(f64::from(*x));
+    [] i32, x, see => see(f64::from(*x));
+    [] u32, x, see => see(f64::from(*x));
+    [] usize, x, see => see(*x as f64);
+    [] String, text, see => see(hash(text));
+    [] CurveKind, kind, see => see(hash(kind));
+    [] Topology, topology, see => see(hash(topology));
+    [T: Numbers] [T], items, see => {
+        items.len().visit(see);
+        items.iter().for_each(|item| item.visit(see));
+    };
+    [T: Numbers] Option<T>, item, see => item.as_slice().visit(see);
+    [T: Numbers, E: Debug] Result<T, E>, item, see => match item {
+        Ok(item) => item.visit(see),
+        Err(error) => see(hash(error)),
+    };
     [] Path, path, see => path.subpaths().for_each(|spline| spline.visit(see));
     [] IntersectionKind, kind, see => if let IntersectionKind::Overlap { t_end, u_end } = kind {
         [*t_end, *u_end].visit(see);
@@ -73,15 +97,7 @@ by_method! {
 
 by_fields! {
     [] () {};
-    [] bool {};
-    [] u8 {};
-    [] i32 {};
-    [] u32 {};
-    [] usize {};
-    [] String {};
     [] Error {};
-    [] CurveKind {};
-    [] Topology {};
     [A: Numbers, B: Numbers] (A, B) {0 1};
     [P: Numbers] Bounds<P> {min max};
     [P: Numbers] Nearest<P> {t point distance};

@@ -1,5 +1,5 @@
 //! Runs the Rust samples of the site: each must print the contents of www/samples/<name>.txt, as its JavaScript version
-//! does. A new sample needs its two lines below; the last test fails if they are missing.
+//! does. A new sample needs its row below; the last test fails if it is missing.
 
 /// A macro, so that a line of output in the samples is a statement, like `println!`, which the site shows.
 macro_rules! writeln {
@@ -7,134 +7,45 @@ macro_rules! writeln {
     ($out:expr, $($line:tt)*) => { $out.push_str(&(format!($($line)*) + "\n")) };
 }
 
-#[path = "../../www/samples/arc-length.rs"]
-mod arc_length;
-#[path = "../../www/samples/basis.rs"]
-mod basis;
-#[path = "../../www/samples/bernstein.rs"]
-mod bernstein;
-#[path = "../../www/samples/boolean-operations.rs"]
-mod boolean_operations;
-#[path = "../../www/samples/bounding-boxes.rs"]
-mod bounding_boxes;
-#[path = "../../www/samples/bytes.rs"]
-mod bytes;
-#[path = "../../www/samples/casteljau.rs"]
-mod casteljau;
-#[path = "../../www/samples/circle-error.rs"]
-mod circle_error;
-#[path = "../../www/samples/circles.rs"]
-mod circles;
-#[path = "../../www/samples/degrees.rs"]
-mod degrees;
-#[path = "../../www/samples/derivatives.rs"]
-mod derivatives;
-#[path = "../../www/samples/dicing.rs"]
-mod dicing;
-#[path = "../../www/samples/differences.rs"]
-mod differences;
-#[path = "../../www/samples/eval.rs"]
-mod eval;
-#[path = "../../www/samples/files.rs"]
-mod files;
-#[path = "../../www/samples/grid.rs"]
-mod grid;
-#[path = "../../www/samples/home.rs"]
-mod home;
-#[path = "../../www/samples/intersections.rs"]
-mod intersections;
-#[path = "../../www/samples/isocurves.rs"]
-mod isocurves;
-#[path = "../../www/samples/joints.rs"]
-mod joints;
-#[path = "../../www/samples/nearest-point.rs"]
-mod nearest_point;
-#[path = "../../www/samples/no-cracks.rs"]
-mod no_cracks;
-#[path = "../../www/samples/offsets.rs"]
-mod offsets;
-#[path = "../../www/samples/patch.rs"]
-mod patch;
-#[path = "../../www/samples/patch-joint.rs"]
-mod patch_joint;
-#[path = "../../www/samples/patch-normals.rs"]
-mod patch_normals;
-#[path = "../../www/samples/polyline.rs"]
-mod polyline;
-#[path = "../../www/samples/properties.rs"]
-mod properties;
-#[path = "../../www/samples/quadratic.rs"]
-mod quadratic;
-#[path = "../../www/samples/rays.rs"]
-mod rays;
-#[path = "../../www/samples/recursion.rs"]
-mod recursion;
-#[path = "../../www/samples/rounding.rs"]
-mod rounding;
-#[path = "../../www/samples/rows-then-curve.rs"]
-mod rows_then_curve;
-#[path = "../../www/samples/splines.rs"]
-mod splines;
-#[path = "../../www/samples/split.rs"]
-mod split;
-#[path = "../../www/samples/split-patch.rs"]
-mod split_patch;
-#[path = "../../www/samples/teapot.rs"]
-mod teapot;
-#[path = "../../www/samples/text-rays.rs"]
-mod text_rays;
-#[path = "../../www/samples/tolerance.rs"]
-mod tolerance;
-#[path = "../../www/samples/uses.rs"]
-mod uses;
-#[path = "../../www/samples/wires.rs"]
-mod wires;
-
 type Sample = fn(&mut String);
 
-const SAMPLES: &[(&str, Sample)] = &[
-    ("arc-length", arc_length::sample),
-    ("basis", basis::sample),
-    ("bernstein", bernstein::sample),
-    ("boolean-operations", boolean_operations::sample),
-    ("bounding-boxes", bounding_boxes::sample),
-    ("bytes", bytes::sample),
-    ("casteljau", casteljau::sample),
-    ("circle-error", circle_error::sample),
-    ("circles", circles::sample),
-    ("degrees", degrees::sample),
-    ("derivatives", derivatives::sample),
-    ("differences", differences::sample),
-    ("dicing", dicing::sample),
-    ("eval", eval::sample),
-    ("files", files::sample),
-    ("grid", grid::sample),
-    ("home", home::sample),
-    ("intersections", intersections::sample),
-    ("isocurves", isocurves::sample),
-    ("joints", joints::sample),
-    ("nearest-point", nearest_point::sample),
-    ("no-cracks", no_cracks::sample),
-    ("offsets", offsets::sample),
-    ("patch", patch::sample),
-    ("patch-joint", patch_joint::sample),
-    ("patch-normals", patch_normals::sample),
-    ("polyline", polyline::sample),
-    ("properties", properties::sample),
-    ("quadratic", quadratic::sample),
-    ("rays", rays::sample),
-    ("recursion", recursion::sample),
-    ("rounding", rounding::sample),
-    ("rows-then-curve", rows_then_curve::sample),
-    ("splines", splines::sample),
-    ("split", split::sample),
-    ("split-patch", split_patch::sample),
-    ("teapot", teapot::sample),
-    ("text-rays", text_rays::sample),
-    ("tolerance", tolerance::sample),
-    ("uses", uses::sample),
-    ("wires", wires::sample),
-];
+/// Declares the files of the samples as modules, and the table of their functions.
+macro_rules! samples {
+    ($($file:literal $name:ident,)*) => {
+        $(#[path = $file] mod $name;)*
+
+        const SAMPLES: &[(&str, Sample)] = &[$(($file, $name::sample),)*];
+    };
+}
+
+samples! {
+    "../../www/samples/arc-length.rs" arc_length, "../../www/samples/basis.rs" basis,
+    "../../www/samples/bernstein.rs" bernstein, "../../www/samples/boolean-operations.rs" boolean_operations,
+    "../../www/samples/bounding-boxes.rs" bounding_boxes, "../../www/samples/bytes.rs" bytes,
+    "../../www/samples/casteljau.rs" casteljau, "../../www/samples/circle-error.rs" circle_error,
+    "../../www/samples/circles.rs" circles, "../../www/samples/degrees.rs" degrees,
+    "../../www/samples/derivatives.rs" derivatives, "../../www/samples/dicing.rs" dicing,
+    "../../www/samples/differences.rs" differences, "../../www/samples/eval.rs" eval,
+    "../../www/samples/files.rs" files, "../../www/samples/grid.rs" grid, "../../www/samples/home.rs" home,
+    "../../www/samples/intersections.rs" intersections, "../../www/samples/isocurves.rs" isocurves,
+    "../../www/samples/joints.rs" joints, "../../www/samples/nearest-point.rs" nearest_point,
+    "../../www/samples/no-cracks.rs" no_cracks, "../../www/samples/offsets.rs" offsets,
+    "../../www/samples/patch.rs" patch, "../../www/samples/patch-joint.rs" patch_joint,
+    "../../www/samples/patch-normals.rs" patch_normals, "../../www/samples/polyline.rs" polyline,
+    "../../www/samples/properties.rs" properties, "../../www/samples/quadratic.rs" quadratic,
+    "../../www/samples/rays.rs" rays, "../../www/samples/recursion.rs" recursion,
+    "../../www/samples/rounding.rs" rounding, "../../www/samples/rows-then-curve.rs" rows_then_curve,
+    "../../www/samples/splines.rs" splines, "../../www/samples/split.rs" split,
+    "../../www/samples/split-patch.rs" split_patch, "../../www/samples/teapot.rs" teapot,
+    "../../www/samples/text-rays.rs" text_rays, "../../www/samples/tolerance.rs" tolerance,
+    "../../www/samples/uses.rs" uses, "../../www/samples/wires.rs" wires,
+}
+
+/// The name of a file without its folder and ending.
+fn name_of(file: &str) -> &str {
+    let name = file.rsplit('/').next().unwrap_or(file);
+    name.trim_end_matches(".rs")
+}
 
 fn folder() -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("www/samples")
@@ -142,12 +53,12 @@ fn folder() -> std::path::PathBuf {
 
 #[test]
 fn samples_print_what_the_site_shows() {
-    for (name, sample) in SAMPLES {
-        let expected = std::fs::read_to_string(folder().join(format!("{name}.txt")))
-            .unwrap_or_else(|error| panic!("{name}.txt: {error}"));
+    for (file, sample) in SAMPLES {
+        let path = folder().join(name_of(file)).with_extension("txt");
+        let expected = std::fs::read_to_string(path).expect(file);
         let mut out = String::new();
         sample(&mut out);
-        assert_eq!(out, expected, "www/samples/{name}.rs");
+        assert_eq!(out, expected, "{file}");
     }
 }
 
@@ -160,7 +71,7 @@ fn every_sample_is_run() {
         .map(|path| path.file_stem().expect("a name").to_string_lossy().into())
         .collect();
     names.sort();
-    let mut run: Vec<&str> = SAMPLES.iter().map(|(name, _)| *name).collect();
+    let mut run: Vec<&str> = SAMPLES.iter().map(|(file, _)| name_of(file)).collect();
     run.sort_unstable();
     assert_eq!(names, run);
 }

@@ -130,7 +130,7 @@ fn results(tree: &Path, output: &Path, options: &Options) -> Result<PathBuf> {
     Ok(output.to_owned())
 }
 
-/// The numbers of each call of a function, in order.
+/// The numbers of each call of a function, in order: the number of the case, and those of the result.
 fn read(file: &Path) -> Result<Vec<Vec<f64>>> {
     let Ok(bytes) = fs::read(file) else {
         return Ok(Vec::new());
@@ -164,9 +164,11 @@ fn report(old: &Path, new: &Path, distance: f64) -> Result<()> {
             continue;
         };
         failed += 1;
+        let call = after.get(first).or(before.get(first)); // its first number is that of the case
+        let case = call.and_then(|call| call.first()).copied().unwrap_or(0.0);
         let largest = different.iter().map(|&(_, apart)| apart);
         println!(
-            "{}: {} of {} calls differ, first call {first}, largest relative distance {:e}",
+            "{}: {} of {} calls differ, first in case {case}, largest relative distance {:e}",
             name.to_string_lossy().replace('.', "::"),
             different.len(),
             before.len().max(after.len()),
