@@ -1,9 +1,9 @@
 // What the tests of the applet share: the tutorial's page, hands and eyes.
 import { frames, openPage } from "./browser.js";
-import { centreOf, pullFrom } from "./hands.js";
+import { centreOf, pullFrom } from "./gestures.js";
 import { countPixels } from "./pixels.js";
 
-export { assertNear } from "./hands.js"; // for tests/browsers
+export { assertNear } from "./gestures.js"; // for tests/browsers
 
 /** The tutorial's own two lines, to the letter. */
 export const TUTORIAL = `<canvas style="margin-bottom: 10px;" id="beziercanvas" width="670px" height="480px">You don't support canvas</canvas>

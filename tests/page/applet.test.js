@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
-import { assertNear } from "./hands.js";
+import { assertNear } from "./gestures.js";
 import { serve } from "./server.js";
 import {
   BLUE,

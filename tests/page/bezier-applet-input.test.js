@@ -16,7 +16,7 @@ import {
   settled,
 } from "./bezier-applet-page.js";
 import { boxOf } from "./browser.js";
-import { assertNear, downloadBy, dragFrom } from "./hands.js";
+import { assertNear, downloadBy, dragFrom } from "./gestures.js";
 
 test("any text in attributes: what cannot be used is told in few words, the last good one stays, and it works on", async (t) => {
   const page = await openApplet(t, 'points="10,20 30,200 300,40 400,300"');

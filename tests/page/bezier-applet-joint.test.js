@@ -19,7 +19,7 @@ import {
   settled,
 } from "./bezier-applet-page.js";
 import { boxOf } from "./browser.js";
-import { assertNear, fingersOn } from "./hands.js";
+import { assertNear, fingersOn } from "./gestures.js";
 
 const joints = (page) => ask(page, () => a.joints);
 const continuity = (page, mode) => page.evaluate((mode) => a.figure.continuity.map((each) => each[mode]), mode);

@@ -15,7 +15,7 @@ import {
   set,
   settled,
 } from "./bezier-applet-page.js";
-import { assertNear } from "./hands.js";
+import { assertNear } from "./gestures.js";
 
 test("nothing runs before it is near; what the page put in is shown until then", async (t) => {
   const page = await openPage(

@@ -1,6 +1,6 @@
 // What the tests of <bezier-applet> share: a page with one element, hands and eyes.
 import { openPage } from "./browser.js";
-import { centreOf, pullFrom } from "./hands.js";
+import { centreOf, pullFrom } from "./gestures.js";
 import { countPixels } from "./pixels.js";
 
 export const appletPage = (attributes = "", inside = "", more = "") =>

@@ -23,7 +23,7 @@ import {
   settled,
 } from "./bezier-applet-page.js";
 import { assertAccessible, assertAccessibleInBothThemes, boxOf, frames } from "./browser.js";
-import { assertNear, doubleClick } from "./hands.js";
+import { assertNear, doubleClick } from "./gestures.js";
 
 const focused = (page) => ask(page, () => a.shadowRoot.activeElement.getAttribute("aria-label"));
 

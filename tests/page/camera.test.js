@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Spline } from "casteljau";
 import { close, open, slide, state } from "./application-page.js";
 import { frames } from "./browser.js";
-import { centreOf, dragBy, pullFrom } from "./hands.js";
+import { centreOf, dragBy, pullFrom } from "./gestures.js";
 
 test("camera: equal times are equal ways at even speed only", async (t) => {
   const page = await open(t, "/camera/");

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertAccessibleInBothThemes, boxOf } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, shown, text } from "./companions-page.js";
-import { assertNear, dragFrom } from "./hands.js";
+import { assertNear, dragFrom } from "./gestures.js";
 
 const ALL = `<bezier-applet id="figure" t="0.25" show="polygon construction"></bezier-applet>
 <bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation>

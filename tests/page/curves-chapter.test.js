@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
 import { done, nearApplet as near, openCurves as open, task } from "./chapter-page.js";
-import { dragBy } from "./hands.js";
+import { dragBy } from "./gestures.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS =

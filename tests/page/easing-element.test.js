@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertAccessibleInBothThemes, boxOf, QUIET_FRAMES } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, shown, text } from "./companions-page.js";
-import { centreOf, fingersOn, pullFrom } from "./hands.js";
+import { centreOf, fingersOn, pullFrom } from "./gestures.js";
 
 const EASE = "cubic-bezier(0.25, 0.1, 0.25, 1)";
 const value = (page) => on(page, "bezier-easing", (element) => element.value);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
-import { dragBy } from "./hands.js";
+import { dragBy } from "./gestures.js";
 
 /** The page with all figures, once for all tests: each has a figure of its own. Waits until the last is drawn. */
 async function open(t) {

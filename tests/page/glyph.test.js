@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Path } from "casteljau";
 import { close, open, PHONE, slide, state } from "./application-page.js";
 import { boxOf } from "./browser.js";
-import { dragBy, fingersOn } from "./hands.js";
+import { dragBy, fingersOn } from "./gestures.js";
 
 /** The outline of the page as a Path of ours. */
 const outline = async (page) =>

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { assertAccessible, openPage, root } from "./browser.js";
-import { downloadBy } from "./hands.js";
+import { downloadBy } from "./gestures.js";
 
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
 /** A page of the site that the parts are on, once for all tests; with `fresh`, once more with an empty storage. */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
-import { centreOf, downloadBy, dragBy, dragFrom } from "./hands.js";
+import { centreOf, downloadBy, dragBy, dragFrom } from "./gestures.js";
 import { inkedAfterInput, numbersIn, openRecipe, pictureOf } from "./recipes-page.js";
 
 const folder = `${root}www/recipes/code/`;

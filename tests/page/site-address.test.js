@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { SHARED } from "../../www/parts/address.js";
 import { openPage } from "./browser.js";
-import { centreOf, pullFrom } from "./hands.js";
+import { centreOf, pullFrom } from "./gestures.js";
 import { openStrict, settled } from "./site-pages.js";
 
 const HERO = "#hero";

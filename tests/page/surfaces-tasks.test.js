@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { done, task } from "./chapter-page.js";
 import { controls, near, open } from "./surfaces-page.js";
 import { boxOf, frames } from "./browser.js";
-import { dragFrom } from "./hands.js";
+import { dragFrom } from "./gestures.js";
 
 test("a corner, by the sliders' keys, after a guess", async (t) => {
   const page = await open(t);

@@ -2,6 +2,7 @@
 
 use super::step::{Context, Done, Lane, Step, run_all};
 use super::{node, select};
+use crate::stamp::files_below;
 use crate::{build, setup, shell, wasm_test};
 use anyhow::Result;
 use std::process::Command;
@@ -159,8 +160,12 @@ pub(crate) const STEPS: [Step; 20] = [
     },
 ];
 
+/// The samples of the site are modules that a macro declares, where `cargo fmt` does not find them.
 fn fmt(_: &Context) -> Result<Done> {
-    run_all([shell::cargo(&["fmt", "--all", "--check"])])
+    let mut samples = shell::command("rustfmt", &["--check", "--edition", "2024"]);
+    let files = files_below(&shell::root().join("www/samples")).into_iter();
+    samples.args(files.filter(|file| file.extension().is_some_and(|ending| ending == "rs")));
+    run_all([shell::cargo(&["fmt", "--all", "--check"]), samples])
 }
 
 /// Checks the format and the lint rules of JavaScript and JSON, as biome.jsonc sets them.

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { centre, drawn, handle, openTutorial, points } from "./applet-page.js";
 import { boxOf } from "./browser.js";
-import { assertNear, doubleClick, doubleTap, fingersOn } from "./hands.js";
+import { assertNear, doubleClick, doubleTap, fingersOn } from "./gestures.js";
 
 /** The accessible name of what has the focus, inside the shadow root. */
 const focused = (page) =>

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { canvasBox, difference, facts, look, openSurface, set, settled } from "./surface-page.js";
-import { centreOf, downloadBy, dragFrom, fingersOn, pullFrom } from "./hands.js";
+import { centreOf, downloadBy, dragFrom, fingersOn, pullFrom } from "./gestures.js";
 
 const view = (page) => page.evaluate(() => document.querySelector("bezier-surface").view);
 const middle = (page) => centreOf(page.locator("bezier-surface canvas"));
