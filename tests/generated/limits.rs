@@ -14,6 +14,9 @@ const RAY: usize = (1 << 27) + 4 * SEARCH;
 /// The documented limit of vertices, and the forecast and the cubics of every segment of a generated spline or path.
 const FLATTEN: usize = (1 << 24) + DEFAULT;
 
+/// Boolean operations take at most 2³⁰ steps, and more for each segment and contact; a chain may make a path of many dashes.
+const CHAIN: usize = 1 << 31;
+
 /// The documented limits.
 const LIMITS: &[(&str, usize)] = &[
     ("Curve::flatten", FLATTEN),
@@ -30,7 +33,7 @@ const LIMITS: &[(&str, usize)] = &[
     ("Surface::area", 1 << 22),
     ("Curve::chain", FLATTEN),
     ("Spline::chain", FLATTEN),
-    ("Path::chain", 1 << 29),
+    ("Path::chain", CHAIN),
     ("Patch::chain", 2 * RAY),
     ("Surface::chain", 2 * RAY),
     ("Surface::subdivide", (1 << 24) + (1 << 18)),

@@ -3,6 +3,7 @@
 use super::corner_arc::{CornerArc, corner_arc, is_corner};
 use super::has_size;
 use crate::curve::Curve;
+use crate::geometry::check::clamp_to_limit;
 use crate::geometry::error::Error;
 use crate::path::{Path, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
@@ -42,6 +43,8 @@ impl Path {
     /// assert!((area - (100.0 - (4.0 - std::f64::consts::PI) * 4.0)).abs() < 1e-7);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
+    ///
+    /// Coordinates that an arc next to the limit of coordinates would exceed are set to it.
     ///
     /// # Errors
     /// [`Error::Range`] for a radius that is negative or not finite.
@@ -257,6 +260,7 @@ impl<'a> RoundedSubpath<'a> {
         if self.part.closed {
             out.points.pop();
         }
+        out.points.iter_mut().for_each(|p| *p = clamp_to_limit(*p));
         path.push(&out.points, &out.degrees, self.part.closed);
     }
 
