@@ -240,7 +240,7 @@ pub(crate) fn area<L: PlaneLine>(line: L) -> Checked {
 
 pub(crate) fn bounds<L: Line>(line: L) -> Checked {
     let (bounds, slack) = (value!(line.bounds()), line.slack());
-    for t in parameters(40, line.last()) {
+    for t in parameters(40.max(10 * line.curves().len()), line.last()) {
         ensure!(holds(&bounds, line.eval(t), slack), "outside at {t}");
     }
     for axis in 0..L::P::DIMENSION {
