@@ -58,6 +58,10 @@ impl Path {
     /// 0.4 ε count as one, so coinciding and touching outlines need no special care; parts thinner than that may
     /// disappear.
     ///
+    /// Outlines with very many features of about this size can give winding numbers that contradict each other. Then
+    /// smaller distances are tried, and at last polygons within ε/2 of the outlines, so the result consists of lines. If
+    /// these contradict each other too, the operation is refused: no result is ever inconsistent.
+    ///
     /// Pairs of segments are found with a tree of boxes: for n segments with k intersections the time is about
     /// (n + k) log (n + k), some microseconds for each. The union of many paths takes one call of
     /// [`combine`](Self::combine); a union with one path after the other computes all earlier contours again each time.
@@ -65,7 +69,7 @@ impl Path {
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² segments, more than 2²² contacts of segments, or more steps of the
     /// search for contacts than 2³⁰ and 2¹³ for each segment and each contact: only tens of thousands of long segments
-    /// beside each other need as many.
+    /// beside each other need as many. Also if all 10 attempts at a consistent result fail, as described above.
     ///
     /// Source: winding numbers of the faces of a planar map, as in de Berg et al., *Computational Geometry*, §2.3 (the
     /// overlay of two subdivisions).
@@ -246,13 +250,20 @@ fn region(
     is_inside: impl Fn(&Windings) -> bool,
 ) -> Result<Path, Error> {
     let inputs: Vec<(&Path, Role)> = paths.iter().map(|&path| (path, Role::Region)).collect();
-    let arrangement = Arrangement::new(&inputs)?;
+    Ok(region_in(&Arrangement::new(&inputs)?, rule, is_inside))
+}
+
+fn region_in(
+    arrangement: &Arrangement,
+    rule: FillRule,
+    is_inside: impl Fn(&Windings) -> bool,
+) -> Path {
     let mut inside = vec![false; arrangement.faces.count];
     arrangement.visit_faces(rule, |face, windings| inside[face] = is_inside(windings));
     let regions = arrangement.joined_faces(&inside, |_| true);
     let mut path = Path::default();
-    push_contours(&arrangement, &contours(&arrangement, &regions), &mut path);
-    Ok(path)
+    push_contours(arrangement, &contours(arrangement, &regions), &mut path);
+    path
 }
 
 /// The contours of each region as a path, with the label of the region.
@@ -268,4 +279,57 @@ pub(super) fn paths_of(arrangement: &Arrangement, regions: &[Option<usize>]) -> 
         }
     }
     paths
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A disc of radius 1 made of four cubics, and a square whose corner is at its centre.
+    fn disc_and_square() -> [Path; 2] {
+        let k = 0.552_284_749_830_793_4;
+        let disc = format!(
+            "M1 0C1 {k} {k} 1 0 1C-{k} 1 -1 {k} -1 0C-1 -{k} -{k} -1 0 -1C{k} -1 1 -{k} 1 0Z"
+        );
+        [&disc, "M0 0H2V2H0Z"].map(|data| data.parse().expect("path data"))
+    }
+
+    #[test]
+    fn polygons_are_the_last_resort_of_maps_that_contradict_themselves() {
+        let paths = disc_and_square();
+        let inputs = paths.each_ref().map(|path| (path, Role::Region));
+        let arrangement = Arrangement::with_check(&inputs, |attempt, segments| {
+            let mut all = segments.list.iter();
+            all.all(|segment| segment.points.len() == 2) && attempt.is_consistent(segments)
+        })
+        .expect("the polygons do not contradict themselves");
+        let operations: [(_, fn(usize) -> bool); 3] = [
+            (BooleanOperation::Union, |count| count > 0),
+            (BooleanOperation::Intersect, |count| count == 2),
+            (BooleanOperation::Exclude, |count| count == 1),
+        ];
+        for (operation, is_inside) in operations {
+            let found = region_in(&arrangement, FillRule::NonZero, |windings| {
+                is_inside(windings.inside_count)
+            });
+            let curved = Path::combine(&paths, operation, FillRule::NonZero).expect("a region");
+            // The length of the boundary times the distance of the polygons.
+            let error = found.area() - curved.area();
+            assert!(error.abs() < 1e-8, "{operation:?}: {error}");
+            assert_eq!(found.subpath_count(), curved.subpath_count());
+            assert!(found.degrees.iter().all(|&degree| degree == 1));
+        }
+    }
+
+    #[test]
+    fn no_map_that_contradicts_itself_is_returned() {
+        let paths = disc_and_square();
+        let inputs = paths.each_ref().map(|path| (path, Role::Region));
+        let error = Arrangement::with_check(&inputs, |_, _| false).err();
+        let expected = "attempts at a planar map: expected at most 10, this needs 11";
+        assert_eq!(
+            error.map(|error| error.to_string()).as_deref(),
+            Some(expected)
+        );
+    }
 }

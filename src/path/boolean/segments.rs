@@ -1,6 +1,7 @@
 //! The input of Boolean operations as one list of segments, scaled to size 1.
 
 use crate::bernstein::evaluate::evaluate;
+use crate::curve::Curve;
 use crate::curve::intersect::straight_turns;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
@@ -17,6 +18,9 @@ const EPSILON: f64 = 1e-9;
 
 /// No distance below this many roundings of the largest coordinate is resolved.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;
+
+/// The distance of polygons from the outlines that they replace, in parts of epsilon.
+const POLYGON_DISTANCE: f64 = 0.5;
 
 /// What a path contributes to an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,6 +156,51 @@ impl Segments {
             is_first: false,
             is_last: false,
         });
+    }
+
+    /// The same outlines as polygons, whose vertices are on the outlines. A loop smaller than the distance of the polygons
+    /// stays as it is.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] for more than 2²² segments.
+    pub(super) fn flattened(&self) -> Result<Self, Error> {
+        let mut all = Self {
+            list: Vec::with_capacity(self.list.len()),
+            joints: self.joints.clone(),
+            roles: self.roles.clone(),
+            ..*self
+        };
+        for segment in &self.list {
+            let curve = Curve::from_slice(&segment.points);
+            let mut vertices = curve.flatten(POLYGON_DISTANCE * self.epsilon)?.points;
+            vertices.dedup();
+            let chords: Vec<&[DVec2]> = match vertices.len() {
+                1 => vec![&segment.points],
+                _ => vertices.windows(2).collect(),
+            };
+            let needed = all.list.len() + chords.len();
+            if needed > MAX_SEGMENTS {
+                return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
+            }
+            let [mut from, end] = segment.ends;
+            for (k, chord) in chords.iter().enumerate() {
+                let is_end = k + 1 == chords.len();
+                let to = if is_end { end } else { all.joints.len() };
+                if !is_end {
+                    all.joints.push(chord[1]);
+                }
+                all.list.push(Segment {
+                    points: points_of(chord),
+                    bounds: Bounds::of(chord),
+                    path: segment.path,
+                    ends: [from, to],
+                    is_first: segment.is_first && k == 0,
+                    is_last: segment.is_last && is_end,
+                });
+                from = to;
+            }
+        }
+        Ok(all)
     }
 
     fn distance_of_one(&self) -> f64 {
