@@ -1,5 +1,6 @@
 //! Tests that run natively and as wasm in Node (`#[wasm_bindgen_test(unsupported = test)]`).
 
+mod constructors;
 mod curve;
 mod easing;
 mod queries;

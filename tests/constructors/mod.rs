@@ -1,0 +1,406 @@
+//! Every public constructor with extreme arguments: it refuses them or returns finite points, and never panics.
+//! (`Curve::line`, `quad` and `cubic` panic, as documented, where `Curve::new` returns an error.)
+
+use crate::support::Space;
+use casteljau::curve::Basis;
+use casteljau::glam::{DMat4, DVec2, DVec3};
+use casteljau::mesh::{Detail, TessellationOptions, View, Weld, Wire, WireframeOptions};
+use casteljau::models::{Height, Up};
+use casteljau::path::PathBuilder;
+use casteljau::spline::Interpolation;
+use casteljau::{
+    Curve, Easing, Error, Grid, MAX_COORDINATE, Patch, Path, Point, Spline, Surface, TeapotOptions,
+};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const VALUES: [f64; 15] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    1e308,
+    -1e308,
+    MAX_COORDINATE,
+    -MAX_COORDINATE,
+    1e150,
+    f64::MIN_POSITIVE,
+    5e-324,
+    -5e-324,
+    0.0,
+    -0.0,
+    1.0,
+];
+
+const COUNTS: [usize; 11] = [0, 1, 2, 3, 4, 7, 16, 64, 65, 66, 257];
+
+const DEGREES: [usize; 9] = [0, 1, 2, 3, 63, 64, 65, 1 << 32, usize::MAX];
+
+/// Adds a segment with an extreme number.
+type Command = fn(&mut PathBuilder, f64);
+
+fn is_coordinate(x: f64) -> bool {
+    x.abs() <= MAX_COORDINATE
+}
+
+/// Points on a parabola, the first or the last of which has an extreme coordinate.
+fn points<P: Space>(count: usize, value: f64) -> Vec<P> {
+    let parabola = |k: u32| DVec3::new(f64::from(k), f64::from(k * k), 1.0);
+    let mut points: Vec<DVec3> = (0..).map(parabola).take(count).collect();
+    if let Some(last) = points.last_mut() {
+        if count.is_multiple_of(2) {
+            last.y = value;
+        } else {
+            points[0].x = value;
+        }
+    }
+    points.into_iter().map(P::of).collect()
+}
+
+/// Checks that a result is an error, or consists of coordinates and was made from valid ones.
+fn check<P: Point>(what: &str, valid: bool, result: Result<&[P], Error>) {
+    match result {
+        Ok(points) => {
+            assert!(valid, "{what}: invalid arguments are accepted");
+            let largest = points.iter().map(|p| p.max_abs()).fold(0.0, f64::max);
+            assert!(
+                largest <= MAX_COORDINATE * (1.0 + 1e-9),
+                "{what}: {largest}"
+            );
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+fn for_all(mut act: impl FnMut(usize, f64)) {
+    for count in COUNTS {
+        for value in VALUES {
+            act(count, value);
+        }
+    }
+}
+
+fn curves_and_splines<P: Space>() {
+    for_all(|count, value| {
+        let valid = count == 0 || is_coordinate(value);
+        let points = points::<P>(count, value);
+        let curve = Curve::new(&points);
+        check(
+            "new",
+            valid,
+            curve.as_ref().map(Curve::control_points).map_err(|e| *e),
+        );
+        if let Ok(curve) = curve {
+            check(
+                "from",
+                valid,
+                Ok(Spline::from(curve.clone()).control_points()),
+            );
+            let joined = Spline::from_curves(&[curve.clone(), curve], true);
+            check(
+                "from_curves",
+                valid,
+                joined.as_ref().map(Spline::control_points).map_err(|e| *e),
+            );
+        }
+        for closed in [false, true] {
+            let spline = |what, valid, result: Result<Spline<P>, Error>| {
+                check(
+                    what,
+                    valid,
+                    result.as_ref().map(Spline::control_points).map_err(|e| *e),
+                );
+            };
+            for degree in DEGREES {
+                spline("new", valid, Spline::new(&points, degree, closed));
+                let bspline = Spline::from_bspline(&points, degree, None, closed);
+                spline("from_bspline", valid, bspline);
+                for degrees in [vec![], vec![degree], vec![degree; 3]] {
+                    let made = Spline::with_degrees(points.clone(), &degrees, closed);
+                    spline("with_degrees", valid, made);
+                }
+            }
+            let natural = Spline::interpolate(&points, Interpolation::Natural, closed);
+            spline("interpolate", valid, natural);
+        }
+    });
+    for value in VALUES {
+        let points = points::<P>(4, 1.0);
+        let spline = |what, result: Result<Spline<P>, Error>| {
+            check(
+                what,
+                true,
+                result.as_ref().map(Spline::control_points).map_err(|e| *e),
+            );
+        };
+        for knots in [
+            vec![],
+            vec![value; 6],
+            vec![0.0, 0.0, value, value, 1.0, 1.0],
+        ] {
+            for closed in [false, true] {
+                spline(
+                    "knots",
+                    Spline::from_bspline(&points, 2, Some(&knots), closed),
+                );
+                spline(
+                    "knots",
+                    Spline::from_bspline(&points, 3, Some(&knots), closed),
+                );
+            }
+        }
+        let kind = Interpolation::CatmullRom { alpha: value };
+        spline("alpha", Spline::interpolate(&points, kind, false));
+        spline("tolerance", Spline::fit(&points, value, None, false));
+        spline("corner", Spline::fit(&points, 1e-3, Some(value), true));
+        for basis in [
+            Basis::Hermite,
+            Basis::CatmullRom,
+            Basis::Matrix([value; 16]),
+        ] {
+            let geometry = std::array::from_fn(|k| points[k] * if k == 1 { value } else { 1.0 });
+            let curve = Curve::from_basis(basis, geometry);
+            let is_ok = is_coordinate(value);
+            check(
+                "basis",
+                is_ok,
+                curve.as_ref().map(Curve::control_points).map_err(|e| *e),
+            );
+        }
+    }
+    assert!(Spline::<P>::from_curves(&[], false).is_err());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curves_and_splines_from_extreme_arguments() {
+    curves_and_splines::<DVec2>();
+    curves_and_splines::<DVec3>();
+}
+
+/// In wasm a panic cannot be caught.
+#[cfg(not(target_family = "wasm"))]
+#[test]
+fn lines_quadratics_and_cubics_panic_as_documented() {
+    for value in VALUES {
+        let (p, q) = (DVec2::ONE, DVec2::new(1.0, value));
+        let made = [
+            std::panic::catch_unwind(|| Curve::line(p, q)),
+            std::panic::catch_unwind(|| Curve::quad(p, q, p)),
+            std::panic::catch_unwind(|| Curve::cubic(q, p, p, p)),
+        ];
+        assert!(
+            made.iter()
+                .all(|curve| curve.is_ok() == is_coordinate(value)),
+            "{value}"
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn paths_from_extreme_arguments() {
+    assert!(Path::new(&[]).is_empty());
+    assert!(PathBuilder::new().build().is_ok_and(|path| path.is_empty()));
+    let commands: [(bool, Command); 10] = [
+        (false, |b, x| b.move_to(DVec2::new(x, 0.0))),
+        (false, |b, x| b.line_to(DVec2::new(0.0, x))),
+        (false, |b, x| b.quad_to(DVec2::new(0.0, x), DVec2::ONE)),
+        (false, |b, x| {
+            b.cubic_to(DVec2::ONE, DVec2::splat(x), DVec2::ONE)
+        }),
+        (false, |b, x| b.curve_to(&[DVec2::splat(x); 64])),
+        (true, |b, x| b.curve_to(&[DVec2::splat(x); 65])),
+        (true, |b, _| b.curve_to(&[])),
+        (false, |b, x| {
+            b.arc_to(DVec2::new(x, 2.0), 0.5, true, false, DVec2::ONE)
+        }),
+        (false, |b, x| {
+            b.arc_to(DVec2::ONE, x, false, true, DVec2::ONE)
+        }),
+        (false, |b, x| {
+            b.arc_to(DVec2::ONE, 0.0, true, true, DVec2::new(x, 1.0))
+        }),
+    ];
+    for value in VALUES {
+        for (k, (is_refused, command)) in commands.iter().enumerate() {
+            let mut builder = PathBuilder::new();
+            builder.set_arc_tolerance(1e-6);
+            command(&mut builder, value);
+            builder.close();
+            command(&mut builder, value);
+            let built = builder.build();
+            assert_eq!(
+                built.is_ok(),
+                !is_refused && is_coordinate(value),
+                "{k}: {value}"
+            );
+            let path = built.unwrap_or_default();
+            for curve in path.subpaths() {
+                check("path", true, Ok(curve.control_points()));
+            }
+        }
+        let mut builder = PathBuilder::new();
+        builder.set_arc_tolerance(value);
+        builder.arc_to(DVec2::ONE, 0.0, true, true, DVec2::X);
+        assert_eq!(builder.build().is_ok(), value > 0.0);
+        let arc = "M0 0A1 2 3 1 0 4 5";
+        assert_eq!(Path::from_svg_with(arc, value).is_ok(), value > 0.0);
+    }
+    for text in [
+        "",
+        "M",
+        "M1e999 0",
+        "M1e308-1e308L1 2",
+        "M0 0A1e150 5e-324 1e308 1 1 1 1Z",
+        "z",
+    ] {
+        let path = Path::from_svg(text).unwrap_or_default();
+        for subpath in path.subpaths() {
+            check(text, true, Ok(subpath.control_points()));
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn easing_from_extreme_arguments() {
+    let css = Easing::new(0.25, 0.1, 0.25, 1.0).expect("in range");
+    for value in VALUES {
+        for position in 0..4 {
+            let mut handles = [0.5; 4];
+            handles[position] = value;
+            let [x1, y1, x2, y2] = handles;
+            let valid = value.is_finite() && (position % 2 == 1 || (0.0..=1.0).contains(&value));
+            let easing = Easing::new(x1, y1, x2, y2);
+            assert_eq!(easing.is_ok(), valid, "{handles:?}");
+            for x in VALUES.into_iter().filter(|x| !x.is_nan()) {
+                assert!(easing.as_ref().is_ok_and(|e| e.eval(x).is_finite()) || !valid);
+            }
+        }
+        assert!(css.to_linear(value).is_ok() || !(1e-4..1e300).contains(&value));
+        for text in [
+            "cubic-bezier(0, {}, 1, {})",
+            "steps({})",
+            "linear(0, {} {}%, 1)",
+        ] {
+            let text = text.replace("{}", &value.to_string());
+            let easing = text.parse::<Easing>();
+            assert!(
+                easing.is_err() || easing.is_ok_and(|e| !e.eval(0.5).is_nan()),
+                "{text}"
+            );
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn patches_and_surfaces_from_extreme_arguments() {
+    for_all(|count, value| {
+        let valid = count == 0 || is_coordinate(value);
+        let net = points::<DVec3>(count, value);
+        for degree_u in DEGREES {
+            for degree_v in [1, 3, 64, usize::MAX] {
+                let patch = Patch::new(&net, degree_u, degree_v);
+                check(
+                    "patch",
+                    valid,
+                    patch.as_ref().map(Patch::control_points).map_err(|e| *e),
+                );
+            }
+            for indices in [vec![], vec![0; 16], vec![u32::MAX; 4]] {
+                let degrees = [[degree_u, 3]];
+                let of_one = Surface::new(net.clone(), indices.clone(), degree_u, 3);
+                let of_list = Surface::with_degrees(net.clone(), indices, &degrees);
+                for surface in [of_one, of_list] {
+                    let vertices = surface.as_ref().map(Surface::vertices).map_err(|e| *e);
+                    check("surface", valid, vertices);
+                }
+            }
+        }
+    });
+    for value in VALUES {
+        let net = std::array::from_fn(|k| DVec3::splat(if k == 5 { value } else { 1.0 }));
+        for basis in [Basis::BSpline, Basis::Matrix([value; 16])] {
+            let patch = Patch::from_basis(basis, &net);
+            let points = patch.as_ref().map(Patch::control_points).map_err(|e| *e);
+            check("basis", is_coordinate(value), points);
+        }
+    }
+}
+
+/// Which parts a number selects.
+fn teapot_options(bits: u32) -> TeapotOptions {
+    let has = |part: u32| bits >> part & 1 == 1;
+    TeapotOptions {
+        rim: has(0),
+        body: has(1),
+        handle: has(2),
+        spout: has(3),
+        lid: has(4),
+        bottom: has(5),
+        height: if has(6) {
+            Height::Original
+        } else {
+            Height::Squashed
+        },
+        up: if has(7) { Up::Y } else { Up::Z },
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn teapots_of_all_parts_and_of_none() {
+    for bits in 0..1 << 8 {
+        let options = teapot_options(bits);
+        let surface = Surface::teapot(options);
+        assert_eq!(surface.patch_count() == 0, bits & 63 == 0);
+        check("teapot", true, Ok(surface.vertices()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn meshes_with_extreme_options() {
+    let net = points::<DVec3>(16, 0.5);
+    let patch = Patch::new(&net, 3, 3).expect("a patch");
+    let view = |pixels, matrix: f64, width| View {
+        pixels,
+        view_projection: DMat4::from_cols_array(&[matrix; 16]),
+        viewport: DVec2::new(width, 100.0),
+    };
+    let no_surface = Surface::teapot(teapot_options(0));
+    let mut details: Vec<Detail> = Vec::new();
+    for value in VALUES {
+        let views = [
+            view(value, 1.0, 100.0),
+            view(1.0, value, 100.0),
+            view(1.0, 1.0, value),
+        ];
+        details.extend(views.map(Detail::Pixels));
+        details.push(Detail::Tolerance(value));
+    }
+    let grids = [0, 1, usize::MAX].map(Grid::from);
+    details.extend(grids.map(Detail::Segments));
+    for detail in details {
+        for weld in [Weld::Position, Weld::Normal, Weld::None] {
+            let options = TessellationOptions { detail, weld };
+            let mesh = patch.tessellate(&options);
+            let is_finite = |x: &f32| x.is_finite();
+            assert!(mesh.is_err() || mesh.is_ok_and(|m| m.positions.iter().all(is_finite)));
+            let _ = no_surface.tessellate(&options);
+        }
+    }
+    assert!(grids.map(|grid| patch.grid(grid, true).is_ok()) == [false, true, false]);
+    for lines in [0, 1, usize::MAX] {
+        for value in VALUES {
+            let tube = |sides| Wire::Tube {
+                radius: value,
+                sides,
+            };
+            let wires = [
+                tube(0),
+                tube(3),
+                tube(usize::MAX),
+                Wire::Ribbon { width: value },
+            ];
+            for wire in wires {
+                let _ = no_surface.wireframe(&WireframeOptions { lines, wire });
+            }
+        }
+    }
+}
