@@ -3,7 +3,7 @@
 use super::Spline;
 use super::joint::catmull_rom;
 use crate::curve::eval::MAX_OUTPUT_F64;
-use crate::geometry::check::{check_points, is_within_limit, max_abs};
+use crate::geometry::check::{check_points, is_within_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
@@ -33,10 +33,6 @@ const POLE: f64 = -0.267_949_192_431_122_7;
 
 /// After this many steps the power of the pole is below the rounding error of 1: 0.268³² = 5·10⁻¹⁹.
 const RUN_IN: usize = 32;
-
-/// Coordinates above this value are scaled down for the computation, so that no sum overflows.
-const HUGE: f64 = 1e300;
-const SHRUNK: f64 = 1.0 / 1024.0;
 
 impl<P: Point> Spline<P> {
     /// A cubic spline through points; its joints are the points, at t = 0, 1, 2, …
@@ -98,17 +94,13 @@ impl<P: Point> Spline<P> {
             return Err(Error::too_many("points", limit, count));
         }
         check_points("points", points)?;
-        let unit = if max_abs(points) > HUGE { SHRUNK } else { 1.0 };
-        let row = Equation {
-            points: points.iter().map(|&p| p * unit).collect(),
-            closed,
-        };
+        let row = Equation { points, closed };
         let derivatives = match step {
             None => row.natural(),
             Some(step) => row.catmull_rom(step),
         };
         let handle = |i: usize, along: P| {
-            let handle = (row.points[i] + along / 3.0) / unit;
+            let handle = points[i] + along / 3.0;
             // Near the limit of coordinates a handle can exceed it; it is then placed at the point.
             if is_within_limit(handle) {
                 handle
@@ -151,12 +143,12 @@ fn power(length: f64, alpha: f64) -> f64 {
 }
 
 /// The points to interpolate, open or closed.
-struct Equation<P> {
-    points: Vec<P>,
+struct Equation<'a, P> {
+    points: &'a [P],
     closed: bool,
 }
 
-impl<P: Point> Equation<P> {
+impl<P: Point> Equation<'_, P> {
     /// The indices of the neighbours of a point; at an open end the missing neighbour is the point itself.
     fn beside(&self, i: usize) -> (usize, usize) {
         let count = self.points.len();
