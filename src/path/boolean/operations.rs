@@ -26,6 +26,17 @@ pub enum BooleanOperation {
     Exclude,
 }
 
+impl BooleanOperation {
+    /// Whether the result contains the points that are in `inside` of `count` regions.
+    fn holds(self, inside: usize, count: usize) -> bool {
+        match self {
+            Self::Union => inside > 0,
+            Self::Intersect => count > 0 && inside == count,
+            Self::Exclude => inside % 2 == 1,
+        }
+    }
+}
+
 /// A face of the division of the plane by paths; see [`Path::faces`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
@@ -137,12 +148,8 @@ impl Path {
         rule: FillRule,
     ) -> Result<Self, Error> {
         let paths: Vec<&Self> = paths.into_iter().collect();
-        region(&paths, rule, |windings| match operation {
-            BooleanOperation::Union => windings.inside_count > 0,
-            BooleanOperation::Intersect => {
-                !paths.is_empty() && windings.inside_count == paths.len()
-            }
-            BooleanOperation::Exclude => windings.inside_count % 2 == 1,
+        region(&paths, rule, |windings| {
+            operation.holds(windings.inside_count, paths.len())
         })
     }
 
@@ -303,14 +310,13 @@ mod tests {
             all.all(|segment| segment.points.len() == 2) && attempt.is_consistent(segments)
         })
         .expect("the polygons do not contradict themselves");
-        let operations: [(_, fn(usize) -> bool); 3] = [
-            (BooleanOperation::Union, |count| count > 0),
-            (BooleanOperation::Intersect, |count| count == 2),
-            (BooleanOperation::Exclude, |count| count == 1),
-        ];
-        for (operation, is_inside) in operations {
+        for operation in [
+            BooleanOperation::Union,
+            BooleanOperation::Intersect,
+            BooleanOperation::Exclude,
+        ] {
             let found = region_in(&arrangement, FillRule::NonZero, |windings| {
-                is_inside(windings.inside_count)
+                operation.holds(windings.inside_count, paths.len())
             });
             let curved = Path::combine(&paths, operation, FillRule::NonZero).expect("a region");
             // The length of the boundary times the distance of the polygons.
