@@ -33,7 +33,7 @@ const VALUES: [f64; 15] = [
 
 const COUNTS: [usize; 11] = [0, 1, 2, 3, 4, 7, 16, 64, 65, 66, 257];
 
-const DEGREES: [usize; 9] = [0, 1, 2, 3, 63, 64, 65, 1 << 32, usize::MAX];
+const DEGREES: [usize; 9] = [0, 1, 2, 3, 63, 64, 65, usize::MAX / 2, usize::MAX];
 
 /// Adds a segment with an extreme number.
 type Command = fn(&mut PathBuilder, f64);
