@@ -12,7 +12,6 @@ mod contours;
 mod cutting;
 mod edges;
 mod faces;
-mod nesting;
 mod operations;
 mod order;
 mod outline;

@@ -1,10 +1,16 @@
-//! The arc that replaces a corner.
+//! The arc that replaces a corner: a part of the circle of a given radius that is tangent to both segments.
+//!
+//! The centre lies on the offset curves of both segments at the distance of the radius. These meet in many points; the
+//! one that belongs to the corner is found by continuation: the radius grows from 0 in steps, and Newton's method
+//! follows the two points of tangency away from the corner, as long as the segments bend towards the circle less than
+//! the circle itself.
 
-use super::tangent_circle::{Corner, MIN_RADIUS, RADIUS, Side};
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::check::max_abs;
+use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
+use crate::numeric::work_limit::WorkLimit;
 use crate::spline::offset::start_tangent;
 use glam::DVec2;
 
@@ -13,6 +19,29 @@ const MIN_CORNER_SINE: f64 = 1e-3;
 
 /// Larger radii, as a multiple of the size, are limited by the segments.
 const MAX_RADIUS: f64 = 1e9;
+
+/// Radii below this part of the size of both segments leave the corner.
+const MIN_RADIUS: f64 = 1e-9;
+
+/// The first step moves the points of tangency by this part of the shorter segment.
+const FIRST_STEP: f64 = 0.25;
+
+/// Where the circle cannot grow, the radius is found up to this part of it.
+const RADIUS_PRECISION: f64 = 1e-6;
+
+/// The largest number of iterations of Newton's method for one radius, and for a corner.
+const MAX_ITERATIONS: usize = 12;
+const MAX_WORK: usize = 1 << 11;
+
+/// A system is solved if both centres are this close, relative to the size and the radius.
+const SOLVED: f64 = 4e-15;
+const SOLVED_WITH_ROUNDING: f64 = 1e-12;
+
+/// The cosine of the largest turn of a tangent in one step (37°).
+const MAX_TURN_COSINE: f64 = 0.8;
+
+/// Parameters this close to a limit, relative to it, are at the limit.
+const AT_LIMIT: f64 = 1e-12;
 
 /// An arc that replaces a corner.
 #[derive(Clone, Copy)]
@@ -110,4 +139,241 @@ fn eval(curves: &[Curve<DVec2>], x: f64) -> DVec2 {
         rest -= 1.0;
     }
     curves[curves.len() - 1].eval(rest)
+}
+
+/// A corner with its two segments, which are scaled to a size of about 1, start at the corner, and lead away from it.
+struct Corner<'a> {
+    sides: [Side<'a>; 2],
+    /// The tangents at the corner, along the path.
+    tangents: [DVec2; 2],
+    /// 1 for a left turn, −1 for a right turn.
+    sign: f64,
+}
+
+/// Segments that follow each other smoothly; parameters are those of a spline.
+struct Side<'a> {
+    pieces: Vec<CurveWithDerivatives<'a, DVec2>>,
+    /// The index of the segment with the point of tangency.
+    current: usize,
+    /// The normal towards the circle is this multiple of the left one.
+    sign: f64,
+    /// The largest parameter.
+    limit: f64,
+}
+
+/// What a side is like at a parameter.
+struct Local {
+    point: DVec2,
+    velocity: DVec2,
+    tangent: DVec2,
+    /// The unit normal towards the circle, and the curvature towards it.
+    normal: DVec2,
+    curvature: f64,
+}
+
+/// The parameters of both points of tangency, and the radius.
+type Contact = [f64; 3];
+const RADIUS: usize = 2;
+
+impl Side<'_> {
+    /// `None` where the derivative vanishes.
+    fn at(&self, x: f64) -> Option<Local> {
+        let (curve, x) = (&self.pieces[self.current], x - self.current as f64);
+        let [velocity, second] = curve.derivatives(x);
+        let speed = Point::length(velocity);
+        let tangent = velocity / speed;
+        let curvature = self.sign * tangent.perp_dot(second) / (speed * speed);
+        (speed > 0.0 && curvature.is_finite()).then(|| Local {
+            point: curve.at(x),
+            velocity,
+            tangent,
+            normal: tangent.perp() * self.sign,
+            curvature,
+        })
+    }
+
+    /// The largest parameter in the current segment.
+    fn end(&self) -> f64 {
+        self.limit.min((self.current + 1) as f64)
+    }
+
+    /// The largest distance of a control point of the first segment from the corner.
+    fn reach(&self) -> f64 {
+        let distances = self.pieces[0].points.iter().map(|&p| Point::length(p));
+        distances.fold(0.0, f64::max)
+    }
+
+    /// A parameter at about a distance from the corner.
+    fn at_distance(&self, distance: f64) -> f64 {
+        let (mut low, mut high) = (0.0, self.end());
+        for _ in 0..24 {
+            let middle = 0.5 * (low + high);
+            if Point::length(self.pieces[0].at(middle)) < distance {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+}
+
+impl Corner<'_> {
+    /// The distance of the points of tangency of straight segments, as a multiple of the radius.
+    fn tangent_of_half_turn(&self) -> f64 {
+        let [before, after] = self.tangents;
+        before.perp_dot(after).abs() / (1.0 + before.dot(after))
+    }
+
+    fn between_lines(&self, goal: f64) -> Contact {
+        let tangent = self.tangent_of_half_turn();
+        let lengths = self.sides.each_ref().map(|side| side.reach());
+        let room = (self.sides[0].end() * lengths[0]).min(self.sides[1].end() * lengths[1]);
+        let distance = (goal * tangent).min(room);
+        let radius = if distance < room {
+            goal
+        } else {
+            distance / tangent
+        };
+        [distance / lengths[0], distance / lengths[1], radius]
+    }
+
+    fn starts_with_lines(&self) -> bool {
+        self.sides
+            .iter()
+            .all(|side| side.pieces[0].points.len() == 2)
+    }
+
+    /// The contact of the largest radius up to a goal.
+    fn fit(&mut self, goal: f64) -> Contact {
+        let mut contact = [0.0; 3];
+        let reach = self.sides[0].reach().min(self.sides[1].reach());
+        if reach == 0.0 {
+            return contact; // One side is so much smaller than the other that it vanishes in the scaled coordinates.
+        }
+        if self.starts_with_lines() {
+            contact = self.between_lines(goal);
+        }
+        let mut work = WorkLimit::new(MAX_WORK);
+        let mut step = FIRST_STEP * reach / self.tangent_of_half_turn();
+        while self.enter_segments(&mut contact) && contact[RADIUS] < goal && !work.is_exceeded() {
+            let radius = (contact[RADIUS] + step).min(goal);
+            if let Some(next) = self.next(&contact, radius, &mut work) {
+                contact = next;
+                step *= 2.0;
+            } else if step < RADIUS_PRECISION * contact[RADIUS].max(MIN_RADIUS) {
+                break;
+            } else {
+                step *= 0.5;
+            }
+        }
+        contact
+    }
+
+    /// Moves points of tangency at the end of a segment to the next one; false at the limit of a side.
+    fn enter_segments(&mut self, contact: &mut Contact) -> bool {
+        let mut is_free = true;
+        for (x, side) in contact.iter_mut().zip(&mut self.sides) {
+            let end = side.end();
+            if *x >= end * (1.0 - AT_LIMIT) {
+                *x = end;
+                if end < side.limit {
+                    side.current += 1;
+                } else {
+                    is_free = false;
+                }
+            }
+        }
+        is_free
+    }
+
+    /// The contact for a larger radius, or where a side reaches its limit before.
+    fn next(&self, from: &Contact, radius: f64, work: &mut WorkLimit) -> Option<Contact> {
+        let mut start = [from[0], from[1], radius];
+        if from[RADIUS] == 0.0 {
+            let distance = radius * self.tangent_of_half_turn();
+            for (x, side) in start.iter_mut().zip(&self.sides) {
+                *x = side.at_distance(distance);
+            }
+        }
+        if let Some(found) = self.solve(start, RADIUS, work) {
+            let within = (0..2).all(|k| found[k] <= self.sides[k].end());
+            if within {
+                return self.follows(from, &found).then_some(found);
+            }
+            start = found;
+        }
+        (0..2).find_map(|k| {
+            let mut clamped = [0, 1].map(|k| start[k].clamp(from[k], self.sides[k].end()));
+            clamped[k] = self.sides[k].end();
+            let found = self.solve([clamped[0], clamped[1], radius], k, work)?;
+            (found[RADIUS] <= radius && self.follows(from, &found)).then_some(found)
+        })
+    }
+
+    /// Newton's method for two of the unknowns; the fixed one keeps its value.
+    fn solve(&self, mut z: Contact, fixed: usize, work: &mut WorkLimit) -> Option<Contact> {
+        let free = [[1, 2], [0, 2], [0, 1]][fixed];
+        let mut rest = f64::INFINITY;
+        for _ in 0..MAX_ITERATIONS {
+            if !work.spend(1) {
+                return None;
+            }
+            let [before, after] = [self.sides[0].at(z[0])?, self.sides[1].at(z[1])?];
+            let normals = before.normal - after.normal;
+            let gap = before.point - after.point + normals * z[RADIUS];
+            rest = Point::length(gap) / (1.0 + z[RADIUS]);
+            if rest <= SOLVED {
+                break;
+            }
+            let columns = [
+                before.velocity * (1.0 - z[RADIUS] * before.curvature),
+                -after.velocity * (1.0 - z[RADIUS] * after.curvature),
+                normals,
+            ];
+            let [first, second] = free.map(|k| columns[k]);
+            let determinant = first.perp_dot(second);
+            z[free[0]] -= gap.perp_dot(second) / determinant;
+            z[free[1]] -= first.perp_dot(gap) / determinant;
+            if !z.iter().all(|x| x.is_finite()) {
+                return None;
+            }
+        }
+        (rest <= SOLVED_WITH_ROUNDING).then_some(z)
+    }
+
+    /// Whether a contact continues another one: the points move away from the corner within their limits, no tangent
+    /// turns far, neither segment bends towards the circle more than the circle does, and the turn keeps its side.
+    fn follows(&self, from: &Contact, to: &Contact) -> bool {
+        let on_side = |k: usize| {
+            let side = &self.sides[k];
+            let (Some(local), Some(old)) = (side.at(to[k]), self.outward(from, k)) else {
+                return false;
+            };
+            (from[k]..=side.end()).contains(&to[k])
+                && to[RADIUS] * local.curvature < 1.0
+                && local.tangent.dot(old) >= MAX_TURN_COSINE
+        };
+        to[RADIUS] > from[RADIUS] && on_side(0) && on_side(1) && self.turns(to)
+    }
+
+    /// The direction away from the corner at a contact.
+    fn outward(&self, contact: &Contact, k: usize) -> Option<DVec2> {
+        if contact[RADIUS] == 0.0 {
+            return Some(if k == 0 {
+                -self.tangents[0]
+            } else {
+                self.tangents[1]
+            });
+        }
+        self.sides[k].at(contact[k]).map(|local| local.tangent)
+    }
+
+    /// Whether the path turns at a contact to the side of the corner, by less than 180°.
+    fn turns(&self, contact: &Contact) -> bool {
+        match [0, 1].map(|k| self.outward(contact, k)) {
+            [Some(before), Some(after)] => self.sign * after.perp_dot(before) > 0.0,
+            _ => false,
+        }
+    }
 }

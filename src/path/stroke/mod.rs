@@ -19,7 +19,6 @@ mod outline;
 mod round_corners;
 mod side;
 mod side_boundary;
-mod tangent_circle;
 
 pub use offset::OffsetOptions;
 pub use options::{StrokeCap, StrokeOptions};
