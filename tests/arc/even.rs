@@ -81,7 +81,7 @@ fn refusals() {
 #[test]
 fn the_length_up_to_t_is_s() {
     let mut rng = Rng(1690);
-    for _ in 0..cases(4_000, 200_000) {
+    for _ in 0..cases(4_000, 100_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);

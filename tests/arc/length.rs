@@ -72,7 +72,7 @@ fn the_integral_of_the_speed() {
 #[test]
 fn lengths_of_pieces_add_up() {
     let mut rng = Rng(1660);
-    for _ in 0..cases(5_000, 200_000) {
+    for _ in 0..cases(5_000, 100_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);
@@ -89,7 +89,7 @@ fn lengths_of_pieces_add_up() {
 #[test]
 fn a_tolerance_is_kept() {
     let mut rng = Rng(1659);
-    for _ in 0..cases(5_000, 200_000) {
+    for _ in 0..cases(5_000, 100_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let expected = integral::length(&points, 0.0, 1.0);
         let tolerance = expected * rng.magnitude(-15.0, 0.0);

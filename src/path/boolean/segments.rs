@@ -158,8 +158,8 @@ impl Segments {
         });
     }
 
-    /// The same outlines as polygons, whose vertices are on the outlines. A loop smaller than the distance of the polygons
-    /// stays as it is.
+    /// The same outlines as polygons, whose vertices are on the outlines, without the subpaths that are smaller than the
+    /// distance of the polygons. A loop of that size in another subpath stays as it is.
     ///
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² segments.
@@ -170,37 +170,51 @@ impl Segments {
             roles: self.roles.clone(),
             ..*self
         };
-        for segment in &self.list {
-            let curve = Curve::from_slice(&segment.points);
-            let mut vertices = curve.flatten(POLYGON_DISTANCE * self.epsilon)?.points;
-            vertices.dedup();
-            let chords: Vec<&[DVec2]> = match vertices.len() {
-                1 => vec![&segment.points],
-                _ => vertices.windows(2).collect(),
-            };
-            let needed = all.list.len() + chords.len();
-            if needed > MAX_SEGMENTS {
-                return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
-            }
-            let [mut from, end] = segment.ends;
-            for (k, chord) in chords.iter().enumerate() {
-                let is_end = k + 1 == chords.len();
-                let to = if is_end { end } else { all.joints.len() };
-                if !is_end {
-                    all.joints.push(chord[1]);
+        let distance = POLYGON_DISTANCE * self.epsilon;
+        for subpath in self.list.chunk_by(|_, next| !next.is_first) {
+            let bounds = subpath.iter().map(|segment| segment.bounds);
+            if bounds
+                .reduce(Bounds::union)
+                .is_some_and(|all| all.diagonal() > distance)
+            {
+                for segment in subpath {
+                    all.push_chords(segment, distance)?;
                 }
-                all.list.push(Segment {
-                    points: points_of(chord),
-                    bounds: Bounds::of(chord),
-                    path: segment.path,
-                    ends: [from, to],
-                    is_first: segment.is_first && k == 0,
-                    is_last: segment.is_last && is_end,
-                });
-                from = to;
             }
         }
         Ok(all)
+    }
+
+    /// Appends a segment as chords.
+    fn push_chords(&mut self, segment: &Segment, distance: f64) -> Result<(), Error> {
+        let mut vertices = Curve::from_slice(&segment.points).flatten(distance)?.points;
+        vertices.dedup();
+        let chords: Vec<&[DVec2]> = match vertices.len() {
+            1 => vec![&segment.points],
+            _ => vertices.windows(2).collect(),
+        };
+        let needed = self.list.len() + chords.len();
+        if needed > MAX_SEGMENTS {
+            return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
+        }
+        let [mut from, end] = segment.ends;
+        for (k, chord) in chords.iter().enumerate() {
+            let is_end = k + 1 == chords.len();
+            let to = if is_end { end } else { self.joints.len() };
+            if !is_end {
+                self.joints.push(chord[1]);
+            }
+            self.list.push(Segment {
+                points: points_of(chord),
+                bounds: Bounds::of(chord),
+                path: segment.path,
+                ends: [from, to],
+                is_first: segment.is_first && k == 0,
+                is_last: segment.is_last && is_end,
+            });
+            from = to;
+        }
+        Ok(())
     }
 
     fn distance_of_one(&self) -> f64 {

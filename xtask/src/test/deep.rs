@@ -1,7 +1,8 @@
 //! The steps of `test-deep`, which would take too long in `test`.
 
+use super::node;
+use super::select::{self, Choice};
 use super::step::{Context, Done, Lane, Step};
-use super::{node, select};
 use crate::{build, shell, wasm_test};
 use anyhow::Result;
 use std::process::Command;
@@ -23,16 +24,16 @@ const fn part(name: &'static str, title: &'static str, act: fn(&Context) -> Resu
 }
 
 /// Each part runs alone, so that a change runs only those that it can affect.
-pub(crate) const STEPS: [Step; 10] = [
+pub(crate) const STEPS: [Step; 11] = [
     part(
         "curves",
-        "Many more curves and splines: flattening, length, points, joints, timing functions",
-        |context| {
-            sweep(
-                context,
-                &["arc", "curve", "easing", "flatten", "points", "spline"],
-            )
-        },
+        "Many more curves: flattening, points, timing functions",
+        |context| sweep(context, &["curve", "easing", "flatten", "points"]),
+    ),
+    part(
+        "splines",
+        "Many more splines: length, area, frames, joints, interpolation",
+        |context| sweep(context, &["arc", "spline"]),
     ),
     part(
         "intersections",
@@ -90,30 +91,30 @@ pub(crate) const STEPS: [Step; 10] = [
 /// Runs modules of the test binaries, or the tests that the filters choose, with the numbers of cases of `CASTELJAU_DEEP`.
 fn sweep(context: &Context, modules: &[&str]) -> Result<Done> {
     let modules: Vec<String> = modules.iter().map(|&name| name.to_owned()).collect();
-    rust_tests(context, &modules)
+    rust_tests(context, &select::tests(&modules, &select::test_binaries()))
 }
 
 /// Runs groups of generated calls, or the tests that the filters choose.
 fn generated(context: &Context, groups: &[&str]) -> Result<Done> {
-    let names = ["generated"].iter().chain(groups);
-    let names: Vec<String> = names.map(|&name| name.to_owned()).collect();
-    rust_tests(context, &names)
+    let part = Choice {
+        targets: vec!["generated".to_owned()],
+        tests: groups.iter().map(|&name| name.to_owned()).collect(),
+    };
+    rust_tests(context, &part)
 }
 
-fn rust_tests(context: &Context, names: &[String]) -> Result<Done> {
-    let binaries = select::test_binaries();
-    let of_part = select::tests(names, &binaries);
-    let chosen = select::tests(context.filters, &binaries);
+fn rust_tests(context: &Context, part: &Choice) -> Result<Done> {
+    let chosen = select::tests(context.filters, &select::test_binaries());
     let tests = || {
         let mut tests = shell::cargo(&["test", "--profile", "deep", "--package", "casteljau"]);
         tests.arg("--no-fail-fast");
-        for target in &of_part.targets {
+        for target in &part.targets {
             tests.args(["--test", target]);
         }
         with_variables(tests, context)
     };
     let filters = if chosen.tests.is_empty() {
-        &of_part.tests
+        &part.tests
     } else {
         &chosen.tests
     };
