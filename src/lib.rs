@@ -24,8 +24,10 @@
 //!
 //! # Features
 //!
-//! All are off by default.
+//! All but `fast` are off by default.
 //!
+//! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
+//!   results are the same. The npm package does without it.
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
 //!   checked as by the constructors.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.

@@ -5,9 +5,4 @@ pub(crate) mod polynomials;
 pub(crate) mod product;
 pub(crate) mod roots;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod de_casteljau;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod weights;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::bernstein::{de_casteljau, weights};
+pub(crate) use casteljau_kernels::bernstein::{de_casteljau, weights};

@@ -31,10 +31,7 @@ pub(crate) mod trace;
 mod turning;
 pub(crate) mod with_derivatives;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod sample_plane_cubic;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::curve::sample_plane_cubic;
+pub(crate) use casteljau_kernels::curve::sample_plane_cubic;
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;

@@ -38,7 +38,6 @@ impl<P: Point> Curve<P> {
                 let curve = |points| Self::from_points(points_of_cubic(points));
                 (curve(left), curve(right))
             }
-            #[cfg(not(target_family = "wasm"))] // 0.1 kB of each module
             [p0, p1, p2] => {
                 let (p01, p12) = (p0.lerp(p1, t), p1.lerp(p2, t));
                 let p = p01.lerp(p12, t);

@@ -12,11 +12,6 @@ use std::ops::Range;
 #[cfg(feature = "rayon")]
 use {crate::parallel::has_cores, rayon::prelude::*};
 
-/// The maximum number of bytes of a part of a mesh, unless a single patch takes more: a part should stay in the
-/// processor's cache until it is copied.
-#[cfg(feature = "wasm")]
-const PART_BYTES: usize = 5 << 17;
-
 /// The smallest number of samples that a core takes at once.
 #[cfg(feature = "rayon")]
 const MIN_SAMPLES: usize = 1 << 12;
@@ -27,11 +22,11 @@ impl<F: Fn(usize, &mut Vec<DVec3>) -> (usize, usize) + Sync> NetOf for F {}
 
 /// Fills meshes with one grid for each patch: all patches at once, or part by part.
 pub(crate) struct GridMeshBuilder {
-    patches: usize,
-    grid: Grid,
+    pub(crate) patches: usize,
+    pub(crate) grid: Grid,
     #[cfg(feature = "rayon")]
     method: GridMethod,
-    quads: bool,
+    pub(crate) quads: bool,
     kernel: GridEvaluator,
     net: Vec<DVec3>,
 }
@@ -53,20 +48,6 @@ impl GridMeshBuilder {
             kernel: GridEvaluator::new(grid, method),
             net: Vec::new(),
         })
-    }
-
-    /// The patches from `first` that make a part of the mesh within `PART_BYTES`.
-    #[cfg(feature = "wasm")]
-    pub(crate) fn part(&self, first: usize) -> Range<usize> {
-        let per_cell = if self.quads { 6 + 4 } else { 6 };
-        let patch = self.grid.vertex_count() * (9 + per_cell) * size_of::<f32>();
-        first..self.patches.min(first + (PART_BYTES / patch).max(1))
-    }
-
-    /// All values on which the layout of a part depends.
-    #[cfg(feature = "wasm")]
-    pub(crate) fn layout(&self, part: Range<usize>) -> (Range<usize>, Grid, bool, bool) {
-        (part, self.grid, self.quads, self.wide())
     }
 
     /// Whether indices need 32 bits.

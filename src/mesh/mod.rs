@@ -27,18 +27,7 @@ pub(crate) mod weld;
 pub(crate) mod wire;
 mod wireframe;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod bicubic;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod cell_triangulator;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod layout;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod row_sampler;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod second_differences;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::mesh::{
+pub(crate) use casteljau_kernels::mesh::{
     bicubic, cell_triangulator, layout, row_sampler, second_differences,
 };
 

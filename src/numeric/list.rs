@@ -1,11 +1,11 @@
-//! Short lists: inline storage natively; plain vectors in wasm, where code size matters and allocation is cheap.
+//! Short lists: with inline storage, or, without the feature `fast`, plain vectors, which are less code.
 
 use glam::DVec3;
 
-#[cfg(not(target_family = "wasm"))]
-type List<T, const N: usize> = smallvec::SmallVec<[T; N]>;
-#[cfg(target_family = "wasm")]
-type List<T, const N: usize> = Vec<T>;
+#[cfg(feature = "fast")]
+pub(crate) type List<T, const N: usize> = smallvec::SmallVec<[T; N]>;
+#[cfg(not(feature = "fast"))]
+pub(crate) type List<T, const N: usize> = Vec<T>;
 
 /// The control points of a curve.
 pub(crate) type Points<P> = List<P, 4>;
@@ -16,20 +16,20 @@ pub(crate) type Scalars = List<f64, 4>;
 /// The control points of a patch.
 pub(crate) type Net = List<DVec3, 16>;
 
-/// The control points of a slice; natively a copy of bytes, where `From` would copy point by point.
+/// The control points of a slice; with inline storage a copy of bytes, where `From` would copy point by point.
 #[inline]
 pub(crate) fn points_of<P: Copy>(slice: &[P]) -> Points<P> {
-    #[cfg(not(target_family = "wasm"))]
+    #[cfg(feature = "fast")]
     return Points::from_slice(slice);
-    #[cfg(target_family = "wasm")]
+    #[cfg(not(feature = "fast"))]
     return slice.to_vec();
 }
 
 /// The four control points of a cubic, without a copy from a slice.
 #[inline]
 pub(crate) fn points_of_cubic<P: Copy>(points: [P; 4]) -> Points<P> {
-    #[cfg(not(target_family = "wasm"))]
+    #[cfg(feature = "fast")]
     return Points::from_buf(points);
-    #[cfg(target_family = "wasm")]
+    #[cfg(not(feature = "fast"))]
     return points.to_vec();
 }

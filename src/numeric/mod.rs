@@ -4,15 +4,4 @@ pub(crate) mod float;
 pub(crate) mod list;
 pub(crate) mod sort;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod gauss;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod order;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod trigonometry;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod work_limit;
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod zero;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::numeric::{gauss, order, trigonometry, work_limit, zero};
+pub(crate) use casteljau_kernels::numeric::{gauss, order, trigonometry, work_limit, zero};

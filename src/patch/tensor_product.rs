@@ -75,12 +75,6 @@ impl Patch {
         Ok(Self::from_net(Net::from(net), degree_u + 1))
     }
 
-    /// A patch from points that are already checked.
-    #[cfg(feature = "wasm")]
-    pub(crate) fn from_checked(net: &[DVec3], degree_u: usize) -> Self {
-        Self::from_net(Net::from(net), degree_u + 1)
-    }
-
     /// A patch from a net that is already checked.
     pub(crate) fn from_net(points: Net, columns: usize) -> Self {
         Self { points, columns }

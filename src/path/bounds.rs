@@ -71,9 +71,9 @@ fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {
     Bounds { min: a, max: a }.including(b)
 }
 
-/// The tight box of one segment; computed in 3D in wasm, which reuses the code of all curves.
+/// The tight box of one segment; without the feature `fast` it is computed in space, which reuses the code of all curves.
 fn exact(points: &[DVec2]) -> Bounds<DVec2> {
-    if cfg!(not(target_family = "wasm")) {
+    if cfg!(feature = "fast") {
         return Curve::from_slice(points).bounds();
     }
     let points = points.iter().map(|p| p.to_3d()).collect();

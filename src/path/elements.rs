@@ -4,8 +4,8 @@ use super::Path;
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::error::Error;
+use crate::numeric::list::List;
 use glam::DVec2;
-use smallvec::SmallVec;
 
 /// A drawing command with absolute coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub enum PathElement {
 
 /// The commands of one segment: one command up to degree 3.
 #[derive(Default)]
-struct Elements(SmallVec<[PathElement; 1]>);
+struct Elements(List<PathElement, 1>);
 
 impl PathSink for Elements {
     fn move_to(&mut self, p: DVec2) {

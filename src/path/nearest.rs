@@ -79,9 +79,9 @@ fn distance_of_box(points: &[DVec2], p: DVec2) -> f64 {
     (min - p).max(p - max).max(DVec2::ZERO).length_squared()
 }
 
-/// The nearest point of one segment; computed in 3D in wasm, which reuses the code of all curves.
+/// The nearest point of one segment; without the feature `fast` it is computed in space, which reuses the code of all curves.
 fn nearest_of(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
-    if cfg!(not(target_family = "wasm")) {
+    if cfg!(feature = "fast") {
         return nearest_on(points, p);
     }
     let points: Points<DVec3> = points.iter().map(|q| q.to_3d()).collect();

@@ -255,12 +255,6 @@ impl Surface {
     pub(crate) fn joined(&self, vertex: u32) -> u32 {
         self.joined.get(vertex as usize).copied().unwrap_or(vertex)
     }
-
-    /// For each vertex, the first vertex that is joined to it.
-    #[cfg(feature = "wasm")]
-    pub(crate) fn joined_all(&self) -> &[u32] {
-        &self.joined
-    }
 }
 
 impl Patch {

@@ -2,12 +2,14 @@
 
 use super::arena::Arena;
 use crate::geometry::error::Error;
+use crate::numeric::list::Net;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
 
 /// The patch whose net is at the start of the arena.
 pub(crate) fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
-    Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
+    let net = a.points(0, (degree_u + 1) * (degree_v + 1));
+    Patch::from_net(Net::from(net), degree_u + 1)
 }
 
 /// The surface at the start of the arena, and the index where it ends.

@@ -18,6 +18,10 @@ use std::ops::Range;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
+/// The maximum number of bytes of a part of a mesh, unless a single patch takes more: a part should stay in the
+/// processor's cache until it is copied.
+const PART_BYTES: usize = 5 << 17;
+
 /// The last mesh; the next one reuses its buffers.
 static MESH: SingleThreadCell<Mesh> = SingleThreadCell::new(Mesh {
     positions: Vec::new(),
@@ -96,14 +100,21 @@ pub fn grid_part(first: usize) -> usize {
     let Some((surface, mut builder)) = GRID.with(Option::take) else {
         return 0;
     };
-    let part = builder.part(first);
-    let layout = Some(builder.layout(part.clone()));
+    let part = part(&builder, first);
+    let layout = Some((part.clone(), builder.grid, builder.quads, builder.wide()));
     let has_layout = LAYOUT.with(|last| std::mem::replace(last, layout.clone()) == layout);
     MESH.with(|mesh| surface.fill_part(&mut builder, part.clone(), has_layout, mesh));
     if part.end < surface.patch_count() {
         GRID.with(|kept| *kept = Some((surface, builder)));
     }
     part.len()
+}
+
+/// The patches from `first` that make a part of the mesh within [`PART_BYTES`].
+fn part(builder: &GridMeshBuilder, first: usize) -> Range<usize> {
+    let per_cell = if builder.quads { 6 + 4 } else { 6 };
+    let patch = builder.grid.vertex_count() * (9 + per_cell) * size_of::<f32>();
+    first..builder.patches.min(first + (PART_BYTES / patch).max(1))
 }
 
 const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];

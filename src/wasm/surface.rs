@@ -69,7 +69,10 @@ pub(crate) fn write(a: &mut Arena, surface: &Surface) -> usize {
     let at = a.write_counts(3, degrees);
     let at = a.write(at, vertices);
     let at = a.write_counts(at, surface.indices().iter().map(|&i| i as usize));
-    a.write_counts(at, surface.joined_all().iter().map(|&i| i as usize))
+    let joined = (0..)
+        .take(vertices.len())
+        .map(|i| surface.joined(i) as usize);
+    a.write_counts(at, joined)
 }
 
 /// Arguments: a 4×4 matrix (column-major) after the surface. Draws all projected isocurves on a context or a path.

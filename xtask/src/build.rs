@@ -171,6 +171,7 @@ pub(crate) fn site() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
     inputs.extend(files_below(&root.join("src")));
+    inputs.extend(files_below(&root.join("kernels/src")));
     inputs.extend(SITE_SCRIPTS.map(|name| root.join("dist").join(name)));
     inputs.push(root.join("package-lock.json"));
     let work = Work {

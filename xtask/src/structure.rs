@@ -1,4 +1,5 @@
-//! The structure of the crate: no file imports another one that imports it, directly or indirectly. Re-exports are followed to
+//! The structure of the crate: no file imports another one that imports it, directly or indirectly, and only the bindings know
+//! of wasm. Re-exports are followed to
 //! the file that defines the item, so that a `mod.rs` counts with what it uses, not with what it re-exports.
 
 use crate::shell;
@@ -18,27 +19,49 @@ struct Paths {
     exported: Vec<Vec<String>>,
 }
 
-/// Fails with the cycles of the crate. The bindings in `src/wasm` are a package of their own.
+/// What no source has outside the bindings in `src/wasm`: conditions on wasm, modules in other folders, excuses for them.
+const FORBIDDEN: [&str; 4] = [
+    "target_family = \"wasm\"",
+    "feature = \"wasm\"",
+    "#[path",
+    "unreachable_pub",
+];
+
+/// The line of `src/lib.rs` that declares the bindings; the package of the bindings has the feature, the crate has not.
+const BINDINGS: &str = "#[cfg(feature = \"wasm\")]\nmod wasm;\n";
+
+/// Fails with the cycles of the crate and of its kernels, and with conditions on wasm. The bindings in `src/wasm` are a
+/// package of their own.
 pub(crate) fn check() -> Result<()> {
-    let root = shell::root().join("src");
-    let mut files = BTreeMap::new();
-    for path in files_below(&root) {
-        let relative = path.strip_prefix(&root)?;
-        if relative.extension().is_some_and(|ending| ending == "rs")
-            && !relative.starts_with("wasm")
-        {
-            files.insert(module_of(relative), paths(&fs::read_to_string(&path)?));
+    for folder in ["src", "kernels/src"] {
+        let root = shell::root().join(folder);
+        let mut files = BTreeMap::new();
+        for path in files_below(&root) {
+            let relative = path.strip_prefix(&root)?;
+            if relative.extension().is_some_and(|ending| ending == "rs")
+                && !relative.starts_with("wasm")
+            {
+                let text = fs::read_to_string(&path)?;
+                let found = forbidden(&text);
+                ensure!(found.is_none(), "{}: {found:?}", path.display());
+                files.insert(module_of(relative), paths(&text));
+            }
         }
+        let cycles = cycles(&graph(&files));
+        let text: Vec<String> = cycles.iter().map(|cycle| cycle.join(" → ")).collect();
+        ensure!(
+            cycles.is_empty(),
+            "files that import each other:\n  {}",
+            text.join("\n  ")
+        );
+        println!("{folder}: {} files without a cycle", files.len());
     }
-    let cycles = cycles(&graph(&files));
-    let text: Vec<String> = cycles.iter().map(|cycle| cycle.join(" → ")).collect();
-    ensure!(
-        cycles.is_empty(),
-        "files that import each other:\n  {}",
-        text.join("\n  ")
-    );
-    println!("{} files without a cycle", files.len());
     Ok(())
+}
+
+fn forbidden(source: &str) -> Option<&'static str> {
+    let source = source.replacen(BINDINGS, "", 1);
+    FORBIDDEN.into_iter().find(|text| source.contains(text))
 }
 
 fn module_of(file: &Path) -> Module {
@@ -156,10 +179,9 @@ fn resolve(path: &[String], files: &BTreeMap<Module, Paths>, depth: usize) -> Op
         .map(|item| (item, &files[&module].exported));
     if let Some((item, exported)) = exports {
         for export in exported {
-            let Some(mut target) = absolute(&module, export, files) else {
-                continue;
-            };
-            if target.last() == Some(item) {
+            if export.last() == Some(item) {
+                // An item of another crate is in no file.
+                let mut target = absolute(&module, export, files)?;
                 target.extend_from_slice(&rest[1..]);
                 return resolve(&target, files, depth - 1);
             }
@@ -253,10 +275,26 @@ mod tests {
             "// use crate::c;\n#[cfg(test)]\nmod tests { use crate::c; }\n",
         );
         assert_eq!(cycles_of(&[root, parent, comment, user]), [""; 0]);
+        let other_crate = ("a", "mod b;\npub(crate) use kernels::d;\nuse b::B;\n");
+        let user_of_it = ("a::b", "use super::d::D;\n");
+        assert_eq!(cycles_of(&[root, other_crate, user_of_it]), [""; 0]);
         let nested = ("a::b", "use crate::{\n    a,\n    c::{d, e as f},\n};\n");
         assert_eq!(
             cycles_of(&[root, parent, nested, user]),
             ["a::b → c → a::b"]
         );
+    }
+
+    #[test]
+    fn only_the_declaration_of_the_bindings_depends_on_wasm() {
+        assert_eq!(forbidden(BINDINGS), None);
+        for source in [
+            format!("{BINDINGS}{BINDINGS}"),
+            "if cfg!(not(target_family = \"wasm\")) {}".to_owned(),
+            "#[path = \"../b.rs\"]\nmod b;".to_owned(),
+            "#![allow(unreachable_pub)]".to_owned(),
+        ] {
+            assert!(forbidden(&source).is_some(), "{source}");
+        }
     }
 }

@@ -16,10 +16,7 @@ mod solve;
 mod stationary;
 mod tolerances;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod clipping;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::curve::intersect::clipping;
+pub(crate) use casteljau_kernels::curve::intersect::clipping;
 
 pub(crate) use stationary::straight_turns;
 

@@ -8,10 +8,7 @@ pub(crate) mod distance;
 mod hausdorff;
 mod segment_tree;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod search;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::curve::nearest::search;
+pub(crate) use casteljau_kernels::curve::nearest::search;
 
 use super::Curve;
 use super::with_derivatives::CurveWithDerivatives;
@@ -137,8 +134,8 @@ fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
 
 #[inline]
 fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
-    // In wasm one kernel serves both dimensions.
-    if P::DIMENSION == 2 && cfg!(not(target_family = "wasm")) {
+    // Without the feature one kernel serves both dimensions.
+    if P::DIMENSION == 2 && cfg!(feature = "fast") {
         let flat = |p: P| p.to_2d().to_array();
         nearest_in_plane(&points.map(flat), &flat(p))
     } else {

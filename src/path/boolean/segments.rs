@@ -1,11 +1,10 @@
 //! The input of Boolean operations as one list of segments, scaled to size 1.
 
 use crate::bernstein::evaluate::evaluate;
-use crate::curve::Curve;
 use crate::curve::intersect::straight_turns;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
-use crate::numeric::float::unit_scale;
+use crate::numeric::float::{as_f64, ratio, unit_scale};
 use crate::numeric::list::{Points, points_of};
 use crate::path::Path;
 use glam::DVec2;
@@ -185,18 +184,27 @@ impl Segments {
         Ok(all)
     }
 
-    /// Appends a segment as chords.
+    /// Appends a segment as chords with equal steps of the parameter. Steps of which n are at least
+    /// √(d (d − 1) max |Δ²P| / 8 distance), for degree d, are within the distance (Wang, 1984).
     fn push_chords(&mut self, segment: &Segment, distance: f64) -> Result<(), Error> {
-        let mut vertices = Curve::from_slice(&segment.points).flatten(distance)?.points;
-        vertices.dedup();
-        let chords: Vec<&[DVec2]> = match vertices.len() {
-            1 => vec![&segment.points],
-            _ => vertices.windows(2).collect(),
-        };
-        let needed = self.list.len() + chords.len();
+        let points = &segment.points;
+        let bend = |w: &[DVec2]| (w[0] - w[1] * 2.0 + w[2]).length();
+        let max_bend = points.windows(3).map(bend).fold(0.0, f64::max);
+        let degree = as_f64(points.len() - 1);
+        let enough = (degree * (degree - 1.0) * max_bend / (8.0 * distance)).sqrt();
+        let count = (enough.ceil() as usize).max(1);
+        let needed = self.list.len().saturating_add(count);
         if needed > MAX_SEGMENTS {
             return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
         }
+        let inside = (1..count).map(|k| evaluate(points, ratio(k, count)));
+        let mut vertices = vec![segment.start()];
+        vertices.extend(inside.chain([segment.end()]));
+        vertices.dedup();
+        let chords: Vec<&[DVec2]> = match vertices.len() {
+            1 => vec![points],
+            _ => vertices.windows(2).collect(),
+        };
         let [mut from, end] = segment.ends;
         for (k, chord) in chords.iter().enumerate() {
             let is_end = k + 1 == chords.len();

@@ -2,10 +2,7 @@
 
 pub(crate) mod curve;
 
-#[cfg(not(feature = "wasm"))]
-pub(crate) mod offset_curve;
-#[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::spline::offset::offset_curve;
+pub(crate) use casteljau_kernels::spline::offset::offset_curve;
 
 use super::Spline;
 use super::spline_builder::SplineBuilder;

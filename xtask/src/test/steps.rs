@@ -185,25 +185,21 @@ fn clippy(_: &Context) -> Result<Done> {
         command
     };
     run_all([
-        clippy(&["casteljau", "casteljau-benches"], &["--all-features"]),
+        clippy(
+            &["casteljau", "casteljau-benches", "casteljau-kernels"],
+            &["--all-features"],
+        ),
         // The driver is checked in its own profile, because its dependencies are already built in it.
         clippy(&["xtask"], &["--profile", "xtask"]),
     ])
 }
 
+/// The bindings, with the sources of the crate. The tests are the same as natively.
 fn clippy_wasm(_: &Context) -> Result<Done> {
-    let clippy = |options: &[String]| {
-        let mut clippy = shell::cargo(&["clippy", "--quiet"]);
-        clippy.args(wasm_test::TARGET).args(options);
-        clippy.args(["--", "--deny", "warnings"]);
-        clippy
-    };
-    let mut tests = vec!["--package".to_owned(), "casteljau".to_owned()];
-    tests.extend(wasm_test::target_options());
-    run_all([
-        clippy(&wasm_test::BINDINGS.map(str::to_owned)),
-        clippy(&tests),
-    ])
+    let mut clippy = shell::cargo(&["clippy", "--quiet"]);
+    clippy.args(wasm_test::TARGET).args(wasm_test::BINDINGS);
+    clippy.args(["--", "--deny", "warnings"]);
+    run_all([clippy])
 }
 
 fn native(context: &Context) -> Result<Done> {
@@ -214,10 +210,11 @@ fn native(context: &Context) -> Result<Done> {
             "--package",
             "casteljau",
             "--features",
-            "serde,kurbo",
+            "casteljau/serde,casteljau/kurbo",
         ]);
         tests.arg("--no-fail-fast");
         if chosen.targets.is_empty() {
+            tests.args(["--package", "casteljau-kernels"]);
             tests.args(["--lib", "--tests"]); // the examples are compiled by clippy
         }
         for target in &chosen.targets {

@@ -1,0 +1,85 @@
+//! Intersections of two plane curves by fat-line clipping.
+//!
+//! Pairs of segments are cut down until each certainly contains one crossing, or runs along the other one. `clip`
+//! discards parts that cannot intersect: a curve lies between two lines parallel to its chord (its fat line), so only
+//! the part of the other curve between these lines matters. Source: Sederberg and Nishita, "Curve intersection using
+//! Bézier clipping", CAD 22 (1990). `crossing` detects that two segments intersect at most once, and computes the
+//! crossing. `along` compares two segments with about the same direction as graphs over that direction; it handles
+//! tangencies of any order and overlaps.
+
+mod along;
+mod clip;
+mod crossing;
+mod piece;
+mod solver;
+
+pub use piece::{Coefficients, Piece};
+pub use solver::{ClippingSolver, Contact};
+
+use clip::clip;
+use crossing::Crossing;
+use solver::SPLIT;
+
+/// If clipping leaves more than this part of both segments, they are halved instead. Only the cost depends on it, but it
+/// must be below [`WORTH_CLIPPING`](clip::WORTH_CLIPPING): a clip that leaves more changes nothing, and repeating it
+/// would not end.
+const WORTH_GOING_ON: f64 = 0.6;
+
+impl<C: Coefficients> ClippingSolver<C> {
+    /// Finds all contacts of the two curves between the given parameters.
+    #[inline(always)]
+    pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
+        let [a, b] = &self.whole;
+        let (a, b) = (a.between(ts[0], ts[1]), b.between(us[0], us[1]));
+        self.clip_pair(a, b);
+    }
+
+    fn clip_pair(&mut self, mut a: Piece<C>, mut b: Piece<C>) {
+        loop {
+            if !self.work.spend(1) {
+                return self.record_contact(&a, &b);
+            }
+            let Some(remaining_b) = clip(&a, &mut b, self.slack) else {
+                return;
+            };
+            let Some(remaining_a) = clip(&b, &mut a, self.slack) else {
+                return;
+            };
+            if let Crossing::Found(contact) = self.crossing(&a, &b) {
+                return self.found.push(contact);
+            }
+            let stuck = remaining_a > WORTH_GOING_ON && remaining_b > WORTH_GOING_ON;
+            if stuck && self.run_along(&a, &b) {
+                return;
+            }
+            if stuck {
+                return self.halve(&a, &b);
+            }
+        }
+    }
+
+    /// Continues with the halves of the larger segment; two segments without an extent are a contact.
+    fn halve(&mut self, a: &Piece<C>, b: &Piece<C>) {
+        let (size_a, size_b) = (a.extent(), b.extent());
+        if a.boxes_are_disjoint(b, self.slack) {
+            return;
+        }
+        let is_small = |size: f64| size <= self.slack || size.is_nan();
+        if is_small(size_a) && is_small(size_b) {
+            self.record_contact(a, b);
+        } else if size_a > size_b {
+            let (before, after) = a.split(SPLIT);
+            self.clip_pair(before, b.clone());
+            self.clip_pair(after, b.clone());
+        } else {
+            let (before, after) = b.split(SPLIT);
+            self.clip_pair(a.clone(), before);
+            self.clip_pair(a.clone(), after);
+        }
+    }
+}
+
+/// [`ClippingSolver::run`] for cubics.
+pub fn intersect_cubics(solver: &mut ClippingSolver<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
+    solver.run(ts, us);
+}

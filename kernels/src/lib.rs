@@ -1,0 +1,58 @@
+//! The inner loops of the crate `casteljau`: numbers in, numbers out.
+//!
+//! Programs use `casteljau`; the interface of this package changes with it. It is a package of its own because Cargo
+//! chooses the opt-level by package: the wasm build compiles it for speed and the rest for size. Generic functions take
+//! the opt-level of the package that instantiates them, so what must be fast is concrete.
+
+/// Polynomials in Bernstein form.
+pub mod bernstein {
+    pub mod de_casteljau;
+    pub mod weights;
+}
+
+/// Quadrature, work limits, and what the standard library lacks in wasm.
+pub mod numeric {
+    pub mod gauss;
+    pub mod order;
+    pub mod trigonometry;
+    pub mod work_limit;
+    pub mod zero;
+}
+
+/// One curve.
+pub mod curve {
+    pub mod sample_plane_cubic;
+
+    /// Arc length.
+    pub mod arc_length {
+        pub mod plane_cubic;
+        pub mod speed;
+    }
+
+    /// Intersections.
+    pub mod intersect {
+        pub mod clipping;
+    }
+
+    /// Nearest points.
+    pub mod nearest {
+        pub mod search;
+    }
+}
+
+/// Splines.
+pub mod spline {
+    /// Offset curves.
+    pub mod offset {
+        pub mod offset_curve;
+    }
+}
+
+/// Grids of points of patches.
+pub mod mesh {
+    pub mod bicubic;
+    pub mod cell_triangulator;
+    pub mod layout;
+    pub mod row_sampler;
+    pub mod second_differences;
+}
