@@ -4,6 +4,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::curve::intersect::straight_turns;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio, unit_scale};
 use crate::numeric::list::{Points, points_of};
 use crate::path::Path;
@@ -188,10 +189,15 @@ impl Segments {
     /// √(d (d − 1) max |Δ²P| / 8 distance), for degree d, are within the distance (Wang, 1984).
     fn push_chords(&mut self, segment: &Segment, distance: f64) -> Result<(), Error> {
         let points = &segment.points;
-        let bend = |w: &[DVec2]| (w[0] - w[1] * 2.0 + w[2]).length();
+        let bend = |w: &[DVec2]| Point::length(w[0] - w[1] * 2.0 + w[2]);
         let max_bend = points.windows(3).map(bend).fold(0.0, f64::max);
         let degree = as_f64(points.len() - 1);
         let enough = (degree * (degree - 1.0) * max_bend / (8.0 * distance)).sqrt();
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number, which is refused if it is too large"
+        )]
         let count = (enough.ceil() as usize).max(1);
         let needed = self.list.len().saturating_add(count);
         if needed > MAX_SEGMENTS {
