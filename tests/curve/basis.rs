@@ -1,6 +1,6 @@
 //! Conversion of cubics to other bases and back.
 
-use crate::curve::assert_close;
+use crate::curve::near;
 use crate::support::exact::{Double, exactly};
 use crate::support::{Rng, bezier, largest, random_points, real, refused, xy};
 use casteljau::Curve;
@@ -50,7 +50,7 @@ fn curve_of(basis: Basis, points: [DVec3; 4]) -> Curve<DVec3> {
 fn all_close(got: &[DVec3], expected: &[DVec3], ulps: f64, size: f64) {
     assert_eq!(got.len(), expected.len());
     let pairs = got.iter().zip(expected);
-    pairs.for_each(|(&p, &q)| assert_close(p, q, ulps, size));
+    pairs.for_each(|(&p, &q)| near(p, q, ulps, size));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -68,7 +68,7 @@ fn the_curve_of_a_basis_is_the_blend_of_its_points() {
                     (0..4).map(term).reduce(|a, b| a + b).expect("four").hi
                 };
                 let expected = DVec3::new(axis(0), axis(1), axis(2));
-                assert_close(curve.eval(t), expected, 6.0, largest(&points));
+                near(curve.eval(t), expected, 6.0, largest(&points));
             }
         }
     }
@@ -167,7 +167,7 @@ fn own_matrices() {
             let weight =
                 |k: usize| -> f64 { (0..4).map(|row| powers[row] * matrix[4 * row + k]).sum() };
             let expected = (0..4).map(|k| points[k] * weight(k)).sum::<DVec3>();
-            assert_close(curve.eval(t), expected, 64.0, 16.0);
+            near(curve.eval(t), expected, 64.0, 16.0);
         }
         let back = curve.to_basis(Matrix(matrix)).expect("invertible");
         all_close(&back, &points, 256.0, 1.0);

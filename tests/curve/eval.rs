@@ -1,6 +1,6 @@
 //! Evaluation, Bernstein weights and samples.
 
-use crate::curve::{adversarial_points, assert_close, steps};
+use crate::curve::{adversarial_points, near, steps};
 use crate::support::adversarial::ALL;
 use crate::support::exact::{self, exactly};
 use crate::support::{Rng, Space, binomial, curve, de_casteljau, largest};
@@ -17,7 +17,7 @@ fn closed_forms_are_as_exact_as_de_casteljau() {
         let points = to_3d(curve.control_points());
         let got = curve.eval(t).to_3d();
         let size = largest(&points);
-        assert_close(got, exact::eval(&points, t), 3.0, size);
+        near(got, exact::eval(&points, t), 3.0, size);
         // De Casteljau's algorithm itself is off by up to 2.6 ulps, rarely in the other direction.
         let difference = (got - de_casteljau(&points, t)).abs().max_element();
         assert!(difference <= 4.0 * ulp(size));
@@ -42,7 +42,7 @@ fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
         let curve = curve::<DVec3>(points);
         for t in parameters(16) {
             let expected = exact::eval(points, t);
-            assert_close(curve.eval(t), expected, steps(points), largest(points));
+            near(curve.eval(t), expected, steps(points), largest(points));
         }
         let ends = (points[0], points[points.len() - 1]);
         assert_eq!((curve.eval(0.0), curve.eval(1.0)), ends);
@@ -119,7 +119,7 @@ fn every_level_of_the_triangle() {
             assert_eq!(levels[0], points);
             for pair in levels.windows(2) {
                 for (edge, &p) in pair[0].windows(2).zip(&pair[1]) {
-                    assert_close(p, exact::eval(edge, t), 1.0, largest(edge));
+                    near(p, exact::eval(edge, t), 1.0, largest(edge));
                 }
             }
         }

@@ -30,7 +30,7 @@ fn adversarial_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
 }
 
 /// Asserts that each coordinate of two points agrees to a number of ulps of a size.
-fn assert_close(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
+fn near(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
     let difference = (got - expected).abs().max_element();
     let found = difference / ulp(size);
     assert!(

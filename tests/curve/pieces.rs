@@ -1,6 +1,6 @@
 //! Splitting and elevating leave the curve unchanged.
 
-use crate::curve::{adversarial_points, assert_close, steps};
+use crate::curve::{adversarial_points, near, steps};
 use crate::support::adversarial::ALL;
 use crate::support::{Space, all_near, bezier, curve, exact, largest, refused, to_3d, ulp, xy};
 use casteljau::Curve;
@@ -17,7 +17,7 @@ fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64
     for s in EIGHTHS {
         let expected = exact::eval(whole, t0 + (t1 - t0) * s);
         let ulps = 2.0 * steps(whole);
-        assert_close(exact::eval(&control, s), expected, ulps, largest(whole));
+        near(exact::eval(&control, s), expected, ulps, largest(whole));
     }
 }
 
@@ -73,7 +73,7 @@ fn elevation_keeps_the_curve() {
                 exact::eval(raised.control_points(), s),
                 exact::eval(points, s),
             );
-            assert_close(got, expected, 2.0 * steps(points), largest(points));
+            near(got, expected, 2.0 * steps(points), largest(points));
         }
     });
     // The control points of a line at degree 64 are equally spaced.

@@ -3,6 +3,7 @@
 use crate::check::Metric;
 use casteljau::Point;
 use casteljau::curve::Bounds;
+pub(crate) use casteljau_generator::real;
 
 /// The slack for coordinates of points on curves of a degree: 16 (n + 2) units of rounding of the largest coordinate.
 pub(crate) fn slack(size: f64, degree: usize) -> f64 {
@@ -12,10 +13,6 @@ pub(crate) fn slack(size: f64, degree: usize) -> f64 {
 /// The factor by which a parameter outside [0, 1] enlarges coordinates and their rounding errors: (|t| + |1 − t|)ⁿ.
 pub(crate) fn growth(t: f64, degree: usize) -> f64 {
     (t.abs() + (1.0 - t).abs()).powi(i32::try_from(degree).expect("a degree"))
-}
-
-pub(crate) fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
 }
 
 /// The largest absolute coordinate.

@@ -135,15 +135,19 @@ groups! {
         Spline plane (drawing): trace to_svg;
         Spline one (drawing spline_offset): offset;
     }
-    paths {
+    paths_queries {
         Path one (paths accessors): new subpath_count segment_count is_empty subpaths segments;
         Path one (paths): subpath approx_eq bounds control_bounds length time_at_length equidistant_times;
         Path one (paths): area moments flatten transform reverse nearest winding_number contains;
         Path one (paths): intersections self_intersections;
-        Path one (paths): union intersect subtract exclude combine remove_overlaps faces divide clip;
-        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners;
         Path one (drawing): elements;
         Path of (drawing): trace to_svg;
+    }
+    paths_regions {
+        Path one (paths): union intersect subtract exclude combine remove_overlaps faces divide clip;
+    }
+    paths_strokes {
+        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners;
     }
     patches {
         Patch one (patches new): new degree_u degree_v control_points;

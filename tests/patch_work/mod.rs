@@ -5,7 +5,7 @@ mod generate;
 mod worst;
 
 use crate::support::nets::{RandomNet, as_surface, graph, patch, points, samples};
-use crate::support::{Rng, assert_close};
+use crate::support::{Rng, near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::{Grid, TessellationOptions, Weld};
 use casteljau::patch::PatchPoint;
@@ -188,7 +188,7 @@ fn of_areas_of_folded_nets() {
     for patch in worst::folded() {
         let quarters: f64 = patch.split(0.5, 0.5).iter().map(Patch::area).sum();
         let area = patch.area();
-        assert_close(area / quarters, 1.0, 1e-5);
+        near(area / quarters, 1.0, 1e-5);
     }
 }
 
@@ -219,9 +219,9 @@ fn of_elevated_flat_nets() {
         (line, square) = (line.elevate().unwrap(), square.elevate().unwrap());
         let distance = |patch: &Patch, p: [f64; 3]| patch.nearest(p.into()).unwrap().distance;
         take_steps();
-        assert_close(distance(&line, [0.25, 3.0, 4.0]), 5.0, 1e-14);
-        assert_close(distance(&square, [0.3, 0.6, 2.0]), 2.0, 1e-14);
-        assert_close(distance(&line, [0.25, 0.0, 0.0]), 0.0, 1e-14);
+        near(distance(&line, [0.25, 3.0, 4.0]), 5.0, 1e-14);
+        near(distance(&square, [0.3, 0.6, 2.0]), 2.0, 1e-14);
+        near(distance(&line, [0.25, 0.0, 0.0]), 0.0, 1e-14);
         let steps = take_steps();
         assert!(steps < 1 << 22, "degree {}: {steps}", line.degree_u());
     }

@@ -1,7 +1,7 @@
 //! Elliptical arcs, compared with the ellipse itself; its centre is computed by another method (SVG 1.1, F.6.5).
 
 use crate::support::paths::{RandomPlane, path};
-use crate::support::{Rng, assert_close, real};
+use crate::support::{Rng, near, real};
 use casteljau::glam::DVec2;
 use casteljau::path::PathBuilder;
 use casteljau::{MAX_COORDINATE, Path, Spline};
@@ -119,7 +119,7 @@ fn check(arc: Arc, tolerance: Option<f64>) {
         angle += step;
         before = unit;
     }
-    assert_close(angle, swept, 1e-6 + 10.0 * noise);
+    near(angle, swept, 1e-6 + 10.0 * noise);
     // As few pieces as the bound allows; rounding decides where that number changes.
     let (pieces, min) = (real(spline.segment_count()), swept.abs() / max_angle(max));
     let slack = 1e-4 * min + noise;
@@ -178,9 +178,9 @@ fn quarters_and_halves_are_found_in_spite_of_rounding() {
         let path = Path::from_svg_with(&d, 1e-9 * r).expect("a circle");
         let noise = 4e-16 * (centre.abs().max_element() + r) / r;
         for p in path.subpath(0).expect("one").sample(8).expect("few") {
-            assert_close(p.distance(centre) / r, 1.0, 1e-9 + 8.0 * noise);
+            near(p.distance(centre) / r, 1.0, 1e-9 + 8.0 * noise);
         }
-        assert_close(-path.area() / (PI * r * r), 1.0, 3e-9 + 8.0 * noise);
+        near(-path.area() / (PI * r * r), 1.0, 3e-9 + 8.0 * noise);
     }
 }
 
@@ -206,7 +206,7 @@ fn radii_that_are_too_small_grow_until_they_reach() {
         assert!(centre.distance(middle) < 1e-6 * radii.max_element());
         for p in spline.sample(8).expect("few") {
             let max = 1e-9 + 1e-13 * radii.max_element() / radii.min_element();
-            assert_close(arc.on_circle(p, middle, radii).length(), 1.0, max);
+            near(arc.on_circle(p, middle, radii).length(), 1.0, max);
         }
     }
 }
@@ -242,23 +242,23 @@ fn adversarial_arcs_stay_finite_and_end_where_they_should() {
 fn a_short_piece_of_a_vast_circle_keeps_its_digits() {
     // The sagitta of a chord of 2 with a radius of 1e9 is 5e-10.
     let arc = path("M0 0A1e9 1e9 0 0 1 2 0").subpath(0).expect("an arc");
-    assert_close(arc.eval(0.5).x, 1.0, 1e-15);
-    assert_close(arc.eval(0.5).y, -5e-10, 1e-18);
+    near(arc.eval(0.5).x, 1.0, 1e-15);
+    near(arc.eval(0.5).y, -5e-10, 1e-18);
 }
 
 #[test]
 fn an_ellipse_has_its_area_and_its_length() {
     let d = "M3 0A3 2 0 0 1 -3 0 3 2 0 0 1 3 0Z";
     let (area, fine) = (6.0 * PI, Path::from_svg_with(d, 3e-9).expect("an ellipse"));
-    assert_close(path(d).area() / area, 1.0, 2e-5);
-    assert_close(fine.area() / area, 1.0, 2e-9);
+    near(path(d).area() / area, 1.0, 2e-5);
+    near(fine.area() / area, 1.0, 2e-9);
     // The perimeter of an ellipse with the semi-axes 3 and 2 is 15.865439589290589...
     let length = fine.length(None).expect("no tolerance");
-    assert_close(length / 15.865_439_589_290_59, 1.0, 1e-9);
+    near(length / 15.865_439_589_290_59, 1.0, 1e-9);
     let m = fine.moments();
     assert!(m.x.abs() < 1e-12 && m.xy.abs() < 1e-12);
-    assert_close(m.xx / (area * 9.0 / 4.0), 1.0, 4e-9);
-    assert_close(m.yy / (area * 4.0 / 4.0), 1.0, 4e-9);
+    near(m.xx / (area * 9.0 / 4.0), 1.0, 4e-9);
+    near(m.yy / (area * 4.0 / 4.0), 1.0, 4e-9);
 }
 
 #[test]

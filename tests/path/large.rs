@@ -2,7 +2,7 @@
 
 use crate::support::measure::from_segment;
 use crate::support::paths::{lines, sides};
-use crate::support::{Rng, assert_close, deep, real};
+use crate::support::{Rng, deep, near, real};
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
 use casteljau::spline::{Interpolation, OffsetJoin};
@@ -46,12 +46,12 @@ fn queries_of_a_coast() {
         let nearest = path.nearest(p).expect("a finite point").expect("a path");
         let distances = sides(&points).map(|(a, b)| from_segment(p, a, b));
         let expected = distances.fold(f64::INFINITY, f64::min);
-        assert_close(nearest.distance, expected, 1e-12);
+        near(nearest.distance, expected, 1e-12);
     }
     assert!(path.contains(DVec2::ZERO, FillRule::NonZero));
     let half = path.time_at_length(0.5 * length, None).expect("a length");
     let t = half.expect("a path").t;
-    assert_close(t, real(points.len() / 2), 0.2 * real(points.len()));
+    near(t, real(points.len() / 2), 0.2 * real(points.len()));
     let again = Path::from_svg(&path.to_svg(None, None).expect("no tolerance"));
     assert_eq!(again.expect("own text"), path);
 }
@@ -62,9 +62,9 @@ fn dashes_of_a_coast() {
     let length = path.length(None).expect("no tolerance");
     let dashes = path.dash(&[0.01, 0.02], 0.0).expect("few dashes");
     let expected = length / 0.03;
-    assert_close(real(dashes.subpath_count()), expected, 2.0);
+    near(real(dashes.subpath_count()), expected, 2.0);
     let dashed = dashes.length(None).expect("no tolerance");
-    assert_close(dashed, length / 3.0, 0.1);
+    near(dashed, length / 3.0, 0.1);
 }
 
 #[test]
@@ -88,10 +88,10 @@ fn strokes_and_offsets_of_a_coast() {
     let stroke = path.stroke(0.1, &StrokeOptions::default());
     let length = path.length(None).expect("no tolerance");
     let area = stroke.expect("few segments").area();
-    assert_close(area, 0.1 * length, 0.02 * length * 0.1);
+    near(area, 0.1 * length, 0.02 * length * 0.1);
     let grown = path.offset(0.05, &OffsetOptions::default());
     let more = grown.expect("few segments").area() - path.area();
-    assert_close(more, 0.05 * length, 0.02 * length * 0.05);
+    near(more, 0.05 * length, 0.02 * length * 0.05);
 }
 
 #[test]

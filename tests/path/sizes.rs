@@ -2,7 +2,7 @@
 
 use crate::path::inside::OUTLINES;
 use crate::support::paths::{RandomPlane, closed, path, polygons, random_splines, sides};
-use crate::support::{Rng, assert_close, real};
+use crate::support::{Rng, near, real};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
 use casteljau::path::{PathIntersection, PathTime};
@@ -56,14 +56,14 @@ fn moments_are_those_of_fine_polygons() {
         let powers = [1.0, size, size, size * size, size * size, size * size];
         let (got, expected) = (numbers(path.moments()), numbers(polygon_moments(&rings)));
         for k in 0..6 {
-            assert_close(got[k], expected[k], strip * powers[k]);
+            near(got[k], expected[k], strip * powers[k]);
         }
-        assert_close(path.area(), got[0], 1e-14 * size * size);
+        near(path.area(), got[0], 1e-14 * size * size);
         let length = length(&path);
         let range = around * (1.0 - 1e-12)..=around + 1e-3 * (around + size);
         assert!(range.contains(&length), "{length} {around}");
         let rough = path.length(Some(1e-3 * size)).expect("a tolerance");
-        assert_close(rough, length, 1e-3 * size + 1e-12 * length);
+        near(rough, length, 1e-3 * size + 1e-12 * length);
     }
 }
 
@@ -87,16 +87,16 @@ fn areas_follow_maps_by_their_determinant() {
         let image = DAffine2::from_mat2_translation(matrix, by) * &path;
         let (m, n) = (path.moments(), image.moments());
         let size = image.max_coordinate();
-        assert_close(n.area, m.area * matrix.determinant(), 1e-11 * size * size);
-        assert_close(image.area(), n.area, 1e-12 * size * size);
+        near(n.area, m.area * matrix.determinant(), 1e-11 * size * size);
+        near(image.area(), n.area, 1e-12 * size * size);
         // ∬ p over the image is det · (M ∬ p + area · by).
         let first = (matrix * DVec2::new(m.x, m.y) + by * m.area) * matrix.determinant();
-        assert_close(n.x, first.x, 1e-11 * size.powi(3));
-        assert_close(n.y, first.y, 1e-11 * size.powi(3));
+        near(n.x, first.x, 1e-11 * size.powi(3));
+        near(n.y, first.y, 1e-11 * size.powi(3));
         let (back, own) = (path.reverse(), path.max_coordinate());
-        assert_close(back.area(), -path.area(), 1e-14 * own * own);
+        near(back.area(), -path.area(), 1e-14 * own * own);
         assert_eq!(back.reverse(), path);
-        assert_close(length(&back), length(&path), 1e-12 * length(&path));
+        near(length(&back), length(&path), 1e-12 * length(&path));
     }
 }
 
@@ -105,10 +105,10 @@ fn far_from_the_origin_nothing_is_lost() {
     let letter = path(OUTLINES[0]);
     let by = DVec2::new(2_f64.powi(30), -(2_f64.powi(31)));
     let far = DAffine2::from_translation(by) * &letter;
-    assert_close(far.area(), letter.area(), 1e-9 * letter.area().abs());
+    near(far.area(), letter.area(), 1e-9 * letter.area().abs());
     let (m, n) = (letter.moments(), far.moments());
-    assert_close(n.x / n.area - by.x, m.x / m.area, 1e-5);
-    assert_close(n.y / n.area - by.y, m.y / m.area, 1e-5);
+    near(n.x / n.area - by.x, m.x / m.area, 1e-5);
+    near(n.y / n.area - by.y, m.y / m.area, 1e-5);
 }
 
 #[test]
@@ -188,7 +188,7 @@ fn nothing_is_nearer_than_the_nearest_point() {
             let spline = path.subpath(nearest.subpath).expect("a spline");
             let off = spline.eval(nearest.t).distance(nearest.point);
             assert!(off <= 1e-14 * size, "{p}");
-            assert_close(nearest.point.distance(p), nearest.distance, 4e-15 * size);
+            near(nearest.point.distance(p), nearest.distance, 4e-15 * size);
         }
         assert!(path.nearest(DVec2::new(f64::NAN, 0.0)).is_err());
     }
@@ -217,7 +217,7 @@ fn times_by_length_have_that_length_behind_them() {
         let assert_behind = |time: PathTime, expected: f64| {
             let before: f64 = lengths[..time.subpath].iter().sum();
             let behind = before + length_up_to(&splines[time.subpath], time.t);
-            assert_close(behind, expected, slack);
+            near(behind, expected, slack);
         };
         for _ in 0..10 {
             let s = rng.unit() * whole;

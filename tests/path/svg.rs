@@ -2,8 +2,9 @@
 
 use crate::path::texts::{Rng, hash, text};
 use crate::support::allocations::allocated_by;
+use crate::support::measure::from_polyline;
 use crate::support::paths::{bits, path, points, polygons};
-use crate::support::{Rng as Numbers, deep, from_line, ulp};
+use crate::support::{Rng as Numbers, deep, ulp};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
@@ -207,7 +208,7 @@ fn higher_degrees_are_written_as_cubics() {
     assert!(spline.degrees().iter().all(|&degree| degree == 3));
     let polygon = polygons(&Path::from(curve.clone()), 1e-4).concat();
     for p in spline.sample(8).expect("few") {
-        assert!(from_line(p, &polygon) <= 1.1e-3 + 1e-4, "{p}");
+        assert!(from_polyline(p, &polygon) <= 1.1e-3 + 1e-4, "{p}");
     }
     assert!(curve.to_svg(None, Some(1e-30)).is_err());
     assert!(Path::default().to_svg(None, Some(-1.0)).is_err());

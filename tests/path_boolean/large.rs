@@ -2,8 +2,9 @@
 
 use crate::path_boolean::check::{is_inside, path, valid};
 use crate::path_boolean::oracle::Outline;
+use crate::support::measure::from_polyline;
 use crate::support::paths::{RandomPlane, lines};
-use crate::support::{Rng, assert_close, deep, from_line, real};
+use crate::support::{Rng, deep, near, real};
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule, PathBuilder, StrokeOptions};
@@ -51,7 +52,7 @@ fn assert_odd_region(n: usize, k: usize, tolerance: f64) {
     let signs = [1.0, -1.0].iter().cycle();
     let areas = areas_of_star(n, k).into_iter().zip(signs);
     let expected = areas.map(|(area, sign)| area * sign).sum();
-    assert_close(odd.area(), expected, tolerance);
+    near(odd.area(), expected, tolerance);
 }
 
 #[test]
@@ -59,7 +60,7 @@ fn stars() {
     for (n, k) in [(101, 42), (101, 43), (301, 143), (1001, 100), (1001, 500)] {
         let outline = valid(star(n, k).remove_overlaps(FillRule::NonZero));
         assert_eq!(outline.segment_count(), 2 * n, "{{{n}/{k}}}");
-        assert_close(outline.area(), areas_of_star(n, k)[0], 1e-10);
+        near(outline.area(), areas_of_star(n, k)[0], 1e-10);
         assert_odd_region(n, k, 1e-10);
     }
 }
@@ -142,7 +143,7 @@ fn the_stroke_of_a_scribble() {
     let mut inside = 0;
     for p in spots(&mut random, 400) {
         // Miters reach farther than half the width, up to four times.
-        let (winding, distance) = (region.winding(p), from_line(p, &points));
+        let (winding, distance) = (region.winding(p), from_polyline(p, &points));
         if distance < 0.2499 {
             let caps = [points[0], points[points.len() - 1]];
             let in_cap = caps.iter().any(|end| end.distance(p) < 0.26);

@@ -1,7 +1,7 @@
 //! Outlines with half-edges around a vertex whose order the directions at the vertex do not show.
 
 use crate::path_boolean::check::{identity_error, path, valid};
-use crate::support::assert_close;
+use crate::support::near;
 use crate::support::paths::{closed, points};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
@@ -21,13 +21,13 @@ fn loops_that_leave_a_corner_in_similar_directions() {
     let smaller = DAffine2::from_scale(DVec2::splat(1.0 / 3.0)) * &at_origin;
     let second = DAffine2::from_translation(corner) * &smaller;
     let both = valid(first.exclude(&second, RULE));
-    assert_close(both.area() / first.area(), 8.0 / 9.0, 1e-9);
+    near(both.area() / first.area(), 8.0 / 9.0, 1e-9);
     let union = valid(first.union(&second, RULE));
-    assert_close(union.area() / first.area(), 1.0, 1e-9);
+    near(union.area() / first.area(), 1.0, 1e-9);
     // A contour in the other direction is a hole.
     let hole = path(&format!("{first} {}", second.reverse()));
     let ring = valid(hole.remove_overlaps(RULE));
-    assert_close(ring.area() / first.area(), 8.0 / 9.0, 1e-9);
+    near(ring.area() / first.area(), 8.0 / 9.0, 1e-9);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::queries::shapes::{map, odd_patches, random_patches};
 use crate::support::nets::{RandomNet, assert_near, graph, patch, points, samples, teapot};
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::curve::Basis;
 use casteljau::glam::DVec3;
 use casteljau::patch::Curvature;
@@ -12,8 +12,8 @@ use wasm_bindgen_test::wasm_bindgen_test;
 /// Asserts k1 and k2, and that the other curvatures agree with them.
 #[track_caller]
 fn assert_curvature(got: Curvature, k1: f64, k2: f64, tolerance: f64) {
-    assert_close(got.k1, k1, tolerance);
-    assert_close(got.k2, k2, tolerance);
+    near(got.k1, k1, tolerance);
+    near(got.k2, k2, tolerance);
     assert!((got.gaussian - got.k1 * got.k2).abs() <= 1e-15 * got.gaussian.abs());
     assert!((got.mean - 0.5 * (got.k1 + got.k2)).abs() <= 1e-15 * got.k1.abs().max(got.k2.abs()));
 }

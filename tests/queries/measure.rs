@@ -6,7 +6,7 @@ use crate::support::nets::part;
 use crate::support::nets::{RandomNet, cube, graph, net, nothing, patch, points, teapot};
 #[cfg(not(target_family = "wasm"))]
 use crate::support::surfaces::gumbo;
-use crate::support::{Rng, assert_close};
+use crate::support::{Rng, near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::models::Up;
 use casteljau::{Patch, Surface};
@@ -14,7 +14,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 #[track_caller]
 fn assert_relative(got: f64, expected: f64, relative: f64) {
-    assert_close(got, expected, relative * expected.abs());
+    near(got, expected, relative * expected.abs());
 }
 
 fn with_indices(surface: &Surface, indices: Vec<u32>) -> Surface {
@@ -58,7 +58,7 @@ fn areas_of_cup_and_spoon() {
     for up in [Up::Z, Up::Y] {
         // The last digit of the known figures, and the eighth digit.
         assert_relative(Surface::teacup(up).area(), 9.981_697_616, 1.5e-8);
-        assert_close(Surface::teaspoon(up).area(), 0.342_881_444, 1.5e-8);
+        near(Surface::teaspoon(up).area(), 0.342_881_444, 1.5e-8);
     }
 }
 

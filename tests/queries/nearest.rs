@@ -2,7 +2,7 @@
 
 use crate::queries::shapes::{map, odd_patches};
 use crate::support::nets::{RandomNet, assert_near, bowl, graph, nothing, points, samples, teapot};
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -17,7 +17,7 @@ fn of_a_rectangle() {
         assert_near(nearest.point, expected, 1e-9);
         assert_near(DVec3::new(nearest.u, nearest.v, 0.0), expected, 1e-9);
         let distance = (p - expected).length();
-        assert_close(nearest.distance, distance, 1e-15 * distance.max(1.0));
+        near(nearest.distance, distance, 1e-15 * distance.max(1.0));
     }
 }
 
@@ -26,12 +26,12 @@ fn of_a_paraboloid() {
     // Above the vertex of z = (u − ½)² + (v − ½)², the nearest point is the vertex as long as the height of p is below
     // ½, the radius of curvature.
     let low = bowl().nearest(DVec3::new(0.5, 0.5, 0.25)).unwrap();
-    assert_close(low.distance, 0.25, 1e-15);
+    near(low.distance, 0.25, 1e-15);
     assert_near(low.point, DVec3::new(0.5, 0.5, 0.0), 1e-9);
     // Above that height a circle is nearest: r² = z with z = h − ½, at the distance √(h − ¼).
     let high = bowl().nearest(DVec3::new(0.5, 0.5, 0.625)).unwrap();
-    assert_close(high.distance, 0.375_f64.sqrt(), 1e-14);
-    assert_close(high.point.z, 0.125, 1e-7);
+    near(high.distance, 0.375_f64.sqrt(), 1e-14);
+    near(high.point.z, 0.125, 1e-7);
 }
 
 /// Checks that no sample is nearer, and that the point is on the surface.
@@ -87,7 +87,7 @@ fn of_the_teapot() {
         let each = min(&mut patches
             .iter()
             .map(|patch| patch.nearest(p).unwrap().distance));
-        assert_close(nearest.distance, each, 1e-14);
+        near(nearest.distance, each, 1e-14);
         let points = patches
             .iter()
             .flat_map(|patch| samples(20).map(|(u, v)| patch.eval(u, v)));
@@ -106,7 +106,7 @@ fn follows_rotation_and_scale() {
             let p = random.grid_point();
             let before = patch.nearest(p).unwrap().distance;
             let after = image.nearest(map.transform_point3(p)).unwrap().distance;
-            assert_close(after, before * scale, 1e-14 * scale);
+            near(after, before * scale, 1e-14 * scale);
         }
     }
 }

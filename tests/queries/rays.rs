@@ -2,7 +2,7 @@
 
 use crate::queries::shapes::{map, odd_patches, random_patches};
 use crate::support::nets::{RandomNet, assert_near, bowl, graph, nothing, points, samples, teapot};
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::glam::DVec3;
 use casteljau::patch::PatchPoint;
 use casteljau::{Patch, Surface};
@@ -23,7 +23,7 @@ pub(crate) fn assert_hits(patch: &Patch, ray: &str, expected: &str, tolerance: f
         assert_near(hit.point, point, tolerance);
         assert_eq!(hit.point, patch.eval(hit.u, hit.v));
         let distance = hit.point.distance(points(ray)[0]);
-        assert_close(hit.distance, distance, 1e-15 * hit.distance);
+        near(hit.distance, distance, 1e-15 * hit.distance);
     }
 }
 
@@ -195,7 +195,7 @@ fn refusals_and_extremes() {
         let hits = patch.intersect_ray(origin, -DVec3::Z * 1e-200).unwrap();
         assert_eq!(hits.len(), 1, "{size}");
         assert_near(hits[0].point / size, DVec3::new(0.25, 0.5, 0.0), 1e-15);
-        assert_close(hits[0].distance / size, 1.0, 1e-15);
+        near(hits[0].distance / size, 1.0, 1e-15);
         let far = DVec3::splat(1e150);
         assert!(patch.intersect_ray(far, DVec3::NEG_ONE).is_ok());
     }

@@ -2,7 +2,7 @@
 
 use crate::stroke::cases::hard;
 use crate::support::paths::path;
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::Path;
 
 /// The lengths of the dashes of an open path by adding up the pattern.
@@ -42,7 +42,7 @@ fn lengths_of_dashes_on_hard_curves() {
             assert_eq!(counts.0, counts.1, "{name}: {pattern:?} {offset}");
             for (dash, expected) in dashes.subpaths().zip(&expected) {
                 assert!(!dash.is_closed());
-                assert_close(dash.length(None).expect("finite"), *expected, 1e-9 * whole);
+                near(dash.length(None).expect("finite"), *expected, 1e-9 * whole);
             }
         }
     }

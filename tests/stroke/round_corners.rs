@@ -1,7 +1,7 @@
 //! Rounded corners: closed forms, tangency, the distance of arcs from their centres, and degenerate input.
 
 use crate::support::paths::path;
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Path};
 use std::f64::consts::PI;
@@ -40,9 +40,9 @@ fn a_square_has_the_area_and_length_of_the_closed_form() {
             let count = result.subpath_count() as f64;
             assert_smooth(&result, &d);
             let first = Path::new(&[result.subpath(0).expect("a subpath")]);
-            assert_close(first.area(), s * s - (4.0 - PI) * r * r, 2e-9 * r * s);
+            near(first.area(), s * s - (4.0 - PI) * r * r, 2e-9 * r * s);
             let length = result.length(None).expect("a length");
-            assert_close(length, count * (4.0 * s - (8.0 - 2.0 * PI) * r), 1e-8 * s);
+            near(length, count * (4.0 * s - (8.0 - 2.0 * PI) * r), 1e-8 * s);
         }
     }
 }
@@ -73,7 +73,7 @@ fn arcs_of_any_angle_have_the_radius() {
             for curve in &curves[1..curves.len() - 1] {
                 for k in 0..=8 {
                     let distance = curve.eval(f64::from(k) / 8.0).distance(centre);
-                    assert_close(distance, r, 2e-9 * r);
+                    near(distance, r, 2e-9 * r);
                 }
             }
         }
@@ -85,13 +85,13 @@ fn arcs_that_would_overlap_are_reduced() {
     // A circle of the square, and no line of length 0 between its arcs.
     for r in [5.0, 7.0, 1e150] {
         let circle = rounded("M0 0H10V10H0Z", r);
-        assert_close(circle.area(), 25.0 * PI, 1e-6);
+        near(circle.area(), 25.0 * PI, 1e-6);
         assert!(circle.segments().all(|curve| curve.degree() == 3));
         assert_smooth(&circle, "a circle");
     }
     // Only the arcs at the short side are reduced, to a half of it.
     let slot = rounded("M0 0H10V2H0", 3.0);
-    assert_close(slot.length(None).expect("a length"), 18.0 + PI, 1e-7);
+    near(slot.length(None).expect("a length"), 18.0 + PI, 1e-7);
     // A long arc and a short one share a side without a reduction.
     let shared = rounded("M0 0H10L-10 9", 2.0);
     assert_smooth(&shared, "an acute angle");
@@ -118,7 +118,7 @@ fn the_circle_is_tangent_to_curves() {
                 let centre = arc.eval(0.5) + towards * radius;
                 for side in [first, second] {
                     let nearest = path(side).nearest(centre).unwrap().unwrap();
-                    assert_close(nearest.distance, radius, 3e-9 * radius + 1e-12);
+                    near(nearest.distance, radius, 3e-9 * radius + 1e-12);
                 }
             }
         }
@@ -179,8 +179,8 @@ fn an_arc_ends_where_the_path_turns_back() {
     let (before, after) = (DVec2::NEG_X, DVec2::new(-10.0, 7.0).normalize());
     let radius = 3.0 * (0.5 * before.angle_to(after).abs()).tan();
     let arc = result.segments().nth(1).expect("an arc");
-    assert_close(arc.curvature(0.0), 1.0 / radius, 1e-4);
-    assert_close(arc.start().x, 1.0, 1e-12);
+    near(arc.curvature(0.0), 1.0 / radius, 1e-4);
+    near(arc.start().x, 1.0, 1e-12);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Closed forms: strokes of lines, corners, points and circles with each kind of join and cap.
 
-use crate::support::{assert_close, assert_refused};
+use crate::support::{assert_refused, near};
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
@@ -28,7 +28,7 @@ fn area(d: &str, width: f64, options: &StrokeOptions) -> f64 {
 }
 
 fn assert_near(got: f64, expected: f64) {
-    assert_close(got, expected, 1e-4);
+    near(got, expected, 1e-4);
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};
-pub(crate) use casteljau_generator::{Rng, adversarial};
+pub(crate) use casteljau_generator::{Rng, adversarial, real};
 use std::fmt::{Debug, Display};
 
 /// The plane or space; points are made from three coordinates.
@@ -65,10 +65,6 @@ pub(crate) fn ulp(x: f64) -> f64 {
 /// The largest absolute difference of a coordinate.
 pub(crate) fn apart<P: Point>(a: P, b: P) -> f64 {
     (a - b).max_abs()
-}
-
-pub(crate) fn real(n: usize) -> f64 {
-    f64::from(u32::try_from(n).expect("a small number"))
 }
 
 /// The parameters that tests use: equal steps, the ends, and neighbours of the ends.
@@ -150,21 +146,6 @@ fn de_casteljau_in<P: Point, const ROOM: usize>(points: &[P], t: f64) -> P {
         }
     }
     row[0]
-}
-
-/// The distance of a point of the plane from a polyline.
-pub(crate) fn from_line(p: DVec2, line: &[DVec2]) -> f64 {
-    let chords = line
-        .windows(2)
-        .map(|pair| measure::from_segment(p, pair[0], pair[1]));
-    chords.fold(f64::INFINITY, f64::min)
-}
-
-/// Asserts that two numbers differ by at most `tolerance`.
-#[track_caller]
-pub(crate) fn assert_close(got: f64, expected: f64, tolerance: f64) {
-    let off = (got - expected).abs();
-    assert!(off <= tolerance, "{got:e}, not {expected:e}: {off:e} off");
 }
 
 /// Asserts that a call is refused with a message that starts with this text.

@@ -1,7 +1,7 @@
 //! Grids: layout, positions and normals compared with the patch, shared edges, reuse of buffers, limits.
 
 use crate::support::nets::{RandomNet, assert_near, nothing, patch, teapot, triangles, vector};
-use crate::support::{Rng, assert_close, assert_refused};
+use crate::support::{Rng, assert_refused, near};
 use casteljau::curve::bernstein;
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Indices, Mesh, Patch, Surface};
@@ -60,7 +60,7 @@ fn faces_run_counter_clockwise_and_cover_the_square_once() {
     let indices: [Vec<usize>; 2] = lists.map(|list| list.iter().collect());
     for (all, corners, faces) in [(&indices[0], 3, 30), (&indices[1], 4, 15)] {
         for face in all.chunks(corners) {
-            assert_close(area(face), 1.0 / f64::from(faces), 1e-7);
+            near(area(face), 1.0 / f64::from(faces), 1e-7);
         }
         assert_eq!(all.len() / corners, faces as usize);
     }
@@ -209,7 +209,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
         // Positions too large for f32 are infinite, not NaN; the normal keeps its direction.
         assert!(mesh.positions.iter().all(|x| !x.is_nan()));
         let lengths = (0..mesh.vertex_count()).map(|vertex| vector(&mesh.normals, vertex).length());
-        lengths.for_each(|length| assert_close(length, 1.0, 1e-6));
+        lengths.for_each(|length| near(length, 1.0, 1e-6));
     }
 }
 

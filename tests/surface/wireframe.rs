@@ -1,8 +1,9 @@
 //! Isocurves of surfaces, and their projected drawing.
 
+use crate::support::measure::from_polyline;
 use crate::support::measure::from_segment;
 use crate::support::nets::{RandomNet, assert_near, single, teapot};
-use crate::support::{Rng, assert_refused, from_line};
+use crate::support::{Rng, assert_refused};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Point, Surface};
@@ -152,7 +153,7 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
     assert!(slack < 0.5 * tolerance, "too few samples: {slack}");
     for (line, other) in [(&reference, &drawn), (&drawn, &reference)] {
         for &p in line.iter().step_by(97) {
-            let distance = from_line(p, other);
+            let distance = from_polyline(p, other);
             assert!(distance <= tolerance + slack, "{distance} > {tolerance}");
         }
     }
@@ -176,7 +177,7 @@ fn what_lies_behind_the_eye_is_left_out() {
     before.retain(|p| p.y > 0.05 * far);
     let lines: Vec<Vec<DVec2>> = drawn.0.iter().map(|stroke| samples(stroke, 32)).collect();
     for p in before.iter().step_by(331).map(|&p| project(&matrix, p)) {
-        let distances = lines.iter().map(|line| from_line(p, line));
+        let distances = lines.iter().map(|line| from_polyline(p, line));
         let distance = distances.fold(f64::INFINITY, f64::min);
         assert!(distance < 2.0, "{p} is {distance} px from all lines");
     }

@@ -5,7 +5,7 @@ use super::distance::greatest;
 use super::shapes::{diagonal, gumbo, is_point, lines, meshed, part, segments, side_points};
 use super::shapes::{teapot, tolerance};
 use super::soup::{Soup, vectors};
-use crate::support::assert_close;
+use crate::support::near;
 use crate::support::surfaces::listing;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{Indices, Weld};
@@ -128,7 +128,7 @@ fn triangles_at_a_thousandth_of_the_diagonal() {
     if let Some(surface) = gumbo() {
         let triangles = count(&surface);
         println!("gumbo: {triangles}");
-        assert_close(triangles as f64 / 25_444.0, 1.0, 0.2);
+        near(triangles as f64 / 25_444.0, 1.0, 0.2);
     }
 }
 
@@ -157,5 +157,5 @@ fn closed_body_of_gumbo() {
 fn area_of_the_teacup() {
     let cup = Surface::teacup(Up::Z);
     let mesh = meshed(&cup, tolerance(diagonal(&cup) * 1e-5), Weld::Normal);
-    assert_close(Soup::new(&mesh).area() / 9.981_697_616, 1.0, 2e-4);
+    near(Soup::new(&mesh).area() / 9.981_697_616, 1.0, 2e-4);
 }

@@ -18,4 +18,4 @@ mod texts;
 pub use arguments::case;
 pub use case::{Case, Mode, SplineData, SurfaceData, Value};
 pub use functions::{FUNCTIONS, Signature, find};
-pub use random::Rng;
+pub use random::{Rng, real};

@@ -87,6 +87,6 @@ impl Rng {
 }
 
 /// A small whole number as f64.
-pub(crate) fn real(n: usize) -> f64 {
+pub fn real(n: usize) -> f64 {
     f64::from(u32::try_from(n).expect("a small number"))
 }

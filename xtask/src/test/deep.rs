@@ -61,7 +61,7 @@ pub(crate) const STEPS: [Step; 11] = [
         |context| generated(context, &["curves_", "splines", "parsers_", "chains_"]),
     ),
     part("generated-paths", "Generated calls of paths", |context| {
-        generated(context, &["paths"])
+        generated(context, &["paths_"])
     }),
     part(
         "generated-surfaces",
