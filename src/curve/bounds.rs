@@ -31,13 +31,7 @@ impl<P: Point> Curve<P> {
 
     /// The box of the control points, which contains the curve and is cheaper than [`bounds`](Self::bounds).
     pub fn control_bounds(&self) -> Bounds<P> {
-        let first = Bounds {
-            min: self.start(),
-            max: self.start(),
-        };
-        self.points
-            .iter()
-            .fold(first, |bounds, &p| bounds.including(p))
+        Bounds::from_points(&self.points)
     }
 
     /// The parameters inside (0, 1) where one coordinate of B′ vanishes, in ascending order.

@@ -18,12 +18,25 @@ pub struct Bounds<P> {
 
 impl<P: Point> Bounds<P> {
     /// The smallest box that contains the points, of which there must be one.
-    pub(crate) fn of(points: &[P]) -> Self {
+    #[inline]
+    pub(crate) fn from_points(points: &[P]) -> Self {
         let start = Self {
             min: points[0],
             max: points[0],
         };
         points[1..].iter().fold(start, |all, &p| all.including(p))
+    }
+
+    /// For each coordinate, how far the point is outside the box; 0 inside.
+    #[inline]
+    pub(crate) fn outside(self, p: P) -> P {
+        (self.min - p).max(p - self.max).max(P::default())
+    }
+
+    /// The distance from the point to the box; 0 inside.
+    #[inline]
+    pub(crate) fn distance(self, p: P) -> f64 {
+        self.outside(p).length()
     }
 
     /// The box enlarged on each side by a margin for each coordinate.

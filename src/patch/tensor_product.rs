@@ -97,11 +97,7 @@ impl Patch {
 
     /// The bounding box of the control points, which contains the patch.
     pub fn control_bounds(&self) -> Bounds<DVec3> {
-        let corner = Bounds {
-            min: self.points[0],
-            max: self.points[0],
-        };
-        self.points.iter().fold(corner, |b, &p| b.including(p))
+        Bounds::from_points(&self.points)
     }
 
     /// The point S(u, v).

@@ -31,9 +31,7 @@ impl Path {
 
     /// The bounding box of the control points, which contains the path and is cheaper than [`bounds`](Self::bounds).
     pub fn control_bounds(&self) -> Option<Bounds<DVec2>> {
-        let (&first, rest) = self.points.split_first()?;
-        let start = corners(first, first);
-        Some(rest.iter().fold(start, |bounds, &p| bounds.including(p)))
+        (!self.points.is_empty()).then(|| Bounds::from_points(&self.points))
     }
 
     /// A polyline within `tolerance` of each subpath; every joint is a vertex, and the polyline of a closed subpath

@@ -2,6 +2,7 @@
 
 use super::Path;
 use crate::curve::nearest::{Nearest, nearest_on};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -49,7 +50,7 @@ impl Path {
         let mut best: Option<PathPoint> = None;
         for (subpath, part) in self.parts().enumerate() {
             for (k, points) in part.segments().enumerate() {
-                if distance_of_box(points, p) * ROUNDING > max {
+                if Bounds::from_points(points).outside(p).length_squared() * ROUNDING > max {
                     continue;
                 }
                 let Nearest { t, point, distance } = nearest_of(points, p);
@@ -67,16 +68,6 @@ impl Path {
         }
         Ok(best)
     }
-}
-
-/// The squared distance from p to the bounding box of some points.
-#[inline]
-fn distance_of_box(points: &[DVec2], p: DVec2) -> f64 {
-    let (mut min, mut max) = (points[0], points[0]);
-    for &q in &points[1..] {
-        (min, max) = (min.min(q), max.max(q));
-    }
-    (min - p).max(p - max).max(DVec2::ZERO).length_squared()
 }
 
 /// The nearest point of one segment; without the feature `fast` it is computed in space, which reuses the code of all curves.

@@ -79,13 +79,7 @@ impl<P: Point> Spline<P> {
 
     /// The bounding box of the control points.
     pub fn control_bounds(&self) -> Bounds<P> {
-        let first = Bounds {
-            min: self.points[0],
-            max: self.points[0],
-        };
-        self.points
-            .iter()
-            .fold(first, |bounds, &p| bounds.including(p))
+        Bounds::from_points(&self.points)
     }
 }
 

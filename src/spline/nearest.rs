@@ -2,6 +2,7 @@
 
 use super::Spline;
 use crate::curve::nearest::{Nearest, nearest_on};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -70,10 +71,7 @@ impl<P: Point> Spline<P> {
     fn lower_bound(&self, k: usize, p: P) -> f64 {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
         let last = self.points[to % self.points.len()];
-        let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
-        let (low, high) = self.points[from..to].iter().fold((last, last), around);
-        // Compute with halves, because the difference of ±1e308 would overflow.
-        let outside = (low * 0.5 - p * 0.5).max(p * 0.5 - high * 0.5);
-        outside.max(P::default()).length() * 2.0
+        let bounds = Bounds::from_points(&self.points[from..to]);
+        bounds.including(last).distance(p)
     }
 }

@@ -91,7 +91,7 @@ impl NormalizedPair {
                     &self.curves[first],
                     from + ratio(k, BOX_SAMPLES) * (to - from),
                 );
-                (bounds.min - point).max(point - bounds.max).max_element() <= margin
+                bounds.outside(point).max_element() <= margin
             })
         };
         inside(0, t, 1, u) && inside(1, u, 0, t)

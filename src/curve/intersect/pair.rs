@@ -5,6 +5,7 @@ use super::intersection::IntersectionKind;
 use super::stationary::derivative_zeros;
 use crate::curve::elevate::elevate_once;
 use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
+use crate::geometry::bounds::Bounds;
 use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
@@ -57,12 +58,11 @@ pub(crate) struct NormalizedPair {
 impl NormalizedPair {
     /// `None` if the boxes of the control points do not overlap, and for coordinates that are not finite.
     pub(crate) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
-        let (min_a, max_a) = corners(a);
-        let (min_b, max_b) = corners(b);
-        let (min, max) = (min_a.min(min_b), max_a.max(max_b));
+        let (box_a, box_b) = (Bounds::from_points(a), Bounds::from_points(b));
+        let Bounds { min, max } = box_a.union(box_b);
         let largest = min.abs().max(max.abs()).max_element();
         let nearest = INPUT_ROUNDING * largest;
-        let gap = min_a.max(min_b) - max_a.min(max_b);
+        let gap = box_a.min.max(box_b.min) - box_a.max.min(box_b.max);
         if gap.max_element() > nearest {
             return None;
         }
@@ -122,14 +122,6 @@ impl NormalizedPair {
         }
         (solver.found, solver.work.used())
     }
-}
-
-fn corners(points: &[DVec2]) -> (DVec2, DVec2) {
-    points
-        .iter()
-        .fold((points[0], points[0]), |(min, max), &p| {
-            (min.min(p), max.max(p))
-        })
 }
 
 fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {

@@ -16,6 +16,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::{roots_inside, sign_changes};
 use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -188,7 +189,7 @@ impl<P: Point> Search<'_, P> {
     /// their rounding.
     fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
         let within = self.work.spend(1);
-        let bound = distance_of_box(points);
+        let bound = Bounds::from_points(points).distance(P::default());
         if bound > self.min.min(self.end) + self.slack {
             return;
         }
@@ -215,13 +216,6 @@ impl<P: Point> Search<'_, P> {
         self.consider(mid);
         self.run(&right.points, [mid, hi], halvings - 1);
     }
-}
-
-/// The distance of the origin from the bounding box of points.
-fn distance_of_box<P: Point>(points: &[P]) -> f64 {
-    let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
-    let (low, high) = points[1..].iter().fold((points[0], points[0]), around);
-    low.max(high * -1.0).max(P::default()).length()
 }
 
 /// The largest absolute value.

@@ -115,7 +115,7 @@ impl Arcs {
 
 fn is_short(segments: &Segments, arc: Arc, tolerance: f64) -> bool {
     let points = segments.part(arc.segment, arc.t[0], arc.t[1]);
-    let all = Bounds::of(&points);
+    let all = Bounds::from_points(&points);
     (all.max - all.min).max_element() <= 4.0 * tolerance
 }
 

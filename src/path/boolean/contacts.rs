@@ -85,7 +85,9 @@ fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Con
     let parts = parts_with_few_cuts(segments, found);
     let boxes: Vec<Bounds<DVec2>> = parts
         .iter()
-        .map(|part| Bounds::of(&part.points(segments)).enlarged(DVec2::splat(segments.epsilon)))
+        .map(|part| {
+            Bounds::from_points(&part.points(segments)).enlarged(DVec2::splat(segments.epsilon))
+        })
         .collect();
     let tree = BoxTree::new(&boxes);
     let mut seen = Vec::new();
@@ -270,9 +272,7 @@ fn point_contact(
     found: &mut Vec<Contact>,
 ) {
     let (b, epsilon) = (&segments.list[j], segments.epsilon);
-    if (b.bounds.min - p).max(p - b.bounds.max).max_element() > epsilon
-        || is_beside(&b.points, &[p], epsilon)
-    {
+    if b.bounds.outside(p).max_element() > epsilon || is_beside(&b.points, &[p], epsilon) {
         return;
     }
     let (u, gap) = if p == b.start() {

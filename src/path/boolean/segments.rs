@@ -150,7 +150,7 @@ impl Segments {
         self.joints.push(points[0]);
         self.list.push(Segment {
             points: points_of(points),
-            bounds: Bounds::of(points),
+            bounds: Bounds::from_points(points),
             path,
             ends: [joint, joint + 1],
             is_first: false,
@@ -220,7 +220,7 @@ impl Segments {
             }
             self.list.push(Segment {
                 points: points_of(chord),
-                bounds: Bounds::of(chord),
+                bounds: Bounds::from_points(chord),
                 path: segment.path,
                 ends: [from, to],
                 is_first: segment.is_first && k == 0,

@@ -7,6 +7,7 @@ use crate::bernstein::product::product_of;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
 use crate::curve::nearest::nearest_on;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -88,7 +89,7 @@ fn covers(spline: &Spline<DVec2>, tangent: DVec2, p: DVec2, pen: &Pen) -> bool {
         let is_within = |points| nearest_on(points, p).distance <= pen.radius;
         let points = curves.iter().map(Curve::control_points);
         return points
-            .filter(|own| box_distance(own, p) <= pen.radius)
+            .filter(|own| Bounds::from_points(own).distance(p) <= pen.radius)
             .any(is_within);
     }
     let ends = if spline.is_closed() {
@@ -138,11 +139,12 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
 /// Whether a normal of the curve, or the half disk ahead of a point where the curve reverses, contains p.
 fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
     let points = curve.control_points();
-    if box_distance(points, p) > radius {
+    let bounds = Bounds::from_points(points);
+    if bounds.distance(p) > radius {
         return false;
     }
     let near = |t: f64| Point::length(curve.eval(t) - p) <= radius;
-    let (min, max) = control_box(points);
+    let Bounds { min, max } = bounds;
     let size = Point::length(max - min) + radius;
     let beside_end = |end: DVec2, tangent: DVec2| {
         let q = p - end;
@@ -160,18 +162,6 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
             .any(|(t, ahead)| near(t) && (p - curve.eval(t)).dot(ahead) >= 0.0)
         // A point inside the curve that is nearest is one of these, but rounding may hide that.
         || is_beside_nearest(points, p, radius, BESIDE_END * size)
-}
-
-/// The smallest and the largest coordinates.
-fn control_box(points: &[DVec2]) -> (DVec2, DVec2) {
-    let around = |(min, max): (DVec2, DVec2), &q: &DVec2| (min.min(q), max.max(q));
-    points.iter().fold((points[0], points[0]), around)
-}
-
-/// The distance of a point from the box of some points.
-fn box_distance(points: &[DVec2], p: DVec2) -> f64 {
-    let (min, max) = control_box(points);
-    Point::length((min - p).max(p - max).max(DVec2::ZERO))
 }
 
 /// Whether the nearest point of a curve is within the radius, and farther than `clear` from both ends.
