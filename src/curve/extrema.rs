@@ -78,19 +78,16 @@ impl<P: Point> Curve<P> {
 
 /// See [`Curve::extrema`].
 pub(crate) fn extrema_of(values: &[f64]) -> Vec<f64> {
-    // Halved, so that differences of ±1e308 stay finite.
-    let slopes: Scalars = values
-        .windows(2)
-        .map(|pair| 0.5 * pair[1] - 0.5 * pair[0])
-        .collect();
+    let slopes: Scalars = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
     // Each of the two numbers is rounded by up to half an ulp.
-    crossings(&slopes, 0.5 * ulp(largest(values))).to_vec()
+    crossings(&slopes, ulp(largest(values))).to_vec()
 }
 
 /// See [`Curve::times_at_coordinate`].
 pub(crate) fn times_of(values: &[f64], value: f64) -> Vec<f64> {
+    // Halved, because the value may be ±1e308.
     let heights: Scalars = values.iter().map(|v| 0.5 * v - 0.5 * value).collect();
-    // The rounding error of n steps of interpolation; halved below because `heights` is halved.
+    // Half of the rounding error of n steps of interpolation.
     let rounding = values.len() as f64 * ulp(largest(values).max(value.abs()));
     contacts(&heights, 0.5 * rounding).map_or_else(|| vec![0.0, 1.0], |ts| ts.to_vec())
 }

@@ -81,7 +81,6 @@ impl<P: Point> Bounds<P> {
 
     /// The length of the diagonal.
     pub fn diagonal(&self) -> f64 {
-        // Halved first, because max − min of ±1e308 would overflow.
-        (self.max * 0.5 - self.min * 0.5).length() * 2.0
+        (self.max - self.min).length()
     }
 }

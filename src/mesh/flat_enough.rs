@@ -145,17 +145,16 @@ fn corners(net: &[DVec3], columns: usize) -> [DVec3; 4] {
 
 /// Whether all points are within the tolerance of the plane of three corners (or of a line, or of a point).
 fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
-    // The points are scaled to size 1, so that products neither overflow nor underflow; they are halved first, for
-    // coordinates of ±1e308.
-    let origin = corners[0] * 0.5;
-    let mut around: Net = net.iter().map(|&p| p * 0.5 - origin).collect();
+    // The points are scaled to size 1, so that products neither overflow nor underflow.
+    let origin = corners[0];
+    let mut around: Net = net.iter().map(|&p| p - origin).collect();
     let scale = max_abs(&around);
     if scale == 0.0 {
         return true;
     }
     around.iter_mut().for_each(|p| *p /= scale);
-    let corners = corners.map(|p| (p * 0.5 - origin) / scale);
-    let max = 0.5 * tolerance / scale;
+    let corners = corners.map(|p| (p - origin) / scale);
+    let max = tolerance / scale;
     let (mut plane, mut line) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
     for (k, &corner) in corners.iter().enumerate() {
         let [before, next] = [3, 1].map(|step| corners[(k + step) % 4] - corner);

@@ -94,7 +94,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         });
         for hits in all {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
-                let apart = Point::length(a.point * 0.5 - b.point * 0.5) * 2.0;
+                let apart = Point::length(a.point - b.point);
                 // `blur` computes a normal, so it is called only where the simpler limits do not decide.
                 apart <= NEAR * scaling.size
                     || apart <= ON_SIDE * scaling.size

@@ -34,7 +34,7 @@ impl SurfacePoint {
             u,
             v,
             point,
-            distance: Point::length(point * 0.5 - p * 0.5) * 2.0,
+            distance: Point::length(point - p),
         }
     }
 

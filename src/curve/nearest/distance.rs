@@ -82,7 +82,7 @@ impl<P: Point> Curve<P> {
         }
         let (t, u) = (search.t, search.u);
         // Halved, because the difference of ±1e308 would overflow.
-        let distance = (self.eval(t) * 0.5 - other.eval(u) * 0.5).length() * 2.0;
+        let distance = (self.eval(t) - other.eval(u)).length();
         Distance {
             distance: if distance <= ulps * ulp(size) {
                 0.0

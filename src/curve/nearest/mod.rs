@@ -90,8 +90,7 @@ impl<P: Point> Curve<P> {
 pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
     let t = nearest_parameter(points, p);
     let point = evaluate(points, t);
-    // Halved, because the difference of ±1e308 would overflow.
-    let distance = (point * 0.5 - p * 0.5).length() * 2.0;
+    let distance = (point - p).length();
     Nearest { t, point, distance }
 }
 
