@@ -57,7 +57,7 @@ impl Curve<DVec2> {
 
     /// The differences of neighbouring control points along a direction; differences of rounding size are set to 0.
     fn slopes_along(&self, direction: DVec2) -> Scalars {
-        let slope = |pair: &[DVec2]| (pair[1] * 0.5 - pair[0] * 0.5).dot(direction);
+        let slope = |pair: &[DVec2]| (pair[1] - pair[0]).dot(direction);
         let mut slopes: Scalars = self.points.windows(2).map(slope).collect();
         let longest = slopes.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let min = NO_SLOPE * longest * self.degree() as f64;
