@@ -80,7 +80,8 @@ impl Path {
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² segments, more than 2²² contacts of segments, or more steps of the
     /// search for contacts than 2³⁰ and 2¹³ for each segment and each contact: only tens of thousands of long segments
-    /// beside each other need as many. Also if all 10 attempts at a consistent result fail, as described above.
+    /// beside each other need as many. Also if all 10 attempts at a consistent result fail, as described above, or
+    /// the polygons would have more than 2¹⁷ sides.
     ///
     /// Source: winding numbers of the faces of a planar map, as in de Berg et al., *Computational Geometry*, §2.3 (the
     /// overlay of two subdivisions).

@@ -19,6 +19,10 @@ const EPSILON: f64 = 1e-9;
 /// No distance below this many roundings of the largest coordinate is resolved.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;
 
+/// Maximum number of sides of these polygons: some seconds for all attempts.
+const MAX_CHORDS: usize = 1 << 17;
+const CHORDS: &str = "chords in the place of the outlines, whose planar maps contradict themselves";
+
 /// The distance of polygons from the outlines that they replace, in parts of epsilon.
 const POLYGON_DISTANCE: f64 = 0.5;
 
@@ -162,7 +166,7 @@ impl Segments {
     /// distance of the polygons. A loop of that size in another subpath stays as it is.
     ///
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²² segments.
+    /// [`Error::TooMany`] for more than 2¹⁷ chords.
     pub(super) fn flattened(&self) -> Result<Self, Error> {
         let mut all = Self {
             list: Vec::with_capacity(self.list.len()),
@@ -200,8 +204,8 @@ impl Segments {
         )]
         let count = (enough.ceil() as usize).max(1);
         let needed = self.list.len().saturating_add(count);
-        if needed > MAX_SEGMENTS {
-            return Err(Error::too_many("segments", MAX_SEGMENTS, needed));
+        if needed > MAX_CHORDS {
+            return Err(Error::too_many(CHORDS, MAX_CHORDS, needed));
         }
         let inside = (1..count).map(|k| evaluate(points, ratio(k, count)));
         let mut vertices = vec![segment.start()];
