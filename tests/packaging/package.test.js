@@ -106,7 +106,7 @@ test("the notices of everything that is built in are there", async () => {
     );
     assert.ok(notices.includes(`\n${folder} ${license?.[1]}\n`), folder);
   }
-  for (const text of ["Copyright (c) 2017 Google LLC", "glam", "wasm-bindgen", "smallvec", "talc"])
+  for (const text of ["Copyright (c) 2017 Google LLC", "glam", "wasm-bindgen", "wide", "talc"])
     assert.ok(notices.includes(text), text);
   assert.doesNotMatch(notices, /\nserde_json /, "only what is in the wasm modules");
 });
