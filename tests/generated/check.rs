@@ -256,8 +256,6 @@ pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
     let fits = match *error {
         Error::Tolerance { min, got } => allows("tolerance") && got < min && min.is_finite(),
         Error::TooSmall { what, min, got } => allows(what) && got < min,
-        // Boolean operations state it, and only features at very different scales may need it.
-        Error::TooMany { what, .. } if what.contains("planar map") => mode() == Mode::MixedScale,
         Error::TooMany { limit, needed, .. } => {
             needed > limit && (allows("tolerance") || allows("too many"))
         }

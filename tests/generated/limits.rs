@@ -42,9 +42,9 @@ const LIMITS: &[(&str, usize)] = &[
 /// The functions of regions, and the search for contacts of a few thousand segments.
 const REGIONS: &str = "union intersect subtract exclude combine remove_overlaps faces divide clip \
     filled_area filled_moments stroke offset";
-const REGION: usize = 1 << 29;
+const REGION: usize = 1 << 27;
 /// The documented limit of Boolean operations, up to 2¹³ for each segment and contact. Of 10,000 calls of `Path::offset` one
-/// takes more than [`REGION`]; a few take 2²⁸, because polygons take the place of outlines with features at all scales.
+/// takes more than [`REGION`].
 const DOCUMENTED_REGION: usize = 1 << 30;
 
 /// The limit of the function of a case. Those of surfaces are limits of one patch.

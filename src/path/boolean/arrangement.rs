@@ -16,9 +16,9 @@ use crate::path::winding::FillRule;
 use glam::DVec2;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
-/// other, because features are of about this size, the next is tried. If all of them do, polygons replace the outlines,
-/// and all are tried again.
-const TOLERANCES: [f64; 5] = [0.2, 0.02, 0.1, 1e-3, 1e-5];
+/// other, because features are of about this size, the next is tried. If all of them do, the last is used, which is the
+/// first again.
+const TOLERANCES: [f64; 6] = [0.2, 0.02, 0.1, 1e-3, 1e-5, 0.2];
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {
@@ -29,7 +29,7 @@ pub(super) struct Arrangement {
 }
 
 /// What depends on the tolerance.
-pub(super) struct Attempt {
+struct Attempt {
     arcs: Arcs,
     edges: Edges,
     faces: Faces,
@@ -37,32 +37,26 @@ pub(super) struct Attempt {
 
 impl Arrangement {
     /// # Errors
-    /// [`Error::TooMany`] as [`contacts`] and [`Segments::new`], and if every map contradicts itself.
+    /// [`Error::TooMany`] as [`contacts`] and [`Segments::new`].
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
-        Self::with_check(paths, Attempt::is_consistent)
-    }
-
-    /// The first map that passes a check: of the outlines, or else of polygons next to them.
-    pub(super) fn with_check(
-        paths: &[(&Path, Role)],
-        check: impl Fn(&Attempt, &Segments) -> bool,
-    ) -> Result<Self, Error> {
         let segments = Segments::new(paths)?;
-        if let Some(attempt) = Attempt::first(&segments, &check)? {
-            return Ok(attempt.with(segments));
-        }
-        let chords = segments.flattened()?;
-        match Attempt::first(&chords, &check)? {
-            Some(attempt) => Ok(attempt.with(chords)),
-            None => {
-                let count = 2 * TOLERANCES.len();
-                Err(Error::too_many(
-                    "attempts at a planar map",
-                    count,
-                    count + 1,
-                ))
+        let boxes: Vec<Bounds<DVec2>> = segments
+            .list
+            .iter()
+            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
+            .collect();
+        let tree = BoxTree::new(&boxes);
+        let contacts = contacts(&segments, &tree)?;
+        let mut k = 0;
+        let attempt = loop {
+            let tolerance = TOLERANCES[k] * segments.epsilon;
+            let attempt = Attempt::new(&segments, &tree, &contacts, tolerance);
+            k += 1;
+            if k == TOLERANCES.len() || attempt.is_consistent(&segments) {
+                break attempt;
             }
-        }
+        };
+        Ok(attempt.with(segments))
     }
 
     /// Calls `enter` for each face with its winding numbers.
@@ -89,24 +83,6 @@ impl Arrangement {
 }
 
 impl Attempt {
-    /// The attempt with the first tolerance that passes a check.
-    fn first(
-        segments: &Segments,
-        check: impl Fn(&Self, &Segments) -> bool,
-    ) -> Result<Option<Self>, Error> {
-        let boxes: Vec<Bounds<DVec2>> = segments
-            .list
-            .iter()
-            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
-            .collect();
-        let tree = BoxTree::new(&boxes);
-        let contacts = contacts(segments, &tree)?;
-        let mut attempts = TOLERANCES
-            .iter()
-            .map(|part| Self::new(segments, &tree, &contacts, part * segments.epsilon));
-        Ok(attempts.find(|attempt| check(attempt, segments)))
-    }
-
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
         let arcs = Arcs::new(segments, contacts, tolerance);
         let edges = Edges::new(segments, &arcs, 2.0 * tolerance);
@@ -115,7 +91,7 @@ impl Attempt {
         Self { arcs, edges, faces }
     }
 
-    pub(super) fn is_consistent(&self, segments: &Segments) -> bool {
+    fn is_consistent(&self, segments: &Segments) -> bool {
         let Self { edges, faces, .. } = self;
         faces.is_plane && visit_faces(segments, edges, faces, FillRule::NonZero, |_, _| ())
     }

@@ -4,8 +4,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::curve::intersect::straight_turns;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
-use crate::geometry::point::Point;
-use crate::numeric::float::{as_f64, ratio, unit_scale};
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, points_of};
 use crate::path::Path;
 use glam::DVec2;
@@ -18,13 +17,6 @@ const EPSILON: f64 = 1e-9;
 
 /// No distance below this many roundings of the largest coordinate is resolved.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;
-
-/// Maximum number of sides of these polygons: some seconds for all attempts.
-const MAX_CHORDS: usize = 1 << 17;
-const CHORDS: &str = "chords in the place of the outlines, whose planar maps contradict themselves";
-
-/// The distance of polygons from the outlines that they replace, in parts of epsilon.
-const POLYGON_DISTANCE: f64 = 0.5;
 
 /// What a path contributes to an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,79 +152,6 @@ impl Segments {
             is_first: false,
             is_last: false,
         });
-    }
-
-    /// The same outlines as polygons, whose vertices are on the outlines, without the subpaths that are smaller than the
-    /// distance of the polygons. A loop of that size in another subpath stays as it is.
-    ///
-    /// # Errors
-    /// [`Error::TooMany`] for more than 2¹⁷ chords.
-    pub(super) fn flattened(&self) -> Result<Self, Error> {
-        let mut all = Self {
-            list: Vec::with_capacity(self.list.len()),
-            joints: self.joints.clone(),
-            roles: self.roles.clone(),
-            ..*self
-        };
-        let distance = POLYGON_DISTANCE * self.epsilon;
-        for subpath in self.list.chunk_by(|_, next| !next.is_first) {
-            let bounds = subpath.iter().map(|segment| segment.bounds);
-            if bounds
-                .reduce(Bounds::union)
-                .is_some_and(|all| all.diagonal() > distance)
-            {
-                for segment in subpath {
-                    all.push_chords(segment, distance)?;
-                }
-            }
-        }
-        Ok(all)
-    }
-
-    /// Appends a segment as chords with equal steps of the parameter. Steps of which n are at least
-    /// √(d (d − 1) max |Δ²P| / 8 distance), for degree d, are within the distance (Wang, 1984).
-    fn push_chords(&mut self, segment: &Segment, distance: f64) -> Result<(), Error> {
-        let points = &segment.points;
-        let bend = |w: &[DVec2]| Point::length(w[0] - w[1] * 2.0 + w[2]);
-        let max_bend = points.windows(3).map(bend).fold(0.0, f64::max);
-        let degree = as_f64(points.len() - 1);
-        let enough = (degree * (degree - 1.0) * max_bend / (8.0 * distance)).sqrt();
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number, which is refused if it is too large"
-        )]
-        let count = (enough.ceil() as usize).max(1);
-        let needed = self.list.len().saturating_add(count);
-        if needed > MAX_CHORDS {
-            return Err(Error::too_many(CHORDS, MAX_CHORDS, needed));
-        }
-        let inside = (1..count).map(|k| evaluate(points, ratio(k, count)));
-        let mut vertices = vec![segment.start()];
-        vertices.extend(inside.chain([segment.end()]));
-        vertices.dedup();
-        let chords: Vec<&[DVec2]> = match vertices.len() {
-            1 => vec![points],
-            _ => vertices.windows(2).collect(),
-        };
-        let [mut from, end] = segment.ends;
-        for (k, chord) in chords.iter().enumerate() {
-            let is_end = k + 1 == chords.len();
-            let to = if is_end { end } else { self.joints.len() };
-            if !is_end {
-                self.joints.push(chord[1]);
-            }
-            self.list.push(Segment {
-                points: points_of(chord),
-                bounds: Bounds::from_points(chord),
-                path: segment.path,
-                ends: [from, to],
-                is_first: segment.is_first && k == 0,
-                is_last: segment.is_last && is_end,
-            });
-            from = to;
-        }
-        Ok(())
     }
 
     fn distance_of_one(&self) -> f64 {
