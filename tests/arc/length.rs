@@ -59,7 +59,7 @@ pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
 #[test]
 fn the_integral_of_the_speed() {
     let mut rng = Rng(1654);
-    for _ in 0..cases(20_000, 300_000) {
+    for _ in 0..cases(20_000, 150_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let expected = integral::length(&points, 0.0, 1.0);
         let flat = points.iter().all(|p| p.z == 0.0);
@@ -72,7 +72,7 @@ fn the_integral_of_the_speed() {
 #[test]
 fn lengths_of_pieces_add_up() {
     let mut rng = Rng(1660);
-    for _ in 0..cases(5_000, 100_000) {
+    for _ in 0..cases(5_000, 50_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);
@@ -89,7 +89,7 @@ fn lengths_of_pieces_add_up() {
 #[test]
 fn a_tolerance_is_kept() {
     let mut rng = Rng(1659);
-    for _ in 0..cases(5_000, 100_000) {
+    for _ in 0..cases(5_000, 50_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let expected = integral::length(&points, 0.0, 1.0);
         let tolerance = expected * rng.magnitude(-15.0, 0.0);

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 #[test]
 fn keeps_the_tolerance_on_all_curves() {
-    on_all(0..support::cases(20_000, 1_000_000), |i| {
+    on_all(0..support::cases(20_000, 500_000), |i| {
         Case::new(i).check()
     });
 }
@@ -25,7 +25,7 @@ fn keeps_the_tolerance_on_all_curves() {
 /// the rule.
 #[test]
 fn takes_few_chords() {
-    let curves = support::cases(2_000, 100_000);
+    let curves = support::cases(2_000, 25_000);
     let beyond = AtomicUsize::new(0);
     on_all(0..curves, |i| {
         let case = Case::new(7 * i + 3);

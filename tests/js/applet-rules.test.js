@@ -147,7 +147,7 @@ test("what cannot be used is refused by name", () => {
   }
 });
 
-test("the label tells what is true at P3: verdict, angle, lengths", () => {
+test("the label of the joint states continuity, angle and lengths", () => {
   for (const [state, verdict, words] of /** @type {[states.State, string, RegExp][]} */ ([
     [first, "G1", /^P2, P3, P4 aligned: G1 at P3\. C1 when .*; now 142\.\d and 170\.\d\.$/],
     [withJoint(first, "c1"), "C1", /^P2, P3, P4 aligned and \|P2P3\| = \|P3P4\|: G1 and C1 at P3\.$/],

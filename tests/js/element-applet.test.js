@@ -101,7 +101,7 @@ const UNUSABLE = {
   segment: "-1",
 };
 
-test("an attribute that cannot be used is told of until it is taken away; the last good value stays", () => {
+test("a warning about a bad attribute stays until the attribute is removed, and the last good value is kept", () => {
   assert.deepEqual(Object.keys(UNUSABLE).sort(), Object.keys(FIELDS).sort());
   const { applet } = element({ points: "10,20 30,200 300,40 400,300", t: "0.25", show: "hull" });
   for (const [name, unusable] of Object.entries(UNUSABLE)) {
@@ -232,7 +232,7 @@ test("Enter at a joint goes through its modes, by turns, and nowhere else", () =
   assert.equal(acting.cycle(3), false);
 });
 
-test("each action is announced and is one undo step; what cannot be done is told and changes nothing", () => {
+test("each action is announced and is one undo step; a refusal is announced and changes nothing", () => {
   for (const [act, words, count] of /** @type {[(acting: any) => unknown, string, number][]} */ ([
     [({ acts }) => acts.append(), "Point added", 10],
     [({ acts }) => acts.insert(), "Split at t", 10],
@@ -262,7 +262,7 @@ test("each action is announced and is one undo step; what cannot be done is told
   assert.match(applet.message, /^This is no figure: points\[0\]: expected numbers, got "no"$/);
 });
 
-test("the same refusal is told again", () => {
+test("the same refusal is announced again", () => {
   const { acting } = actions({ points: CUBIC });
   acting.heard = ["the message", "At P3: C0"];
   acting.removeAt(0);
@@ -336,7 +336,7 @@ test("text is taken as points, an SVG path or JSON; what is none of these is ref
   assert.equal(read("1 2 3 4"), "1,2 3,4");
 });
 
-test("the description tells points, joints and t; many points are counted", () => {
+test("the description names points, joints and t; many points are counted", () => {
   const words = (state) => description(state, figureOf(state), jointsOf(figureOf(state)), ["The hull is shown"]);
   const held = edits.withJoints(firstState(), ["c1"]);
   assert.match(

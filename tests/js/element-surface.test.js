@@ -103,7 +103,7 @@ test("curves as tubes and ribbons are bodies without their surface; more lines a
   assert.ok(facts({ ...surface, show: "surface ribbons" }).triangles > facts(surface).triangles);
 });
 
-test("the figure tells what is shown", () => {
+test("the description of the figure names what is shown", () => {
   const shown = scene({ model: "patch", segments: 4, u: 1, v: 0 });
   const figure = figureOf(shown, new Geometry().facts(shown));
   assert.deepEqual([figure.model, figure.segments, figure.degreeU, figure.points.length], ["patch", 4, 3, 16]);

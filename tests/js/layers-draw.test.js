@@ -109,7 +109,7 @@ test("a view enlarges the curve about its corner, marks keep their size", () => 
   assert.equal(close.of("arc")[0][2], 6);
 });
 
-test("however close, the canvas gets numbers that it can tell apart, and the visible part is right", () => {
+test("at any zoom, the canvas gets distinct numbers, and the visible part is right", () => {
   const curve = new Curve([70, 330, 110, 90, 235, 120, 325, 230]);
   const at = curve.eval(0.3);
   for (const size of [1, 1e-3, 1e-6]) {

@@ -121,7 +121,7 @@ test("recursive halving stops where D1 − D2 < tolerance, says how many lines t
   near(error, wanted, 0.005 * Math.min(1, wanted));
 });
 
-test("a tolerance that would take for ever is raised, and the raised one is told", () => {
+test("a tolerance that would take too long is raised, and the raised one is reported", () => {
   const { data, words } = derived("tree", { tolerance: 1e-9 });
   assert.ok(data.segments < 500, `${data.segments} segments`);
   assert.ok(data.tolerance > 1e-4);

@@ -55,7 +55,7 @@ test("bounds and controlBounds", () => {
   assert.deepEqual(mixed.bounds().max, { x: 2, y: 1, z: 1 });
 });
 
-test("continuity tells what is true", () => {
+test("continuity of known joints", () => {
   const { angle, ...flags } = seven.continuity(1);
   assert.deepEqual(flags, { c0: true, g1: true, c1: false, g2: false, c2: false, gap: 0 });
   assert.equal(angle, 0);
@@ -67,7 +67,7 @@ test("continuity tells what is true", () => {
   assert.ok(Spline.fromCurves([left, right]).continuity(1).c2);
 });
 
-test("movePoint puts the point where it was told and keeps the joint", () => {
+test("movePoint puts the point at the given position and keeps the joint", () => {
   const at = (index, to, mode) => netOf(seven.movePoint(index, to, mode && { joints: { 1: mode } }));
   assert.deepEqual(at(2, [5, 0], "g1").slice(2, 5), pointsOf("5,0 2,0 -2,0"));
   assert.deepEqual(at(2, { x: 5, y: 0 }, "c1").slice(2, 5), pointsOf("5,0 2,0 -1,0"));

@@ -18,7 +18,7 @@ import {
 import { boxOf } from "./browser.js";
 import { assertNear, downloadBy, dragFrom } from "./gestures.js";
 
-test("any text in attributes: what cannot be used is told in few words, the last good one stays, and it works on", async (t) => {
+test("any text in attributes: a bad one is reported shortly, the last good one is kept, and the element still works", async (t) => {
   const page = await openApplet(t, 'points="10,20 30,200 300,40 400,300"');
   const written = (name, text) =>
     page.evaluate(
@@ -58,7 +58,7 @@ async function drop(page, text) {
   await settled(page);
 }
 
-test("a text is dropped, a file opened, a text pasted; what is no figure is told", async (t) => {
+test("a text is dropped, a file opened, a text pasted; one that is not a figure is refused with a message", async (t) => {
   const page = await openApplet(t, "controls");
   await drop(page, '{"points":[[1,2],[3,4],[5,6],[7,8]],"t":0.125,"show":["comb"]}');
   assert.deepEqual(await ask(page, () => [a.t, a.show, a.points[3]]), [0.125, "comb", [7, 8]]);

@@ -79,7 +79,7 @@ test("while dragging, a point clicks into place beside a joint; Ctrl prevents it
   assert.deepEqual([await pointsText(page), await joints(page)], [held, ["c1"]], "one step");
 });
 
-test("i cuts the segment of the point at t, Delete heals it, Shift+Delete takes the point alone; a refusal is told", async (t) => {
+test("i splits the segment at t, Delete joins it again, Shift+Delete removes the point alone; a refusal is announced", async (t) => {
   const page = await openApplet(t, 't="0.3"');
   await focus(page, 5);
   await press(page, "i");

@@ -212,7 +212,7 @@ test("a point without dragging: select, then tap; and by its coordinates", async
   assert.equal((await points(page))[0][0], 123, "nothing is no number");
 });
 
-test("the panel's own events stay inside: what is heard is the element's", async (t) => {
+test("events of the panel's controls stay inside: a page gets those of the element only", async (t) => {
   const page = await openApplet(t, "controls");
   await page.getByRole("slider", { name: "t", exact: true }).focus();
   await page.evaluate(() => {

@@ -113,7 +113,7 @@ test("degrees up to 64 are plotted alone; lines differ by more than colour; t an
   assert.deepEqual(await heard(page), ["input bezier-bernstein", "change bezier-bernstein"]);
 });
 
-test("the equation: MathML with live numbers that add up, and words for who hears it", async (t) => {
+test("the equation: MathML with live numbers that add up, and a text for screen readers", async (t) => {
   const page = await openCompanions(t, ALL);
   const first = "bezier-equation >> nth=0";
   const sum = () =>

@@ -94,7 +94,7 @@ const ABUSE = [
   [`#hero?${"t=0.1&".repeat(170_000)}`, /1020006 characters long/],
 ];
 
-test("any address: told, nothing breaks, the last good state stays", async (t) => {
+test("any address: a bad one is reported, nothing breaks, the last good state is kept", async (t) => {
   const page = await openAt(t, "/", "#hero?t=0.3");
   for (const [fragment, words] of ABUSE) {
     await page.evaluate((fragment) => (location.hash = fragment), fragment);
@@ -139,7 +139,7 @@ const EMBEDDED = [
   [`?t=0.3&x=${"y".repeat(12_000)}`, "bezier-applet", /longer than 10000/],
 ];
 
-test("embed.html: one element as the query says; the rest is told", async (t) => {
+test("embed.html: one element as the query says; unknown parameters are reported", async (t) => {
   const page = await openStrict(t, "/embed.html");
   for (const [query, name, words] of EMBEDDED) {
     await page.goto(`/embed.html${query}`);

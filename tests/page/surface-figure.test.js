@@ -10,7 +10,7 @@ const figure = (page) =>
     JSON.parse(JSON.stringify({ ...document.querySelector("bezier-surface").figure, surface: null })),
   );
 
-test("update follows every change, and the figure then tells the mesh that is drawn", async (t) => {
+test("update follows every change, and the figure then has the mesh that is drawn", async (t) => {
   const page = await openSurface(t, 'model="patch" segments="4"');
   assert.deepEqual((await figure(page)).mesh.triangles, 32);
   const updates = await page.evaluate(async () => {

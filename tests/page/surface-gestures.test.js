@@ -27,7 +27,7 @@ async function drag(page, place, dx, dy) {
   await settled(page);
 }
 
-test("dragging turns the picture, with Shift it shifts; events tell", async (t) => {
+test("dragging rotates the view, with Shift it pans; events report it", async (t) => {
   const page = await openSurface(t, 'segments="4"');
   await listen(page);
   const before = await view(page);

@@ -62,7 +62,7 @@ test("pixels follow the view", async (t) => {
   assert.ok(far.triangles > 1.6 * small.triangles, `${small.triangles} → ${far.triangles}`);
 });
 
-test("cracks of the recursion and tubes are drawn and told", async (t) => {
+test("cracks of the recursion and tubes are drawn and counted", async (t) => {
   const page = await openSurface(t, 'flatness="0.05"');
   assert.match((await facts(page)).text, /\d\d\d\s+pieces, \d\s+deep\s+[\d,]+\s+cracks, up to/);
   const cracked = await look(page);
