@@ -21,35 +21,22 @@ impl Curve<DVec2> {
 impl<P: Point> Curve<P> {
     /// [`area`](Curve::area) of the projection along z.
     pub(crate) fn area_xy(&self) -> f64 {
-        let unit = self.max_abs();
         let (start, end) = (self.start(), self.end());
-        let area = area_about(&self.points, start, unit) + triangle_area(start, end, unit);
-        area * unit * unit
+        area_about(&self.points, start) + triangle_area(start, end)
     }
 }
 
-/// ½ a × b, the signed area of the triangle with the corners 0, a and b, in squares of `unit`. `unit` is about the
-/// largest coordinate, so that only the true area can overflow.
-pub(crate) fn triangle_area<P: Point>(a: P, b: P, unit: f64) -> f64 {
-    if unit == 0.0 {
-        return 0.0;
-    }
-    0.5 * (a / unit).to_2d().cross((b / unit).to_2d())
+/// ½ a × b, the signed area of the triangle with the corners 0, a and b.
+pub(crate) fn triangle_area<P: Point>(a: P, b: P) -> f64 {
+    0.5 * a.to_2d().cross(b.to_2d())
 }
 
-/// The area that the segment from `centre` to B(t) sweeps, in squares of `unit`.
+/// The area that the segment from `centre` to B(t) sweeps.
 ///
 /// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m), which is ½ ∫
 /// (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
-pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
-    if unit == 0.0 {
-        return 0.0;
-    }
-    // Halved, because the difference of ±1e308 overflows.
-    let around: Points<DVec2> = points
-        .iter()
-        .map(|&p| ((p * 0.5 - centre * 0.5) / unit).to_2d())
-        .collect();
+pub(crate) fn area_about<P: Point>(points: &[P], centre: P) -> f64 {
+    let around: Points<DVec2> = points.iter().map(|&p| (p - centre).to_2d()).collect();
     let n = around.len() - 1;
     let known = WEIGHTS.get(n.wrapping_sub(1));
     let (mut sum, mut k) = (0.0, 0);
@@ -60,7 +47,7 @@ pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
             k += 1;
         }
     }
-    4.0 * sum
+    sum
 }
 
 /// The weights of lines, quadratics and cubics, in the order of [`area_about`].

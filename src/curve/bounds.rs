@@ -36,13 +36,8 @@ impl<P: Point> Curve<P> {
 
     /// The parameters inside (0, 1) where one coordinate of B′ vanishes, in ascending order.
     pub(crate) fn extrema_on(&self, axis: usize) -> Scalars {
-        // Halved, so that differences of ±1e308 stay finite; the factor does not change the roots.
-        let half = |p: &P| p.coordinate(axis) * 0.5;
-        let slopes: Scalars = self
-            .points
-            .windows(2)
-            .map(|pair| half(&pair[1]) - half(&pair[0]))
-            .collect();
+        let step = |pair: &[P]| pair[1].coordinate(axis) - pair[0].coordinate(axis);
+        let slopes: Scalars = self.points.windows(2).map(step).collect();
         roots_inside(&slopes)
     }
 

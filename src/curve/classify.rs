@@ -6,8 +6,9 @@ use super::inflections::{cusps_of, inflections_of};
 use super::turning::turning;
 use crate::bernstein::roots::discriminant;
 use crate::curve::arc_length::length::hodograph;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ulp, unit_scale};
+use crate::numeric::float::ulp;
 use crate::numeric::list::Points;
 use glam::{DVec2, DVec3};
 
@@ -64,16 +65,9 @@ impl<P: Point> Curve<P> {
         if unit <= 2.0 * rounding {
             return CurveKind::Point;
         }
-        // Translate the start to the origin and scale to a size of about 1. This is an affine map; afterwards no power
-        // leaves the range of f64.
-        let scale = unit_scale(unit);
-        let start = self.start();
-        let vectors: Points<P> = self
-            .points
-            .iter()
-            .map(|&p| p * scale - start * scale)
-            .collect();
-        let rounding = rounding * scale;
+        let normalized = Normalized::new(self.start(), unit);
+        let vectors: Points<P> = normalized.points(&self.points);
+        let rounding = rounding * normalized.scale;
         match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
             Flat::Line => CurveKind::Line,
             Flat::Not => CurveKind::Twisted,

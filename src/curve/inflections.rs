@@ -8,8 +8,9 @@ use crate::bernstein::roots::{contacts, crossings, roots_inside};
 use crate::curve::arc_length::length::hodograph;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ulp, unit_scale};
+use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
@@ -87,9 +88,9 @@ impl<P: Point> Curve<P> {
     /// [`tangents_from`](Curve::tangents_from) of the projection along z, for a finite point.
     pub(crate) fn tangents_from_unchecked(&self, p: P) -> Vec<f64> {
         let size = self.max_abs().max(p.max_abs());
-        let scale = unit_scale(size);
-        let about: Points<P> = self.points.iter().map(|&q| q * scale - p * scale).collect();
-        let (turning, slack) = turning(&about, ulp(size * scale));
+        let normalized = Normalized::new(p, size);
+        let about: Points<P> = normalized.points(&self.points);
+        let (turning, slack) = turning(&about, ulp(size * normalized.scale));
         let Some(ts) = contacts(&turning, slack) else {
             return vec![0.0, 1.0];
         };

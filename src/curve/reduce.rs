@@ -58,12 +58,12 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// Δⁿ / (2²ⁿ⁻¹ stretchⁿ), scaled in each step so that nothing overflows.
+    /// Δⁿ / (2²ⁿ⁻¹ stretchⁿ).
     fn top_difference(&self, stretch: f64) -> P {
         let mut row = self.points.clone();
         for last in (1..row.len()).rev() {
             for i in 0..last {
-                row[i] = (row[i + 1] * 0.25 - row[i] * 0.25) * (1.0 / stretch);
+                row[i] = (row[i + 1] - row[i]) * (0.25 / stretch);
             }
         }
         row[0] * 2.0

@@ -4,7 +4,6 @@ use super::Patch;
 use super::net::{differences_u, differences_v};
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
-use crate::numeric::list::Net;
 use glam::DVec3;
 
 impl Patch {
@@ -17,15 +16,14 @@ impl Patch {
     /// equal (u, v). The bilinear patch z = uv attains it. Source: Filip, Magedson and Markot, "Surface algorithms
     /// using bounds on derivatives", *Computer Aided Geometric Design* 3 (1986), 295–311.
     pub fn flatness(&self) -> f64 {
-        // The factor 1/8 is applied first, since second differences of ±1e308 would overflow.
-        let eighths: Net = self.points.iter().map(|&p| p * 0.125).collect();
         let (m, n) = (as_f64(self.degree_u()), as_f64(self.degree_v()));
-        let du = differences_u(&eighths, self.columns);
-        let dv = differences_v(&eighths, self.columns);
+        let du = differences_u(&self.points, self.columns);
+        let dv = differences_v(&self.points, self.columns);
         let fewer = self.columns - 1;
-        m * (m - 1.0) * longest(&differences_u(&du, fewer))
+        let bound = m * (m - 1.0) * longest(&differences_u(&du, fewer))
             + 2.0 * m * n * longest(&differences_v(&du, fewer))
-            + n * (n - 1.0) * longest(&differences_v(&dv, self.columns))
+            + n * (n - 1.0) * longest(&differences_v(&dv, self.columns));
+        bound / 8.0
     }
 }
 

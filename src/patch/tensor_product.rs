@@ -180,13 +180,10 @@ impl Patch {
     }
 }
 
-/// The differences of a net along u and along v, each scaled to size 1 for the normal of nets of any size from 1e-300
-/// to 1e308.
+/// The differences of a net along u and along v, each scaled to size 1 for the normal of nets of any size.
 pub(crate) fn directions(points: &[DVec3], columns: usize) -> (Net, Net) {
-    // The points are halved first, since differences of ±1e308 would overflow.
-    let halves: Net = points.iter().map(|&p| p * 0.5).collect();
-    let mut du = net::differences_u(&halves, columns);
-    let mut dv = net::differences_v(&halves, columns);
+    let mut du = net::differences_u(points, columns);
+    let mut dv = net::differences_v(points, columns);
     net::unit_size(&mut du);
     net::unit_size(&mut dv);
     (du, dv)

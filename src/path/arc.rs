@@ -105,7 +105,7 @@ impl Ellipse {
     fn of(shape: &Arc) -> Option<Self> {
         let axis = direction_of_degrees(shape.degrees);
         let back = DVec2::new(axis.x, -axis.y);
-        let half = turned(shape.from * 0.5 - shape.to * 0.5, back);
+        let half = turned((shape.from - shape.to) * 0.5, back);
         let mut radii = shape.radii;
         let mut d = half / radii;
         let scale = d.x.abs().max(d.y.abs());

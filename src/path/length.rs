@@ -105,18 +105,15 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
     let plain = tolerance == f64::INFINITY;
     match *points {
         [a, b, c, d] if plain => plane_cubic_length(&[a, b, c, d].map(|p| p.to_array())),
-        [a, b, c] if plain && points.iter().all(|p| p.max_abs() < FAR) => {
+        [a, b, c] if plain => {
             let (first, chord) = ((b - a) * (2.0 / 3.0), c - a);
             let raised = [DVec2::ZERO, first, first + chord / 3.0, chord];
             plane_cubic_length(&raised.map(|p| p.to_array()))
         }
-        [a, b] if (b - a).is_finite() => Point::length(b - a),
+        [a, b] => Point::length(b - a),
         _ => to_3d(points).arc_length(tolerance),
     }
 }
-
-/// Differences of coordinates up to this value do not overflow.
-const FAR: f64 = 1e300;
 
 /// The segment as a 3D curve; all lengths except those of the fast paths are computed in 3D.
 fn to_3d(points: &[DVec2]) -> Curve<DVec3> {

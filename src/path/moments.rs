@@ -12,13 +12,11 @@ impl Path {
     /// opposite direction is subtracted. Exact up to rounding, also far from the origin; infinite if the value
     /// overflows f64. The empty path has area 0.
     pub fn area(&self) -> f64 {
-        let unit = self.max_abs();
         let areas = self.parts().flat_map(|part| {
             let start = part.points[0]; // relative to the start, the closing line sweeps no area
-            part.segments()
-                .map(move |points| area_about(points, start, unit))
+            part.segments().map(move |points| area_about(points, start))
         });
-        areas.fold(0.0, |sum, area| sum + area) * unit * unit
+        areas.fold(0.0, |sum, area| sum + area)
     }
 
     /// The integrals of 1, x, y, x², xy and y² over the inside, counted as in [`area`](Self::area).

@@ -19,13 +19,13 @@ impl Spline<DVec2> {
 impl<P: Point> Spline<P> {
     /// [`area`](Spline::area) of the projection along z.
     pub(crate) fn area_xy(&self) -> f64 {
-        let (start, unit) = (self.points[0], self.max_abs());
+        let start = self.points[0];
         let mut area: f64 = (0..self.segment_count())
-            .map(|k| area_about(self.curve(k).control_points(), start, unit))
+            .map(|k| area_about(self.curve(k).control_points(), start))
             .sum();
         if !self.closed {
-            area += triangle_area(start, self.points[self.points.len() - 1], unit);
+            area += triangle_area(start, self.points[self.points.len() - 1]);
         }
-        area * unit * unit
+        area
     }
 }

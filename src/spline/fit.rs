@@ -7,8 +7,8 @@ use super::polyline::SampledPolyline;
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
 use crate::geometry::error::Error;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use std::f64::consts::PI;
 
 /// The default of the corner angle: 36°.
@@ -84,7 +84,7 @@ fn check_corner_angle(angle: f64) -> Result<(), Error> {
 /// The input points, translated to the origin and scaled to a size of about 1.
 struct CurveFitter<'a, P: Point> {
     input: &'a [P],
-    scale: f64,
+    normalized: Normalized<P>,
     polyline: SampledPolyline<P>,
     /// Scaled as the points.
     tolerance: f64,
@@ -93,12 +93,12 @@ struct CurveFitter<'a, P: Point> {
 
 impl<'a, P: Point> CurveFitter<'a, P> {
     fn new(input: &'a [P], tolerance: f64, corner_angle: f64, closed: bool) -> Self {
-        let scale = scale_of(input);
-        let polyline = SampledPolyline::new(scaled(input, scale), closed);
-        let tolerance = tolerance * scale;
+        let normalized = Normalized::around(input[0], input);
+        let polyline = SampledPolyline::new(normalized.points(input), closed);
+        let tolerance = tolerance * normalized.scale;
         Self {
             input,
-            scale,
+            normalized,
             tolerance,
             corners: corners(&polyline, tolerance, corner_angle),
             polyline,
@@ -128,19 +128,13 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             },
         };
         let cubics = samples.cover_all(&tangents, &stops);
-        assemble(
-            self.input,
-            self.scale,
-            &cubics,
-            self.polyline.is_closed(),
-            |k| {
-                if joints[k] == points[k] {
-                    self.input[k]
-                } else {
-                    joints[k] / self.scale + self.input[0]
-                }
-            },
-        )
+        assemble(&self.normalized, &cubics, self.polyline.is_closed(), |k| {
+            if joints[k] == points[k] {
+                self.input[k]
+            } else {
+                self.normalized.back(joints[k])
+            }
+        })
     }
 
     /// The smoothed positions and the tangents on both sides of each point.
@@ -208,33 +202,16 @@ struct SmoothedPoint<P> {
 /// The part of the tolerance that is reserved for rounding.
 pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
 
-/// Approximately the inverse of the largest distance from the first point: a power of two with a finite inverse.
-pub(crate) fn scale_of<P: Point>(points: &[P]) -> f64 {
-    let half = points[0] * 0.5;
-    let reach = points
-        .iter()
-        .fold(0.0, |m: f64, &p| m.max((p * 0.5 - half).max_abs()));
-    unit_scale(reach)
-}
-
-/// The points translated so that the first one is the origin, and scaled.
-pub(crate) fn scaled<P: Point>(points: &[P], scale: f64) -> Vec<P> {
-    let origin = points[0] * scale;
-    points.iter().map(|&p| p * scale - origin).collect()
-}
-
 /// The spline of fitted cubics, scaled back, with the given joints.
 pub(crate) fn assemble<P: Point>(
-    input: &[P],
-    scale: f64,
+    normalized: &Normalized<P>,
     cubics: &[(usize, [P; 2])],
     closed: bool,
     joint: impl Fn(usize) -> P,
 ) -> Spline<P> {
-    let back = |p: P| p / scale + input[0];
     let mut points = vec![joint(0)];
     for &(to, [p1, p2]) in cubics {
-        points.extend([back(p1), back(p2), joint(to)]);
+        points.extend([normalized.back(p1), normalized.back(p2), joint(to)]);
     }
     if closed {
         points.pop();

@@ -2,10 +2,11 @@
 
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
-use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
+use super::fit::{ROUNDING_SHARE, assemble};
 use crate::curve::flatten::VertexLimit;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::work_limit::WorkLimit;
@@ -52,15 +53,15 @@ impl<P: Point> Spline<P> {
         if kept.len() < 2 {
             return Ok(self.clone());
         }
-        let scale = scale_of(&kept);
-        let points = scaled(&kept, scale);
+        let normalized = Normalized::around(kept[0], &kept);
+        let points: Vec<P> = normalized.points(&kept);
         let fit_samples = FitSamples {
             lengths: chord_lengths(&points),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
             joints: points.clone(),
             points,
             criteria: FitCriteria {
-                tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * scale,
+                tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * normalized.scale,
                 between: true,
             },
         };
@@ -68,7 +69,7 @@ impl<P: Point> Spline<P> {
         if plain && cubics.len() >= self.segment_count() {
             return Ok(self.clone());
         }
-        Ok(assemble(&kept, scale, &cubics, self.closed, |k| kept[k]))
+        Ok(assemble(&normalized, &cubics, self.closed, |k| kept[k]))
     }
 
     /// The distinct vertices of a polyline, the tangents before and after each vertex, and the indices of corners and

@@ -101,7 +101,7 @@ impl<'a> Distance<'a> {
     ) -> (Option<SurfacePoint>, bool) {
         let wholes = (0..).zip(self.near).map(|(index, &k)| {
             let patch = &self.patches[k];
-            let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
+            let off = |q: &DVec3| (*q - self.p) / self.size;
             let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
             let planes = (0..3).flat_map(axis).collect();
             PolynomialPiece::whole(index, patch.columns, patch.rows(), planes)
@@ -185,9 +185,9 @@ pub(crate) fn squared_distance(
     scaling: &Scaling,
     p: DVec3,
 ) -> PolynomialPiece {
-    let away = scaling.centre * 0.5 - p * 0.5;
-    let unit = (0.5 * scaling.size).max(Point::length(away));
-    let (share, toward) = (0.5 * scaling.size / unit, away / unit * 2.0);
+    let away = scaling.centre - p;
+    let unit = scaling.size.max(Point::length(away));
+    let (share, toward) = (scaling.size / unit, away / unit * 2.0);
     let (m, n) = (image.degree_u(), image.degree_v());
     let weights: Vec<f64> = (0..image.points.len())
         .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))

@@ -68,7 +68,7 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
 fn scaling_along(axis: usize, control: Bounds<DVec3>) -> Scaling {
     let scaling = Scaling::around(control);
     let [min, max, center] = [control.min, control.max, scaling.centre].map(|p| p.coordinate(axis));
-    let size = (max * 0.5 - min * 0.5).max(center.abs() * ROUNDING_SHARE);
+    let size = (0.5 * (max - min)).max(center.abs() * ROUNDING_SHARE);
     // Below the lower limit the reciprocal is not finite.
     Scaling {
         size: size.max(f64::MIN_POSITIVE * 8.0).min(scaling.size),

@@ -5,21 +5,13 @@ use super::scaling::{Scaling, box_of};
 use super::topology::{EdgeUse, PatchEdge};
 use crate::bernstein::polynomials::bernstein_into;
 use crate::numeric::float::{as_f64, ratio};
+use crate::numeric::gauss::GAUSS_8;
 use crate::parallel::map_patches;
 use crate::patch::Patch;
 use crate::patch::net::differences_u;
 use glam::DVec3;
 
-/// Nodes and weights of Gauss–Legendre quadrature with 8 points on [−1, 1], which is exact to degree 15; the other four
-/// nodes are their mirror images. Source: Abramowitz and Stegun, *Handbook of Mathematical Functions*, table 25.4.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
-    [0.525_532_409_916_329, 0.313_706_645_877_887_3],
-    [0.796_666_477_413_626_7, 0.222_381_034_453_374_5],
-    [0.960_289_856_497_536_3, 0.101_228_536_290_376_3],
-];
-
-/// The largest degree that one interval of the quadrature has to integrate; the rule is exact to 15.
+/// The largest degree that one interval of the quadrature has to integrate; the 8-point rule is exact to 15.
 const DEGREES_PER_INTERVAL: usize = 12;
 
 /// A rectangle of parameters.
@@ -77,8 +69,8 @@ struct Node {
 /// The nodes of the quadrature in an interval.
 fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    (0..2 * GAUSS.len()).map(move |k| {
-        let [x, weight] = GAUSS[k / 2];
+    (0..2 * GAUSS_8.nodes.len()).map(move |k| {
+        let (x, weight) = (GAUSS_8.nodes[k / 2], GAUSS_8.weights[k / 2]);
         let t = middle + if k % 2 == 0 { half * x } else { -half * x };
         let bernstein = |count: usize| {
             let mut weights = vec![0.0; count];

@@ -11,7 +11,6 @@ use super::network::Surface;
 use super::piece::PolynomialPiece;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
-use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -79,12 +78,11 @@ impl Surface {
 /// The nearest point; `None` without patches.
 fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let scaling = Scaling::around(box_of(patches)?);
-    // An upper bound on the distance of the nearest point: the smallest distance of the first corner of a patch
-    // (halved, as in `gap`).
-    let corner = |patch: &Patch| Point::length(patch.points[0] * 0.5 - p * 0.5);
+    // An upper bound on the distance of the nearest point: the smallest distance of the first corner of a patch.
+    let corner = |patch: &Patch| Point::length(patch.points[0] - p);
     let reach = patches.iter().map(corner).fold(f64::INFINITY, f64::min);
     let near: Vec<usize> = (0..patches.len())
-        .filter(|&k| gap(patches[k].control_bounds(), p) <= reach * (1.0 + 8.0 * f64::EPSILON))
+        .filter(|&k| patches[k].control_bounds().distance(p) <= reach * (1.0 + 8.0 * f64::EPSILON))
         .collect();
     let images: Vec<Patch> = near.iter().map(|&k| scaling.image(&patches[k])).collect();
     let wholes: Vec<PolynomialPiece> = (0..)
@@ -104,9 +102,4 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
         candidate = nearer.unwrap_or(candidate);
     }
     Some(distance.refined(&candidate))
-}
-
-/// Half of the distance of a point from a box.
-pub(crate) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
-    Point::length(p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5)
 }

@@ -5,7 +5,6 @@
 //! 1982; of the search by subdivision: Nishita, Sederberg and Kakimoto, "Ray tracing trimmed rational surface patches",
 //! SIGGRAPH 1990.
 
-use super::nearest::gap;
 use super::network::Surface;
 use super::piece::PolynomialPiece;
 use super::scaling::{Scaling, box_of};
@@ -145,7 +144,7 @@ fn hits_of(
             && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
     let reach = NEAR * scaling.size;
-    if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {
+    if !zeros.complete && patch.control_bounds().distance(origin) <= reach {
         let origin_on_patch = patch.nearest_within(origin, reach);
         hits.extend(
             origin_on_patch

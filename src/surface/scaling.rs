@@ -20,10 +20,9 @@ pub(crate) struct Scaling {
 impl Scaling {
     /// The scaling that maps a box to one from −1 to 1 along its longest side.
     pub(crate) fn around(bounds: Bounds<DVec3>) -> Self {
-        // The coordinates are halved first, since max − min of ±1e308 would overflow.
-        let half = (bounds.max * 0.5 - bounds.min * 0.5).max_abs();
+        let half = 0.5 * (bounds.max - bounds.min).max_abs();
         Self {
-            centre: bounds.min * 0.5 + bounds.max * 0.5,
+            centre: (bounds.min + bounds.max) * 0.5,
             // Below this size the reciprocal is not finite; a shape of that size counts as a point.
             size: if half < f64::MIN_POSITIVE * 8.0 {
                 1.0
@@ -42,7 +41,7 @@ impl Scaling {
 
     /// A point in scaled coordinates.
     pub(crate) fn local_point(&self, p: DVec3) -> DVec3 {
-        (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
+        (p - self.centre) / self.size
     }
 
     /// A patch in scaled coordinates.

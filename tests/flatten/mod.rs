@@ -15,9 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 #[test]
 fn keeps_the_tolerance_on_all_curves() {
-    on_all(0..support::cases(20_000, 500_000), |i| {
-        Case::new(i).check()
-    });
+    on_all(0..support::cases(20_000, 500_000), |i| Case::new(i).check());
 }
 
 /// The rule is max(fewest + 1, 1.1 · fewest). The fewest chords come from a greedy search along the curve, not from a

@@ -84,12 +84,7 @@ impl<P: Point> Curve<P> {
 /// The differences Pᵢ₊₁ − Pᵢ divided by a unit. The unit is the power of two that makes the largest coordinate 1 to 2;
 /// it is 0 if all points coincide.
 pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
-    // The difference of ±1e308 overflows; that of their halves does not.
-    let part = if max_abs(points) < 1e300 { 1.0 } else { 0.5 };
-    let mut slopes: Points<P> = points
-        .windows(2)
-        .map(|pair| pair[1] * part - pair[0] * part)
-        .collect();
+    let mut slopes: Points<P> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let largest = max_abs(&slopes);
     if largest == 0.0 {
         return (slopes, 0.0);
@@ -98,7 +93,7 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
     for slope in &mut slopes {
         *slope = *slope * scale;
     }
-    (slopes, 1.0 / scale / part)
+    (slopes, 1.0 / scale)
 }
 
 /// 2 ∫ |d (1 − t) + e t| dt over [0, 1]: the length of the quadratic with the differences d and e.

@@ -66,14 +66,10 @@ impl NormalizedPair {
         if gap.max_element() > nearest {
             return None;
         }
-        // Halved, so that no difference overflows; powers of two, so that nothing is rounded.
-        let unit = 0.5 * unit_scale(largest);
-        let origin = a[0] * unit;
-        let spread = ((max * unit - origin).abs())
-            .max((min * unit - origin).abs())
-            .max_element();
-        let scale = 0.5 * unit_scale(spread);
-        let normalized = |p: &DVec2| (*p * unit - origin) * scale;
+        let origin = a[0];
+        let spread = (max - origin).abs().max((min - origin).abs());
+        let scale = 0.5 * unit_scale(spread.max_element());
+        let normalized = |p: &DVec2| (*p - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
         let (a, b): (Points<DVec2>, Points<DVec2>) = (
             a.iter().map(normalized).collect(),
@@ -85,7 +81,7 @@ impl NormalizedPair {
         Some(Self {
             derivative_zeros: [derivative_zeros(&a), derivative_zeros(&b)],
             curves: [a, b],
-            slack: INPUT_ROUNDING * (largest * unit) * scale + STEP_ROUNDING * (1.0 + degree),
+            slack: INPUT_ROUNDING * (largest * scale) + STEP_ROUNDING * (1.0 + degree),
         })
     }
 

@@ -9,8 +9,9 @@ use super::counted_parameter;
 use super::segment_tree::{Bounded, Heap, SegmentTree};
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, ulp, unit_scale};
+use crate::numeric::float::{ratio, ulp};
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -69,19 +70,16 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn distance_to(&self, other: &Self) -> Distance {
         let size = self.max_abs().max(other.max_abs());
-        let scale = unit_scale(size);
-        let start = self.start() * scale;
-        let about = |curve: &Self| curve.points.iter().map(|&p| p * scale - start).collect();
-        let (a, b): (Points<P>, Points<P>) = (about(self), about(other));
+        let normalized = Normalized::new(self.start(), size);
+        let [a, b]: [Points<P>; 2] = [self, other].map(|curve| normalized.points(&curve.points));
         // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let mut search = Search::new(&a, &b, ulps * ulp(size * scale));
+        let mut search = Search::new(&a, &b, ulps * ulp(size * normalized.scale));
         search.find_intersection();
         if search.distance > search.rounding {
             search.run();
         }
         let (t, u) = (search.t, search.u);
-        // Halved, because the difference of ±1e308 would overflow.
         let distance = (self.eval(t) - other.eval(u)).length();
         Distance {
             distance: if distance <= ulps * ulp(size) {

@@ -5,8 +5,9 @@ use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::elevate::elevate_once;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ulp, unit_scale};
+use crate::numeric::float::ulp;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -43,13 +44,10 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn hausdorff(&self, other: &Self) -> f64 {
         let size = self.max_abs().max(other.max_abs());
-        let scale = unit_scale(size);
-        let start = self.start() * scale;
-        let about = |curve: &Self| {
-            let points: Points<P> = curve.points.iter().map(|&p| p * scale - start).collect();
-            as_segment(points, ulp(size * scale))
-        };
-        let (a, b) = (about(self), about(other));
+        let normalized = Normalized::new(self.start(), size);
+        let scale = normalized.scale;
+        let [a, b] = [self, other]
+            .map(|curve| as_segment(normalized.points(&curve.points), ulp(size * scale)));
         let ulps = 2.0 * (a.len() + b.len()) as f64;
         let rounding = ulps * ulp(size * scale);
         let (high, wide) = elevated_alike(&a, &b);

@@ -19,8 +19,8 @@ use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -104,8 +104,8 @@ pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
     }
-    let scale = unit_scale(max_abs(points).max(p.max_abs()));
-    let about: Points<P> = points.iter().map(|&q| q * scale - p * scale).collect();
+    let size = max_abs(points).max(p.max_abs());
+    let about: Points<P> = Normalized::new(p, size).points(points);
     if let [a, b] = *about {
         return (on_segment(a, b), 1);
     }

@@ -101,7 +101,7 @@ impl Tracer<'_> {
             let (points, vertex) = (edges.points(h / 2), origin(edges, h));
             slots[vertex] = None;
             is_untouched &= vertices[vertex].count == 1;
-            let swept = area_about(points, centre, 1.0);
+            let swept = area_about(points, centre);
             area += if h % 2 == 0 { swept } else { -swept };
             length += points
                 .windows(2)

@@ -152,7 +152,7 @@ fn outer_cycles(
     for (e, &c) in component.iter().enumerate() {
         let points = edges.points(e);
         let centre: DVec2 = *centres[c].get_or_insert(points[0]);
-        let area = area_about(points, centre, 1.0);
+        let area = area_about(points, centre);
         for (h, area) in [(2 * e, area), (2 * e + 1, -area)] {
             areas[cycle[h]] += area;
             component_of_cycle[cycle[h]] = c;

@@ -149,7 +149,7 @@ impl Spoke {
             .collect();
         let is_behind = |&t: &f64| self.direction.dot(evaluate(&self.points, t)) < -self.clear;
         let crossings = roots_inside(&across).into_iter().filter(is_behind).count();
-        let area = area_about(&self.points, DVec2::ZERO, 1.0);
+        let area = area_about(&self.points, DVec2::ZERO);
         if crossings.is_multiple_of(2) {
             area
         } else {

@@ -10,8 +10,8 @@ use crate::curve::nearest::nearest_on;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
 use crate::path::Path;
 use crate::spline::offset::{end_tangent, start_tangent};
@@ -174,11 +174,7 @@ fn is_beside_nearest(points: &[DVec2], p: DVec2, radius: f64, clear: f64) -> boo
 
 /// The zeros of (B − p)·B′ inside (0, 1), where p is on the normal of B.
 fn feet(points: &[DVec2], p: DVec2) -> Vec<f64> {
-    let farthest = points
-        .iter()
-        .fold(0.0, |m: f64, &q| m.max((q - p).max_abs()));
-    let scale = unit_scale(farthest);
-    let about: Points<DVec2> = points.iter().map(|&q| (q - p) * scale).collect();
+    let about: Points<DVec2> = Normalized::around(p, points).points(points);
     let steps: Points<DVec2> = about.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let n = points.len() - 1;
     let product = product_of(n, n - 1, |i, j| about[i].dot(steps[j]));

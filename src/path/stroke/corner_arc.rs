@@ -7,9 +7,8 @@
 
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
-use crate::geometry::check::max_abs;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::work_limit::WorkLimit;
 use crate::spline::offset::start_tangent;
 use glam::DVec2;
@@ -113,20 +112,13 @@ pub(super) fn corner_arc(
 
 /// The control points of the curves relative to the corner, scaled to a size of about 1, and the unit.
 fn scaled(sides: &[Vec<Curve<DVec2>>; 2], corner: DVec2) -> ([Vec<Vec<DVec2>>; 2], f64) {
-    let halves = sides.each_ref().map(|side| {
-        let half = |curve: &Curve<DVec2>| -> Vec<DVec2> {
-            let points = curve.control_points();
-            points.iter().map(|&p| p * 0.5 - corner * 0.5).collect()
-        };
-        side.iter().map(half).collect::<Vec<_>>()
-    });
-    let size = halves.iter().flatten().map(|points| max_abs(points));
-    let scale = unit_scale(size.fold(0.0, f64::max));
-    let scaled = halves.map(|mut side| {
-        side.iter_mut().flatten().for_each(|p| *p *= scale);
-        side
-    });
-    (scaled, 2.0 / scale)
+    let curves = sides.iter().flatten().map(Curve::control_points);
+    let normalized = Normalized::around(corner, &curves.collect::<Vec<_>>().concat());
+    let points = |curve: &Curve<DVec2>| normalized.points(curve.control_points());
+    let scaled = sides
+        .each_ref()
+        .map(|side| side.iter().map(points).collect());
+    (scaled, 1.0 / normalized.scale)
 }
 
 /// The point of a list of curves at a parameter.

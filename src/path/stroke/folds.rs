@@ -71,7 +71,7 @@ pub(super) fn push_folds(
 fn is_within(curves: &[Curve<DVec2>], radius: f64) -> bool {
     let boxes = curves.iter().map(Curve::control_bounds);
     let whole = boxes.reduce(|a, b| a.union(b));
-    whole.is_none_or(|whole| (whole.max * 0.5 - whole.min * 0.5).max_element() <= radius)
+    whole.is_none_or(|whole| (whole.max - whole.min).max_element() <= 2.0 * radius)
 }
 
 impl Side<'_> {

@@ -2,8 +2,8 @@
 
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
+use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
 use crate::numeric::zero::regula_falsi;
 use crate::spline::offset::{end_tangent, start_tangent};
@@ -76,16 +76,6 @@ fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64
     t
 }
 
-/// The control points relative to the first one.
-fn relative(curve: &Curve<DVec2>) -> impl Iterator<Item = DVec2> {
-    curve.control_points().iter().map(|&p| p - curve.start())
-}
-
-/// The largest coordinate of the relative control points.
-fn size(curve: &Curve<DVec2>) -> f64 {
-    relative(curve).fold(0.0, |m: f64, p| m.max(p.max_abs()))
-}
-
 /// One side of a curve.
 pub(super) struct Side<'a> {
     pub(super) curve: &'a Curve<DVec2>,
@@ -97,12 +87,13 @@ pub(super) struct Side<'a> {
 
 impl<'a> Side<'a> {
     pub(super) fn new(curve: &'a Curve<DVec2>, distance: f64) -> Self {
-        let scale = unit_scale(size(curve));
+        let points = curve.control_points();
+        let normalized = Normalized::around(curve.start(), points);
         Self {
             curve,
             distance,
-            points: relative(curve).map(|p| p * scale).collect(),
-            scale,
+            points: normalized.points(points),
+            scale: normalized.scale,
         }
     }
 

@@ -141,7 +141,7 @@ pub(crate) fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
 
 /// The direction from a point to the first of other points that is not negligibly close to it.
 fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
-    let step = |p: &DVec2| *p * 0.5 - from * 0.5;
+    let step = |p: &DVec2| *p - from;
     let far = others
         .clone()
         .map(|p| Point::max_abs(step(p)))
