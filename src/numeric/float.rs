@@ -35,3 +35,14 @@ pub(crate) fn unit_scale(x: f64) -> f64 {
     let exponent = (x.abs().to_bits() >> 52).clamp(1, 2045);
     f64::from_bits((2046 - exponent) << 52)
 }
+
+/// The whole part of t, at most `last` and at least 0, and the rest; NaN gives 0 and NaN.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "not negative, and clamped"
+)]
+pub(crate) fn whole_and_rest(t: f64, last: usize) -> (usize, f64) {
+    let k = (t.floor().max(0.0) as usize).min(last);
+    (k, t - k as f64)
+}

@@ -2,12 +2,14 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
-use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
+use crate::curve::arc_length::inverse::check_length;
 use crate::curve::arc_length::plane_cubic::plane_cubic_length;
+use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 use glam::{DVec2, DVec3};
 
 impl Path {
@@ -53,13 +55,14 @@ impl Path {
         if self.is_empty() {
             return Ok(None);
         }
-        let index = ArcLengthIndex::new(self);
-        if s > 0.0 && s >= index.whole() {
-            return Ok(Some(index.end()));
-        }
-        let (k, rest) = index.segment_at(s);
-        let t = ArcLengthInverse::new(&index.curve(k), tolerance).time(rest);
-        Ok(Some(index.path_time(k, t)))
+        let index = SegmentIndex::new(self);
+        let mut lengths = index.lengths();
+        Ok(Some(index.path_time(lengths.position(
+            s,
+            0.0,
+            tolerance,
+            |k| index.curve(k),
+        ))))
     }
 
     /// `segments` + 1 positions that divide the path into parts of equal length; an empty list for the empty path.
@@ -74,26 +77,12 @@ impl Path {
         if self.is_empty() {
             return Ok(Vec::new());
         }
-        let index = ArcLengthIndex::new(self);
-        let mut times = Vec::with_capacity(segments + 1);
-        let mut table: Option<(usize, ArcLengthInverse)> = None;
-        for i in 0..segments {
-            let part = i as f64 / segments as f64;
-            let (k, rest) = index.segment_of(part);
-            let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
-                Some(table) => table,
-                None => (k, ArcLengthInverse::new(&index.curve(k), None)),
-            };
-            let t = if index.whole() > 0.0 {
-                curve.time(rest)
-            } else {
-                rest
-            };
-            times.push(index.path_time(k, t));
-            table = Some((k, curve));
-        }
-        times.push(index.end());
-        Ok(times)
+        let index = SegmentIndex::new(self);
+        let positions = index.lengths().even_positions(segments, |k| index.curve(k));
+        Ok(positions
+            .into_iter()
+            .map(|at| index.path_time(at))
+            .collect())
     }
 }
 
@@ -120,74 +109,34 @@ fn to_3d(points: &[DVec2]) -> Curve<DVec3> {
     Curve::from_points(points.iter().map(|p| p.to_3d()).collect())
 }
 
-/// The cumulative arc lengths of the segments of a nonempty path.
-struct ArcLengthIndex<'a> {
-    /// The subpath, the segment's index in it, and the control points.
-    segments: Vec<(usize, usize, &'a [DVec2])>,
-    /// The arc length from the start of the path to the start of each segment, and the total.
-    starts: Vec<f64>,
-}
+/// The segments of a path: the subpath of each, its index on it, and its control points.
+struct SegmentIndex<'a>(Vec<(usize, usize, &'a [DVec2])>);
 
-impl<'a> ArcLengthIndex<'a> {
+impl<'a> SegmentIndex<'a> {
     fn new(path: &'a Path) -> Self {
         let parts = path.parts().enumerate();
-        let segments: Vec<_> = parts
-            .flat_map(|(subpath, part)| {
-                let numbered = part.segments().enumerate();
-                numbered.map(move |(k, points)| (subpath, k, points))
-            })
-            .collect();
-        let mut starts = vec![0.0];
-        let mut whole = 0.0;
-        for (_, _, points) in &segments {
-            whole += segment_length(points, f64::INFINITY);
-            starts.push(whole);
-        }
-        Self { segments, starts }
+        let segments = parts.flat_map(|(subpath, part)| {
+            let numbered = part.segments().enumerate();
+            numbered.map(move |(k, points)| (subpath, k, points))
+        });
+        Self(segments.collect())
     }
 
-    fn whole(&self) -> f64 {
-        self.starts[self.segments.len()]
-    }
-
-    /// The segment that contains the arc length s, and the rest of s on it; past the end the rest exceeds the segment.
-    fn segment_at(&self, s: f64) -> (usize, f64) {
-        if s <= 0.0 {
-            return (0, 0.0);
-        }
-        let last = self.segments.len() - 1;
-        let k = self.starts[1..=last].partition_point(|&end| end <= s);
-        (k, s - self.starts[k])
-    }
-
-    /// [`segment_at`](Self::segment_at) for a ratio of the total length; if that is 0, for a ratio of the parameter
-    /// range.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "below the number of segments"
-    )]
-    #[allow(clippy::cast_sign_loss, reason = "not negative")]
-    fn segment_of(&self, part: f64) -> (usize, f64) {
-        if self.whole() > 0.0 {
-            return self.segment_at(part * self.whole());
-        }
-        let t = part * self.segments.len() as f64;
-        ((t as usize).min(self.segments.len() - 1), t.fract())
+    fn lengths(&self) -> SegmentLengths {
+        let length =
+            |&(_, _, points): &(usize, usize, &[DVec2])| segment_length(points, f64::INFINITY);
+        SegmentLengths::new(self.0.iter().map(length))
     }
 
     fn curve(&self, k: usize) -> Curve<DVec3> {
-        to_3d(self.segments[k].2)
+        to_3d(self.0[k].2)
     }
 
-    fn end(&self) -> PathTime {
-        self.path_time(self.segments.len() - 1, 1.0)
-    }
-
-    fn path_time(&self, k: usize, t: f64) -> PathTime {
-        let (subpath, before, _) = self.segments[k];
+    fn path_time(&self, (k, t): (usize, f64)) -> PathTime {
+        let (subpath, before, _) = self.0[k];
         PathTime {
             subpath,
-            t: before as f64 + t,
+            t: as_f64(before) + t,
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Arc length of a spline, and parameters at given arc lengths.
 
 use super::Spline;
-use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
+use crate::curve::arc_length::inverse::check_length;
+use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 
 impl<P: Point> Spline<P> {
     /// The arc length of the spline: the sum over its segments.
@@ -40,16 +42,9 @@ impl<P: Point> Spline<P> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        let ends = self.cumulative_lengths();
-        if s <= 0.0 {
-            return Ok(0.0);
-        }
-        let count = self.segment_count();
-        let k = ends[1..].partition_point(|&end| end <= s);
-        if k == count {
-            return Ok(count as f64);
-        }
-        Ok(k as f64 + ArcLengthInverse::new(&self.curve(k), tolerance).time(s - ends[k]))
+        let mut lengths = self.segment_lengths();
+        let (k, t) = lengths.position(s, 0.0, tolerance, |k| self.curve(k));
+        Ok(as_f64(k) + t)
     }
 
     /// `segments` + 1 values of t that divide the spline into arcs of equal length; the first is 0, the last is the
@@ -62,30 +57,14 @@ impl<P: Point> Spline<P> {
     /// As [`Curve::equidistant_times`](crate::Curve::equidistant_times).
     pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
-        let (ends, count) = (self.cumulative_lengths(), self.segment_count());
-        let whole = ends[count];
-        let mut ts = vec![0.0; segments + 1];
-        let mut table: Option<(usize, ArcLengthInverse)> = None;
-        let mut k = 0;
-        for i in 1..segments {
-            let part = i as f64 / segments as f64;
-            if whole == 0.0 {
-                ts[i] = part * count as f64;
-                continue;
-            }
-            let s = part * whole;
-            while k + 1 < count && ends[k + 1] <= s {
-                k += 1;
-            }
-            let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
-                Some(table) => table,
-                None => (k, ArcLengthInverse::new(&self.curve(k), None)),
-            };
-            ts[i] = ts[i - 1].max(k as f64 + curve.time(s - ends[k]));
-            table = Some((k, curve));
-        }
-        ts[segments] = count as f64;
-        Ok(ts)
+        let lengths = self.segment_lengths();
+        let positions = lengths.even_positions(segments, |k| self.curve(k));
+        let mut before = 0.0_f64;
+        let monotone = positions.into_iter().map(|(k, t)| {
+            before = before.max(as_f64(k) + t);
+            before
+        });
+        Ok(monotone.collect())
     }
 
     /// The arc length from the start to the end of each segment: 0, then one number per segment; the last is the total.
@@ -109,12 +88,10 @@ impl<P: Point> Spline<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn cumulative_lengths(&self) -> Vec<f64> {
-        let mut whole = 0.0;
-        let mut ends = vec![0.0];
-        for k in 0..self.segment_count() {
-            whole += self.curve(k).arc_length(f64::INFINITY);
-            ends.push(whole);
-        }
-        ends
+        self.segment_lengths().ends().to_vec()
+    }
+
+    pub(crate) fn segment_lengths(&self) -> SegmentLengths {
+        SegmentLengths::new(self.segments().map(|curve| curve.arc_length(f64::INFINITY)))
     }
 }

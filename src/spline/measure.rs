@@ -8,6 +8,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::whole_and_rest;
 use glam::DVec2;
 
 impl<P: Point> Spline<P> {
@@ -20,14 +21,7 @@ impl<P: Point> Spline<P> {
 
     /// The segment that contains t and the local parameter on it; the end belongs to the last segment.
     pub(crate) fn locate(&self, t: f64) -> (usize, f64) {
-        let last = self.segment_count() - 1;
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "floored, clamped to the segments; NaN becomes 0"
-        )]
-        #[allow(clippy::cast_sign_loss, reason = "clamped at 0")]
-        let k = (t.floor().max(0.0) as usize).min(last);
-        (k, t - k as f64)
+        whole_and_rest(t, self.segment_count() - 1)
     }
 
     /// Points at even steps of t, `per_curve` steps per segment, both ends included.

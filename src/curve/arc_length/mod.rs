@@ -3,5 +3,6 @@
 pub(crate) mod integral;
 pub(crate) mod inverse;
 pub(crate) mod length;
+pub(crate) mod segments;
 
 pub(crate) use casteljau_kernels::curve::arc_length::{plane_cubic, speed};

@@ -1,8 +1,8 @@
 //! Dashes: the pieces of a path along a pattern of lengths.
 
-use crate::curve::Curve;
-use crate::curve::arc_length::inverse::ArcLengthInverse;
+use crate::curve::arc_length::segments::SegmentLengths;
 use crate::geometry::error::Error;
+use crate::numeric::float::as_f64;
 use crate::path::Path;
 use crate::spline::Spline;
 use glam::DVec2;
@@ -117,8 +117,8 @@ impl Pattern {
         spline: &Spline<DVec2>,
         count: &mut usize,
     ) -> Result<Vec<Dash>, Error> {
-        let lengths = spline.cumulative_lengths();
-        let whole = lengths[spline.segment_count()];
+        let lengths = spline.segment_lengths();
+        let whole = lengths.whole();
         let needed = (whole / self.period).ceil() * (self.ends.len() / 2) as f64 + *count as f64;
         if needed.is_nan() || needed > MAX_PIECES as f64 {
             return Err(Error::too_many("dashes", MAX_PIECES, MAX_PIECES + 1));
@@ -135,7 +135,7 @@ impl Pattern {
         }
         let intervals = self.intervals(whole);
         *count += intervals.len();
-        Ok(Cutter::new(spline, lengths).cut(&intervals))
+        Ok(Cutter { spline, lengths }.cut(&intervals))
     }
 
     /// The arc lengths at which the dashes start and end, for a subpath of a given length.
@@ -163,23 +163,12 @@ impl Pattern {
 /// Cuts a spline at arc lengths.
 struct Cutter<'a> {
     spline: &'a Spline<DVec2>,
-    /// The arc length at the start of each segment, and the whole length.
-    lengths: Vec<f64>,
-    /// The last segment that was cut.
-    inverse: Option<(usize, ArcLengthInverse)>,
+    lengths: SegmentLengths,
 }
 
-impl<'a> Cutter<'a> {
-    fn new(spline: &'a Spline<DVec2>, lengths: Vec<f64>) -> Self {
-        Self {
-            spline,
-            lengths,
-            inverse: None,
-        }
-    }
-
+impl Cutter<'_> {
     fn cut(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
-        let whole = self.lengths[self.spline.segment_count()];
+        let whole = self.lengths.whole();
         let mut dashes: Vec<Dash> = Vec::with_capacity(intervals.len());
         let around = match intervals {
             _ if !self.spline.is_closed() => false,
@@ -221,26 +210,10 @@ impl<'a> Cutter<'a> {
 
     /// The parameter at an arc length.
     fn time(&mut self, s: f64) -> f64 {
-        let count = self.spline.segment_count();
-        let near = AT_JOINT * self.lengths[count];
-        let k = self.lengths[1..].partition_point(|&end| end <= s + near);
-        if k == count {
-            return count as f64;
-        }
-        if s <= self.lengths[k] + near {
-            return k as f64;
-        }
-        let (_, inverse) = match self.inverse.take().filter(|&(of, _)| of == k) {
-            Some(found) => found,
-            None => (k, ArcLengthInverse::new(&self.segment(k), None)),
-        };
-        let t = k as f64 + inverse.time(s - self.lengths[k]);
-        self.inverse = Some((k, inverse));
-        t
-    }
-
-    fn segment(&self, k: usize) -> Curve<DVec2> {
-        self.spline.curve(k)
+        let near = AT_JOINT * self.lengths.whole();
+        let curve = |k| self.spline.curve(k);
+        let (k, t) = self.lengths.position(s, near, None, curve);
+        as_f64(k) + t
     }
 }
 
