@@ -20,14 +20,14 @@ fn main() -> Result<(), Error> {
     ]
     .map(DVec3::from);
     let path = Spline::interpolate(&stops, Interpolation::Natural, false)?;
-    let length = path.length(None)?;
+    let length = path.length();
     println!("{length:.3} long, through {} points", stops.len());
 
     // The easing function maps the ratio of time to the ratio of arc length, so that the motion starts and ends slowly.
     let gently = Easing::new(0.42, 0.0, 0.58, 1.0)?;
     let times = (0..=STEPS)
-        .map(|k| path.time_at_length(length * gently.eval(k as f64 / STEPS as f64), None))
-        .collect::<Result<Vec<f64>, Error>>()?;
+        .map(|k| path.time_at_length(length * gently.eval(k as f64 / STEPS as f64)))
+        .collect::<Vec<f64>>();
     for frame in path.frames_at(&times, Some(DVec3::Z))? {
         println!(
             "at {:6.3}  toward {:6.3}  up {:6.3}",

@@ -3,7 +3,7 @@
 //!     cargo run --example outline > outline.svg
 
 use casteljau::glam::DVec2;
-use casteljau::path::FillRule;
+use casteljau::path::{FillRule, SvgOptions};
 use casteljau::spline::OffsetJoin;
 use casteljau::{Curve, Path, Spline};
 use std::error::Error;
@@ -29,15 +29,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let inside = letter.contains(middle, FillRule::NonZero);
 
     println!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 230 250\">");
-    let bold = Path::new(&bold).to_svg(Some(2), None)?;
+    let bold = Path::new(&bold).to_svg_with(&SvgOptions::new().precision(2))?;
     println!("<path d=\"{bold}\" fill=\"#cde\"/>");
     println!(
         "<path d=\"{}\" fill=\"#246\"/>",
-        letter.to_svg(Some(2), None)?
+        letter.to_svg_with(&SvgOptions::new().precision(2))?
     );
     println!(
         "<path d=\"{}\" stroke=\"#c40\"/>",
-        line.to_svg(Some(2), None)?
+        line.to_svg_with(&SvgOptions::new().precision(2))?
     );
     for cut in &cuts {
         println!(
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     eprintln!(
         "area {:.1}, length {:.1}, {} cuts, the middle of the line is {}",
         letter.area(),
-        letter.length(None)?,
+        letter.length(),
         cuts.len(),
         if inside { "inside" } else { "outside" }
     );

@@ -63,7 +63,7 @@ fn main() -> Result<(), Error> {
     .map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
     let spline = Spline::new(&points, 3, false)?;
     let mut curve = PathData::default();
-    spline.trace(&mut curve, None)?;
+    spline.trace(&mut curve);
     let chords = spline.flatten(1.0)?;
     println!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 670 480" fill="none">"#);
     println!(r##"<path d="{}" stroke="#D55E00"/>"##, polyline(&points));

@@ -77,17 +77,14 @@ impl TryFrom<&Curve<DVec2>> for PathSeg {
     /// # Errors
     /// [`Error::Range`] for a degree above 3, which kurbo does not support.
     fn try_from(curve: &Curve<DVec2>) -> Result<Self, Error> {
-        match *curve.control_points() {
-            [p0, p1] => Ok(Line::new(to_kurbo(p0), to_kurbo(p1)).into()),
-            [p0, p1, p2] => Ok(QuadBez::new(to_kurbo(p0), to_kurbo(p1), to_kurbo(p2)).into()),
-            [p0, p1, p2, p3] => {
-                let [p0, p1, p2, p3] = [p0, p1, p2, p3].map(to_kurbo);
-                Ok(CubicBez::new(p0, p1, p2, p3).into())
-            }
-            ref points => Err(Error::Range {
+        match curve.degree() {
+            1 => Line::try_from(curve).map(Self::from),
+            2 => QuadBez::try_from(curve).map(Self::from),
+            3 => CubicBez::try_from(curve).map(Self::from),
+            degree => Err(Error::Range {
                 what: "degree",
                 expected: "1 to 3",
-                got: (points.len() - 1) as f64,
+                got: degree as f64,
             }),
         }
     }
@@ -108,12 +105,12 @@ impl TryFrom<&BezPath> for Path {
                 PathEl::LineTo(p) => builder.line_to(from_kurbo(p)),
                 PathEl::QuadTo(p1, p) => builder.quad_to(from_kurbo(p1), from_kurbo(p)),
                 PathEl::CurveTo(p1, p2, p) => {
-                    builder.cubic_to(from_kurbo(p1), from_kurbo(p2), from_kurbo(p));
+                    builder.cubic_to(from_kurbo(p1), from_kurbo(p2), from_kurbo(p))
                 }
                 PathEl::ClosePath => builder.close(),
-            }
+            };
         }
-        builder.build()
+        Ok(builder.build()?)
     }
 }
 
@@ -138,35 +135,69 @@ impl PathSink for BezPathSink {
     }
 }
 
-/// Collects the commands of `trace`, which cannot fail without a tolerance.
-fn bez_path(trace: impl FnOnce(&mut BezPathSink) -> Result<(), Error>) -> BezPath {
-    let mut sink = BezPathSink(BezPath::new());
-    let result = trace(&mut sink);
-    debug_assert!(result.is_ok(), "tracing without a tolerance");
-    sink.0
+/// Implements the conversion to a `BezPath`, by value and by reference.
+macro_rules! to_bez_path {
+    ($($type:ty),+) => {$(
+        impl From<&$type> for BezPath {
+            /// Converts all commands. A degree above 3 is approximated by cubics, as by `trace`.
+            fn from(shape: &$type) -> Self {
+                let mut sink = BezPathSink(Self::new());
+                shape.trace(&mut sink);
+                sink.0
+            }
+        }
+
+        impl From<$type> for BezPath {
+            /// Converts all commands. A degree above 3 is approximated by cubics, as by `trace`.
+            fn from(shape: $type) -> Self {
+                Self::from(&shape)
+            }
+        }
+    )+};
 }
 
-impl From<&Curve<DVec2>> for BezPath {
-    /// Converts a curve to an open subpath. A degree above 3 is approximated by cubics, as by [`Curve::trace`] without
-    /// a tolerance.
-    fn from(curve: &Curve<DVec2>) -> Self {
-        bez_path(|sink| curve.trace(sink, None))
+to_bez_path!(Curve<DVec2>, Spline<DVec2>, Path);
+
+impl TryFrom<BezPath> for Path {
+    type Error = Error;
+
+    /// Converts a path with all its subpaths. A `MoveTo` without a segment is omitted, as by [`PathBuilder`].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(path: BezPath) -> Result<Self, Error> {
+        Self::try_from(&path)
     }
 }
 
-impl From<&Spline<DVec2>> for BezPath {
-    /// Converts a spline to a subpath. A degree above 3 is approximated by cubics, as by [`Spline::trace`] without a
-    /// tolerance.
-    fn from(spline: &Spline<DVec2>) -> Self {
-        bez_path(|sink| spline.trace(sink, None))
-    }
+/// Implements the conversion of a curve to a curve of kurbo of one degree.
+macro_rules! to_segment {
+    ($($type:ident($($p:ident),+), $degree:literal;)+) => {$(
+        impl TryFrom<&Curve<DVec2>> for $type {
+            type Error = Error;
+
+            /// Converts a curve of this degree.
+            ///
+            /// # Errors
+            /// [`Error::Range`] for another degree.
+            fn try_from(curve: &Curve<DVec2>) -> Result<Self, Error> {
+                match *curve.control_points() {
+                    [$($p),+] => Ok(Self::new($(to_kurbo($p)),+)),
+                    ref points => Err(Error::Range {
+                        what: "degree",
+                        expected: $degree,
+                        got: (points.len() - 1) as f64,
+                    }),
+                }
+            }
+        }
+    )+};
 }
 
-impl From<&Path> for BezPath {
-    /// Converts a path. A degree above 3 is approximated by cubics, as by [`Path::trace`] without a tolerance.
-    fn from(path: &Path) -> Self {
-        bez_path(|sink| path.trace(sink, None))
-    }
+to_segment! {
+    Line(p0, p1), "1";
+    QuadBez(p0, p1, p2), "2";
+    CubicBez(p0, p1, p2, p3), "3";
 }
 
 impl Path {

@@ -83,12 +83,12 @@ pub use geometry::check::MAX_COORDINATE;
 pub use geometry::error::{Error, MAX_DEGREE};
 pub use geometry::point::{CrossProduct, Point};
 pub use glam;
-pub use mesh::{Grid, GridMethod, Indices, Mesh};
+pub use mesh::{Grid, GridMethod, Indices, Mesh, TessellationOptions};
 pub use models::TeapotOptions;
 #[cfg(feature = "count-work")]
 pub use numeric::work_limit::take_steps;
 pub use patch::Patch;
-pub use path::Path;
+pub use path::{FillRule, Path, PathBuilder, PathTime, StrokeOptions};
 pub use spline::Spline;
 pub use surface::Surface;
 

@@ -120,7 +120,7 @@ fn ring(random: &mut Random, centre: DVec2, count: usize, wave: f64) -> Path {
 fn bez_path(path: &Path) -> BezPath {
     let point = |p: DVec2| kurbo::Point::new(p.x, p.y);
     let mut copy = BezPath::new();
-    for element in path.elements(None).expect("no tolerance") {
+    for element in path.elements() {
         match element {
             PathElement::MoveTo(p) => copy.move_to(point(p)),
             PathElement::LineTo(p) => copy.line_to(point(p)),
@@ -134,7 +134,7 @@ fn bez_path(path: &Path) -> BezPath {
 
 fn shape(path: &Path) -> FloatCurveShape<[f64; 2]> {
     let mut builder = CurveBuilder::new();
-    for element in path.elements(None).expect("no tolerance") {
+    for element in path.elements() {
         let built = match element {
             PathElement::MoveTo(p) => builder.move_to(p.to_array()),
             PathElement::LineTo(p) => builder.line_to(p.to_array()),

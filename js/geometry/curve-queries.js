@@ -105,16 +105,28 @@ export function extrema(flat, dimension) {
  * @returns {Float64Array}
  */
 export function timesAtCoordinate(flat, dimension, where) {
-  const values = /** @type {Record<string, unknown>} */ (object(where, "where"));
+  const [axis, value] = requestedCoordinate(where, dimension);
+  writeArguments(flat);
+  return readResult(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
+}
+
+/**
+ * The index and the value of the coordinate that a query names.
+ *
+ * @internal
+ * @param {unknown} where
+ * @param {number} dimension
+ * @returns {[number, number]}
+ */
+export function requestedCoordinate(where, dimension) {
+  const values = /** @type {Record<string, unknown>} */ (object(/** @type {object} */ (where), "where"));
   const axes = AXES.slice(0, dimension);
   const given = AXES.filter((name) => values[name] !== undefined);
   const axis = axes.indexOf(given[0]);
   if (axis < 0 || given.length > 1) {
     throw new TypeError(`where: expected exactly one of ${axes.join(", ")}, got ${describe(where)}`);
   }
-  const value = finite(values[axes[axis]], axes[axis]);
-  writeArguments(flat);
-  return readResult(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
+  return [axis, finite(values[axes[axis]], axes[axis])];
 }
 
 /**

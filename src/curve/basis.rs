@@ -153,15 +153,10 @@ impl<P: Point> Curve<P> {
     /// A curve of a lower degree is elevated first.
     ///
     /// # Errors
-    /// [`Error::Count`] for a degree above 3, [`Error::Range`] for a matrix without an inverse (its four points do
+    /// [`Error::Count`] for a degree above 3, [`Error::Singular`] for a matrix without an inverse (its four points do
     /// not determine a cubic), [`Error::NotFinite`] for a NaN or an infinity in it.
     pub fn to_basis(&self, basis: Basis) -> Result<[P; 4], Error> {
-        let singular = Error::Range {
-            what: "basis",
-            expected: "a matrix with an inverse, its determinant",
-            got: 0.0,
-        };
-        let inverse = invert(&basis.to_bezier()?).ok_or(singular)?;
+        let inverse = invert(&basis.to_bezier()?).ok_or(Error::Singular { what: "basis" })?;
         Ok(apply(&inverse, self.as_cubic()?))
     }
 

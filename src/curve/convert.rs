@@ -62,6 +62,18 @@ impl<P: Point, const N: usize> TryFrom<[P; N]> for Curve<P> {
     }
 }
 
+impl Mul<Curve<DVec2>> for DAffine2 {
+    type Output = Curve<DVec2>;
+
+    /// The image of the curve; same as [`Curve::transform`].
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
+    fn mul(self, curve: Curve<DVec2>) -> Curve<DVec2> {
+        self * &curve
+    }
+}
+
 impl Mul<&Curve<DVec2>> for DAffine2 {
     type Output = Curve<DVec2>;
 

@@ -23,7 +23,7 @@ pub(crate) mod intersect;
 pub(crate) mod moments;
 pub(crate) mod nearest;
 mod reduce;
-mod split;
+pub(crate) mod split;
 mod straight;
 pub(crate) mod subdivide;
 mod torsion;
@@ -35,6 +35,7 @@ pub(crate) use casteljau_kernels::curve::sample_plane_cubic;
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;
+pub use arc_length::point_at_length::PointAtLength;
 pub use basis::Basis;
 pub use classify::CurveKind;
 pub use flatten::Polyline;

@@ -5,6 +5,7 @@ use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
 use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of_cubic;
+use std::ops::{Bound, RangeBounds};
 
 impl<P: Point> Curve<P> {
     /// All levels of de Casteljau's triangle at t: the control points first, the point of the curve last.
@@ -74,13 +75,31 @@ impl<P: Point> Curve<P> {
         self.split(0.5)
     }
 
-    /// The segment from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives the reversed segment.
+    /// The segment in a range of parameters from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives the reversed
+    /// segment.
     ///
-    /// Its end points are B(t₀) and B(t₁). For t₀ = t₁ it is a point.
+    /// Its end points are B(t₀) and B(t₁). For t₀ = t₁ it is a point. A range without a start begins at 0, one without
+    /// an end ends at 1.
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let line = Curve::line(DVec2::ZERO, DVec2::new(4.0, 0.0));
+    /// assert_eq!(line.subsegment(0.25..0.5).end(), DVec2::new(2.0, 0.0));
+    /// assert_eq!(line.subsegment(0.25..).start(), DVec2::new(1.0, 0.0));
+    /// assert_eq!(line.subsegment(1.0..0.0), line.reverse());
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
     #[must_use]
-    pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
+    pub fn subsegment(&self, range: impl RangeBounds<f64>) -> Self {
+        let [t0, t1] = ends_of(&range, 1.0);
+        self.part(t0, t1)
+    }
+
+    /// [`subsegment`](Self::subsegment) from t₀ to t₁.
+    pub(crate) fn part(&self, t0: f64, t1: f64) -> Self {
         if t0 > t1 {
-            return self.subsegment(t1, t0).reverse();
+            return self.part(t1, t0).reverse();
         }
         let mut piece = self.points.clone();
         keep_between(&mut piece, t0, t1);
@@ -95,4 +114,16 @@ impl<P: Point> Curve<P> {
             piece.clamped()
         }
     }
+}
+
+/// The ends of a range of parameters, by default 0 and `end`.
+pub(crate) fn ends_of(range: &impl RangeBounds<f64>, end: f64) -> [f64; 2] {
+    let given = |bound: Bound<&f64>, default: f64| match bound {
+        Bound::Included(&t) | Bound::Excluded(&t) => t,
+        Bound::Unbounded => default,
+    };
+    [
+        given(range.start_bound(), 0.0),
+        given(range.end_bound(), end),
+    ]
 }

@@ -2,6 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::polynomials::binomials;
+use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -25,26 +26,26 @@ impl Curve<DVec2> {
     /// Sends the curve to `sink`, beginning with a `move_to` its start.
     ///
     /// Degrees 1 to 3 are sent unchanged. Higher degrees become cubics with the same end tangents, whose distance from
-    /// the curve is at most `tolerance` (by default 10⁻⁴ of the diagonal of the control points' box).
+    /// the curve is at most 10⁻⁴ of the diagonal of the control points' box.
+    pub fn trace(&self, sink: &mut impl PathSink) {
+        sink.move_to(self.start());
+        self.trace_on(sink, None);
+    }
+
+    /// [`trace`](Self::trace) with the largest distance of cubics from a curve above degree 3, in the unit of the
+    /// points.
     ///
     /// # Errors
     /// Same as [`flatten`](Self::flatten) for the tolerance.
-    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
-        self.check_trace(tolerance)?;
+    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
         sink.move_to(self.start());
-        self.trace_on(sink, tolerance);
+        self.trace_on(sink, Some(tolerance));
         Ok(())
     }
 }
 
 impl<P: Point> Curve<P> {
-    /// Returns an error for an invalid tolerance.
-    pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
-        tolerance.map_or(Ok(()), |tolerance| {
-            crate::geometry::check::check_tolerance(tolerance, self.max_abs())
-        })
-    }
-
     /// Continues from the current point with the projection of the curve along z.
     pub(crate) fn trace_on(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         match *self.points {

@@ -84,6 +84,16 @@ impl fmt::Display for EasingError {
 
 impl std::error::Error for EasingError {}
 
+impl From<EasingError> for Error {
+    fn from(error: EasingError) -> Self {
+        Self::Syntax {
+            what: "easing",
+            unit: "offset",
+            at: error.offset,
+        }
+    }
+}
+
 impl Kind {
     /// For checked handles.
     fn cubic(handles: [f64; 4]) -> Self {

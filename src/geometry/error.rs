@@ -104,6 +104,29 @@ pub enum Error {
         /// The distance between the two ends.
         got: f64,
     },
+    /// A closed spline where an open one is required.
+    ClosedSpline {
+        /// The operation.
+        what: &'static str,
+    },
+    /// A spline without joints: a single open segment.
+    NoJoint,
+    /// The joint mode G2 for a spline in space; the formulas are for the plane.
+    NotPlane,
+    /// A matrix without an inverse.
+    Singular {
+        /// The argument.
+        what: &'static str,
+    },
+    /// A text that cannot be parsed. Errors of parsers convert to it by `?`; they also have the text that they found.
+    Syntax {
+        /// The text.
+        what: &'static str,
+        /// The words "offset" or "line".
+        unit: &'static str,
+        /// The offset of the error in bytes, or its line, from 1.
+        at: usize,
+    },
 }
 
 /// A part of a message. The caller that displays the message formats the numbers.
@@ -187,6 +210,11 @@ impl Error {
             Self::Vertex { patch, .. } => item("patches", patch),
             Self::Tolerance { .. } => [Text("tolerance"), NONE, NONE, NONE],
             Self::Gap { index, .. } => item("curves", index),
+            Self::ClosedSpline { what } | Self::Singular { what } | Self::Syntax { what, .. } => {
+                [Text(what), NONE, NONE, NONE]
+            }
+            Self::NoJoint => [Text("joint"), NONE, NONE, NONE],
+            Self::NotPlane => [Text("mode"), NONE, NONE, NONE],
         }
     }
 
@@ -208,6 +236,13 @@ impl Error {
             Self::TooSmall { min, .. } => minimum(min, " (f32 shows nothing smaller here)"),
             Self::TooMany { limit, .. } => [Text("at most "), Number(limit as f64), NONE, NONE],
             Self::Gap { .. } => text("to start where the curve before it ends"),
+            Self::ClosedSpline { .. } => text("an open spline, which has an end"),
+            Self::NoJoint => text("a spline with a joint"),
+            Self::NotPlane => text("a plane spline for G2"),
+            Self::Singular { .. } => text("a matrix with an inverse"),
+            Self::Syntax { unit, at, .. } => {
+                [Text("another text at "), Text(unit), Text(" "), count(at)]
+            }
         }
     }
 
@@ -224,6 +259,11 @@ impl Error {
             | Self::TooSmall { got, .. } => (", got ", Number(got)),
             Self::TooMany { needed, .. } => (", this needs ", Number(needed as f64)),
             Self::Gap { got, .. } => (", got a gap of ", Number(got)),
+            Self::ClosedSpline { .. } => (", got a closed one", NONE),
+            Self::NoJoint => (", got a single open segment", NONE),
+            Self::NotPlane => (", got one in space", NONE),
+            Self::Singular { .. } => (", got a singular one", NONE),
+            Self::Syntax { .. } => ("", NONE),
         }
     }
 }

@@ -8,6 +8,6 @@ mod surface_text;
 pub(crate) mod svg_error;
 pub(crate) mod svg_number;
 mod svg_read;
-mod svg_write;
+pub(crate) mod svg_write;
 pub(crate) mod text_reader;
 pub(crate) mod text_write;

@@ -1,5 +1,6 @@
 //! Errors of the SVG path data parser.
 
+use crate::geometry::error::Error;
 use crate::path::Path;
 use std::fmt;
 
@@ -10,8 +11,7 @@ use std::fmt;
 ///
 /// let error = Path::from_svg("M 10,10 L 20,20,30").unwrap_err();
 /// assert_eq!(error.to_string(), "d: expected a number at offset 18, got the end of the text");
-/// assert_eq!(error.path.to_svg(None, None)?, "M10,10 L20,20");
-/// # Ok::<(), casteljau::Error>(())
+/// assert_eq!(error.path.to_svg(), "M10,10 L20,20");
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SvgError {
@@ -38,3 +38,13 @@ impl fmt::Display for SvgError {
 }
 
 impl std::error::Error for SvgError {}
+
+impl From<SvgError> for Error {
+    fn from(error: SvgError) -> Self {
+        Self::Syntax {
+            what: "d",
+            unit: "offset",
+            at: error.offset,
+        }
+    }
+}

@@ -44,7 +44,7 @@ impl Path {
     }
 
     /// Parses a path as [`from_svg`](Self::from_svg), with cubics within `arc_tolerance` of the arcs, in the unit of the
-    /// path; see [`PathBuilder::set_arc_tolerance`].
+    /// path; see [`PathBuilder::arc_tolerance`].
     ///
     /// # Errors
     /// [`SvgError`] for a text as [`from_svg`](Self::from_svg), and at offset 0 for a tolerance that is not above 0.
@@ -68,7 +68,7 @@ impl Path {
             });
         }
         let mut builder = PathBuilder::new();
-        builder.set_arc_tolerance(arc_tolerance);
+        builder.arc_tolerance(arc_tolerance);
         read_path(d, builder)
     }
 }

@@ -3,6 +3,7 @@
 use super::text_write::written_number;
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
+use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::spline::Spline;
@@ -13,21 +14,75 @@ const MAX_DIGITS: u8 = 100;
 /// From this value on, numbers have no digits after the decimal point, and JavaScript writes them with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
 
+/// Options of SVG path data.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct SvgOptions {
+    /// The number of digits after the decimal point (100 at most; ties are rounded away from zero). With it the text has
+    /// the shortest absolute form, "M0 0 1 .5Z", without optional blanks and letters, and with H and V where possible.
+    pub precision: Option<u8>,
+    /// The largest distance of the cubics that replace segments above degree 3; by default 10⁻⁴ of the diagonal of their
+    /// control-point box.
+    pub tolerance: Option<f64>,
+}
+
+impl SvgOptions {
+    /// The default options.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the number of digits after the decimal point.
+    #[must_use]
+    pub fn precision(mut self, digits: u8) -> Self {
+        self.precision = Some(digits);
+        self
+    }
+
+    /// Sets the largest distance of the cubics that replace segments above degree 3.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = Some(tolerance);
+        self
+    }
+}
+
 impl Path {
     /// The path as the `d` attribute of an SVG `<path>`.
     ///
-    /// Without a `precision`: absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip,
-    /// so [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). With a `precision`: that many
-    /// digits after the decimal point (100 at most; ties are rounded away from zero) and the shortest absolute form,
-    /// "M0 0 1 .5Z", without optional blanks and letters, and with H and V where possible.
+    /// Absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so
+    /// [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). Higher degrees are approximated by
+    /// cubics (see [`Curve::trace`]). The last line of a closed subpath is represented by its `Z`. The empty path gives
+    /// the empty text.
     ///
-    /// Higher degrees are approximated by cubics within `tolerance` (see [`Curve::trace`]). The last line of a closed
-    /// subpath is represented by its `Z`. The empty path gives the empty text.
+    /// ```
+    /// use casteljau::{Path, path::SvgOptions};
+    ///
+    /// let path = Path::from_svg("m0 0 2 0 0 1.25z").expect("path data");
+    /// assert_eq!(path.to_svg(), "M0,0 L2,0 L2,1.25 Z");
+    /// assert_eq!(path.to_svg_with(&SvgOptions::new().precision(1))?, "M0 0H2V1.3Z");
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn to_svg(&self) -> String {
+        self.written(&SvgOptions::default())
+    }
+
+    /// [`to_svg`](Self::to_svg) with options.
     ///
     /// # Errors
-    /// As [`Curve::trace`] for the tolerance.
-    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
-        self.check_trace(tolerance)?;
+    /// As [`Curve::trace_within`] for the tolerance.
+    pub fn to_svg_with(&self, options: &SvgOptions) -> Result<String, Error> {
+        if let Some(tolerance) = options.tolerance {
+            check_tolerance(tolerance, self.max_abs())?;
+        }
+        Ok(self.written(options))
+    }
+
+    fn written(&self, options: &SvgOptions) -> String {
+        let SvgOptions {
+            precision,
+            tolerance,
+        } = *options;
         let mut writer = Writer::new(precision);
         for part in self.parts() {
             writer.move_to(part.points[0]);
@@ -44,27 +99,37 @@ impl Path {
                 writer.close_subpath(closing && last > 0);
             }
         }
-        Ok(writer.text)
+        writer.text
     }
 }
 
 impl Curve<DVec2> {
     /// The curve as SVG path data; see [`Path::to_svg`].
+    pub fn to_svg(&self) -> String {
+        Path::from(self.clone()).to_svg()
+    }
+
+    /// [`to_svg`](Self::to_svg) with options.
     ///
     /// # Errors
-    /// As [`trace`](Self::trace).
-    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
-        Path::from(self.clone()).to_svg(precision, tolerance)
+    /// As [`trace_within`](Self::trace_within).
+    pub fn to_svg_with(&self, options: &SvgOptions) -> Result<String, Error> {
+        Path::from(self.clone()).to_svg_with(options)
     }
 }
 
 impl Spline<DVec2> {
     /// The spline as SVG path data; see [`Path::to_svg`].
+    pub fn to_svg(&self) -> String {
+        Path::new(std::slice::from_ref(self)).to_svg()
+    }
+
+    /// [`to_svg`](Self::to_svg) with options.
     ///
     /// # Errors
-    /// As [`trace`](Self::trace).
-    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
-        Path::new(std::slice::from_ref(self)).to_svg(precision, tolerance)
+    /// As [`trace_within`](Self::trace_within).
+    pub fn to_svg_with(&self, options: &SvgOptions) -> Result<String, Error> {
+        Path::new(std::slice::from_ref(self)).to_svg_with(options)
     }
 }
 

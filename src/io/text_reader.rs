@@ -1,5 +1,6 @@
 //! Reading text by rows, and parse errors.
 
+use crate::geometry::error::Error;
 use std::fmt;
 
 /// A parse error: its line, the expected and the actual text.
@@ -32,6 +33,16 @@ impl fmt::Display for ParseError {
 }
 
 impl std::error::Error for ParseError {}
+
+impl From<ParseError> for Error {
+    fn from(error: ParseError) -> Self {
+        Self::Syntax {
+            what: "text",
+            unit: "line",
+            at: error.line,
+        }
+    }
+}
 
 /// The maximum number of characters of a word that a message shows.
 const SHOWN_CHARACTERS: usize = 40;

@@ -1,9 +1,10 @@
 //! Conversion of curves, splines and text to paths, and multiplication of affine maps by paths.
 
-use super::Path;
+use super::{Path, Subpaths};
 use crate::curve::Curve;
 use crate::geometry::check::expect_image;
 use crate::io::svg_error::SvgError;
+use crate::io::svg_write::SvgOptions;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
 use std::fmt;
@@ -33,15 +34,21 @@ impl FromIterator<Spline<DVec2>> for Path {
     }
 }
 
+impl<'a> IntoIterator for &'a Path {
+    type Item = Spline<DVec2>;
+    type IntoIter = Subpaths<'a>;
+
+    /// The subpaths, as [`Path::subpaths`].
+    fn into_iter(self) -> Self::IntoIter {
+        self.subpaths()
+    }
+}
+
 impl Extend<Spline<DVec2>> for Path {
     /// Adds subpaths.
     fn extend<I: IntoIterator<Item = Spline<DVec2>>>(&mut self, splines: I) {
         for spline in splines {
-            self.push(
-                spline.control_points(),
-                &spline.degrees(),
-                spline.is_closed(),
-            );
+            self.push_spline(&spline);
         }
     }
 }
@@ -59,10 +66,22 @@ impl fmt::Display for Path {
     /// Writes SVG path data, as [`Path::to_svg`] without options; the precision of the format (`{:.2}`) is the number
     /// of digits after the decimal point.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = f
-            .precision()
-            .map(|digits| digits.try_into().unwrap_or(u8::MAX));
-        f.write_str(&self.to_svg(digits, None).map_err(|_| fmt::Error)?)
+        let mut options = SvgOptions::new();
+        let digits = f.precision();
+        options.precision = digits.map(|digits| digits.try_into().unwrap_or(u8::MAX));
+        f.write_str(&self.to_svg_with(&options).map_err(|_| fmt::Error)?)
+    }
+}
+
+impl Mul<Path> for DAffine2 {
+    type Output = Path;
+
+    /// The image of the path under the map, as [`Path::transform`] computes it.
+    ///
+    /// # Panics
+    /// If the image is not finite, because an operator cannot return an error.
+    fn mul(self, path: Path) -> Path {
+        self * &path
     }
 }
 

@@ -1,8 +1,10 @@
 //! The drawing commands of a path as an iterator.
 
 use super::Path;
+use super::builder::PathBuilder;
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
+use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::numeric::list::List;
 use glam::DVec2;
@@ -55,27 +57,60 @@ impl Path {
 
     /// The drawing commands of the path, the same that [`trace`](Self::trace) sends to a [`PathSink`], as an iterator.
     ///
-    /// Segments above degree 3 are approximated by cubics within `tolerance`; the default is 10⁻⁴ of the diagonal of
-    /// their control-point box. A closing line is a `LineTo` before the `Close`.
+    /// Segments above degree 3 are approximated by cubics within 10⁻⁴ of the diagonal of their control-point box. A closing line is a `LineTo` before the `Close`.
     ///
     /// ```
     /// use casteljau::{Path, glam::DVec2, path::PathElement};
     ///
     /// let path: Path = "M0 0L2 0L2 1".parse().expect("path data");
-    /// let elements: Vec<_> = path.elements(None)?.collect();
+    /// let elements: Vec<_> = path.elements().collect();
     /// assert_eq!(elements[1], PathElement::LineTo(DVec2::new(2.0, 0.0)));
     /// assert_eq!(elements.len(), 3);
+    /// ```
+    pub fn elements(&self) -> impl Iterator<Item = PathElement> + '_ {
+        self.all_elements(None)
+    }
+
+    /// [`elements`](Self::elements) with the largest distance of cubics from segments above degree 3.
+    ///
+    /// # Errors
+    /// As [`Curve::trace_within`].
+    pub fn elements_within(
+        &self,
+        tolerance: f64,
+    ) -> Result<impl Iterator<Item = PathElement> + '_, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.all_elements(Some(tolerance)))
+    }
+
+    /// A path of drawing commands, the opposite of [`elements`](Self::elements); see [`PathBuilder`].
+    ///
+    /// ```
+    /// use casteljau::Path;
+    ///
+    /// let path: Path = "M0 0L2 0L2 1Z".parse().expect("path data");
+    /// assert_eq!(Path::from_elements(path.elements())?, path);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`Curve::trace`].
-    pub fn elements(
-        &self,
-        tolerance: Option<f64>,
-    ) -> Result<impl Iterator<Item = PathElement> + '_, Error> {
-        self.check_trace(tolerance)?;
-        Ok(self.parts().flat_map(move |part| {
+    /// As [`PathBuilder::build`].
+    pub fn from_elements(elements: impl IntoIterator<Item = PathElement>) -> Result<Self, Error> {
+        let mut builder = PathBuilder::new();
+        for element in elements {
+            match element {
+                PathElement::MoveTo(p) => builder.move_to(p),
+                PathElement::LineTo(p) => builder.line_to(p),
+                PathElement::QuadTo(p1, p) => builder.quad_to(p1, p),
+                PathElement::CubicTo(p1, p2, p) => builder.cubic_to(p1, p2, p),
+                PathElement::Close => builder.close(),
+            };
+        }
+        Ok(builder.build()?)
+    }
+
+    fn all_elements(&self, tolerance: Option<f64>) -> impl Iterator<Item = PathElement> + '_ {
+        self.parts().flat_map(move |part| {
             let segments = part.segments().flat_map(move |points| {
                 let mut elements = Elements::default();
                 Curve::from_slice(points).trace_on(&mut elements, tolerance);
@@ -86,6 +121,6 @@ impl Path {
                 .into_iter()
                 .chain(segments)
                 .chain(close)
-        }))
+        })
     }
 }

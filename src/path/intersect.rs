@@ -1,6 +1,6 @@
 //! Intersections and self-intersections of paths.
 
-use super::Path;
+use super::{Path, PathTime};
 use crate::curve::intersect::intersection::IntersectionKind;
 use crate::spline::spline_set::{SplineIntersection, SplineSet};
 use glam::DVec2;
@@ -25,6 +25,18 @@ pub struct PathIntersection {
     pub point: DVec2,
     /// The kind of contact.
     pub kind: IntersectionKind,
+}
+
+impl PathIntersection {
+    /// The position on the first path.
+    pub const fn time(&self) -> PathTime {
+        PathTime::new(self.subpath, self.t)
+    }
+
+    /// The position on the second path.
+    pub const fn other_time(&self) -> PathTime {
+        PathTime::new(self.other_subpath, self.u)
+    }
 }
 
 impl Path {

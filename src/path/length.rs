@@ -2,7 +2,6 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
-use crate::curve::arc_length::inverse::check_length;
 use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
@@ -16,53 +15,56 @@ impl Path {
     /// The sum of the arc lengths of all segments; the gaps between subpaths and the lines that would close open
     /// subpaths do not count.
     ///
-    /// `tolerance` is the maximum error of the sum, in the unit of the points; the default is 10⁻¹² of the length. The
-    /// empty path has length 0. Source: as [`Curve::length`].
+    /// The relative error is at most 10⁻¹². The empty path has length 0. Source: as [`Curve::length`].
+    #[doc(alias = "arclen")]
+    pub fn length(&self) -> f64 {
+        self.arc_length(f64::INFINITY)
+    }
+
+    /// [`length`](Self::length) with a maximum error of the sum, in the unit of the points.
     ///
     /// # Errors
-    /// As [`Curve::length`].
-    pub fn length(&self, tolerance: Option<f64>) -> Result<f64, Error> {
-        let share = match tolerance {
-            Some(tolerance) => {
-                check_tolerance(tolerance, self.max_abs())?;
-                tolerance / self.segment_count().max(1) as f64
-            }
-            None => f64::INFINITY,
-        };
+    /// As [`Curve::length_within`].
+    pub fn length_within(&self, tolerance: f64) -> Result<f64, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.arc_length(tolerance / as_f64(self.segment_count().max(1))))
+    }
+
+    /// The sum of the lengths of the segments, each within `share`.
+    fn arc_length(&self, share: f64) -> f64 {
         let lengths = self
             .segment_points()
             .map(|points| segment_length(points, share));
-        Ok(lengths.fold(0.0, |sum, length| sum + length))
+        lengths.fold(0.0, |sum, length| sum + length)
     }
 
     /// The position at the arc length s from the start of the first subpath; `None` for the empty path.
     ///
     /// If s lies outside 0 to the total length the result is the nearer end. Where a subpath ends and another one
-    /// starts, the result is the start. `tolerance` is the maximum error as a length; the default is 10⁻¹² of the
-    /// length of the segment.
+    /// starts, the result is the start. For NaN, t is NaN. The error, as a length, is at most 10⁻¹² of the length of the
+    /// segment.
+    #[doc(alias = "inv_arclen")]
+    pub fn time_at_length(&self, s: f64) -> Option<PathTime> {
+        self.time_at(s, None)
+    }
+
+    /// [`time_at_length`](Self::time_at_length) with a maximum error, as a length in the unit of the points.
     ///
     /// # Errors
-    /// As [`Curve::time_at_length`].
-    pub fn time_at_length(
-        &self,
-        s: f64,
-        tolerance: Option<f64>,
-    ) -> Result<Option<PathTime>, Error> {
-        check_length(s)?;
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, self.max_abs())?;
-        }
+    /// As [`Curve::length_within`].
+    pub fn time_at_length_within(&self, s: f64, tolerance: f64) -> Result<Option<PathTime>, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.time_at(s, Some(tolerance)))
+    }
+
+    fn time_at(&self, s: f64, tolerance: Option<f64>) -> Option<PathTime> {
         if self.is_empty() {
-            return Ok(None);
+            return None;
         }
         let index = SegmentIndex::new(self);
         let mut lengths = index.lengths();
-        Ok(Some(index.path_time(lengths.position(
-            s,
-            0.0,
-            tolerance,
-            |k| index.curve(k),
-        ))))
+        let curve = |k| index.curve(k);
+        Some(index.path_time(lengths.position(s, 0.0, tolerance, curve)))
     }
 
     /// `segments` + 1 positions that divide the path into parts of equal length; an empty list for the empty path.

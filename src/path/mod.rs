@@ -11,17 +11,20 @@ mod bounds;
 pub(crate) mod builder;
 mod convert;
 mod elements;
+mod evaluate;
 pub(crate) mod intersect;
 mod length;
 mod moments;
 mod nearest;
+mod shapes;
 mod stroke;
 mod trace;
 mod winding;
 
 pub use crate::io::svg_error::SvgError;
+pub use crate::io::svg_write::SvgOptions;
 pub use boolean::{BooleanOperation, Face};
-pub use builder::PathBuilder;
+pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
@@ -31,11 +34,13 @@ pub use winding::FillRule;
 use crate::geometry::check::images;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::whole_and_rest;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
+use std::ops::Range;
 
-/// A position on a path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A position on a path; positions are ordered along the path.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -46,6 +51,13 @@ pub struct PathTime {
     pub subpath: usize,
     /// The parameter on it, from 0 to its number of segments.
     pub t: f64,
+}
+
+impl PathTime {
+    /// The position t on a subpath.
+    pub const fn new(subpath: usize, t: f64) -> Self {
+        Self { subpath, t }
+    }
 }
 
 /// A list of plane splines, open or closed; it may be empty.
@@ -63,8 +75,9 @@ pub struct Path {
     /// The control points of all subpaths, each joint once; a closed subpath ends with its first point again, so that
     /// the points of each segment are contiguous.
     points: Vec<DVec2>,
-    /// The degree of every segment, 1 to 64.
-    degrees: Vec<u8>,
+    /// The index of the last point of every segment; its first point is the last one of the segment before, or the
+    /// first one of its subpath.
+    ends: Vec<usize>,
     subpaths: Vec<Extent>,
 }
 
@@ -72,7 +85,7 @@ pub struct Path {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Extent {
     points: usize,
-    degrees: usize,
+    segments: usize,
     closed: bool,
 }
 
@@ -81,28 +94,76 @@ struct Extent {
 pub(crate) struct Subpath<'a> {
     /// The control points; a closed subpath ends with its first point again.
     pub(crate) points: &'a [DVec2],
-    degrees: &'a [u8],
+    /// The index of the last point of each segment, counted from `first`.
+    ends: &'a [usize],
+    first: usize,
     pub(crate) closed: bool,
 }
+
+/// The subpaths of a path as splines; see [`Path::subpaths`].
+#[derive(Clone, Debug)]
+pub struct Subpaths<'a> {
+    path: &'a Path,
+    rest: Range<usize>,
+}
+
+impl Iterator for Subpaths<'_> {
+    type Item = Spline<DVec2>;
+
+    fn next(&mut self) -> Option<Spline<DVec2>> {
+        self.rest.next().map(|k| spline(self.path.part(k)))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.rest.size_hint()
+    }
+
+    fn nth(&mut self, n: usize) -> Option<Spline<DVec2>> {
+        self.rest.nth(n).map(|k| spline(self.path.part(k)))
+    }
+}
+
+impl DoubleEndedIterator for Subpaths<'_> {
+    fn next_back(&mut self) -> Option<Spline<DVec2>> {
+        self.rest.next_back().map(|k| spline(self.path.part(k)))
+    }
+}
+
+impl ExactSizeIterator for Subpaths<'_> {}
 
 impl<'a> Subpath<'a> {
     /// The control points of each segment.
     pub(crate) fn segments(self) -> impl Iterator<Item = &'a [DVec2]> + Clone {
-        let mut from = 0;
-        self.degrees.iter().map(move |&degree| {
-            let to = from + usize::from(degree);
-            let points = &self.points[from..=to];
-            from = to;
-            points
-        })
+        (0..self.segment_count()).map(move |k| self.segment(k))
+    }
+
+    /// The control points of segment k, which must exist.
+    pub(crate) fn segment(self, k: usize) -> &'a [DVec2] {
+        let from = k.checked_sub(1).map_or(0, |before| self.end(before));
+        &self.points[from..=self.end(k)]
+    }
+
+    /// The index of the last point of segment k.
+    fn end(self, k: usize) -> usize {
+        self.ends[k] - self.first
     }
 
     pub(crate) fn segment_count(self) -> usize {
-        self.degrees.len()
+        self.ends.len()
+    }
+
+    /// The segment that contains t and the local parameter on it; the end belongs to the last segment.
+    fn locate(self, t: f64) -> (usize, f64) {
+        whole_and_rest(t, self.segment_count() - 1)
+    }
+
+    /// The degree of each segment.
+    pub(crate) fn degrees(self) -> impl Iterator<Item = usize> + 'a {
+        self.segments().map(|points| points.len() - 1)
     }
 
     pub(crate) fn ends_with_line(self) -> bool {
-        self.degrees.last() == Some(&1)
+        self.segment(self.segment_count() - 1).len() == 2
     }
 
     /// The first and the last point.
@@ -118,33 +179,48 @@ impl Path {
     pub fn new(splines: &[Spline<DVec2>]) -> Self {
         let mut path = Self::default();
         for spline in splines {
-            let degrees = spline.degrees();
-            path.push(spline.control_points(), &degrees, spline.is_closed());
+            path.push_spline(spline);
         }
         path
     }
 
+    fn push_spline(&mut self, spline: &Spline<DVec2>) {
+        self.push(
+            spline.control_points(),
+            spline.degrees(),
+            spline.is_closed(),
+        );
+    }
+
     /// Appends a subpath given by the parts of a spline.
-    pub(crate) fn push<D: Copy + TryInto<u8>>(
+    pub(crate) fn push(
         &mut self,
         points: &[DVec2],
-        degrees: &[D],
+        degrees: impl IntoIterator<Item = usize>,
         closed: bool,
     ) {
+        self.push_segments(self.points.len(), degrees);
         self.points.extend(points);
         if closed {
             self.points.push(points[0]);
         }
-        let small = |&degree: &D| degree.try_into().unwrap_or(u8::MAX); // at most 64
-        self.degrees.extend(degrees.iter().map(small));
         self.end_subpath(closed);
     }
 
-    /// Ends a subpath: it consists of the points and degrees after those of the last subpath.
+    /// Appends the ends of segments, the first of which starts at the point with index `first`.
+    fn push_segments(&mut self, first: usize, degrees: impl IntoIterator<Item = usize>) {
+        let mut end = first;
+        self.ends.extend(degrees.into_iter().map(|degree| {
+            end += degree;
+            end
+        }));
+    }
+
+    /// Ends a subpath: it consists of the points and segments after those of the last subpath.
     fn end_subpath(&mut self, closed: bool) {
         self.subpaths.push(Extent {
             points: self.points.len(),
-            degrees: self.degrees.len(),
+            segments: self.ends.len(),
             closed,
         });
     }
@@ -156,7 +232,7 @@ impl Path {
 
     /// The total number of segments of all subpaths.
     pub fn segment_count(&self) -> usize {
-        self.degrees.len()
+        self.ends.len()
     }
 
     /// Whether the path has no subpaths.
@@ -170,22 +246,24 @@ impl Path {
     }
 
     /// The subpaths as splines, from the first to the last.
-    pub fn subpaths(
-        &self,
-    ) -> impl ExactSizeIterator<Item = Spline<DVec2>> + DoubleEndedIterator + Clone + '_ {
-        (0..self.subpath_count()).map(|k| spline(self.part(k)))
+    pub fn subpaths(&self) -> Subpaths<'_> {
+        Subpaths {
+            path: self,
+            rest: 0..self.subpath_count(),
+        }
     }
 
     /// Subpath k, which must exist.
     fn part(&self, k: usize) -> Subpath<'_> {
-        let (points, degrees) = match k.checked_sub(1).map(|before| self.subpaths[before]) {
-            Some(before) => (before.points, before.degrees),
+        let (first, segments) = match k.checked_sub(1).map(|before| self.subpaths[before]) {
+            Some(before) => (before.points, before.segments),
             None => (0, 0),
         };
         let end = self.subpaths[k];
         Subpath {
-            points: &self.points[points..end.points],
-            degrees: &self.degrees[degrees..end.degrees],
+            points: &self.points[first..end.points],
+            ends: &self.ends[segments..end.segments],
+            first,
             closed: end.closed,
         }
     }
@@ -198,7 +276,7 @@ impl Path {
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         let near = |(&a, &b): (&DVec2, &DVec2)| a == b || Point::length(a - b) <= tolerance;
         self.subpaths == other.subpaths
-            && self.degrees == other.degrees
+            && self.ends == other.ends
             && self.points.iter().zip(&other.points).all(near)
     }
 
@@ -210,7 +288,7 @@ impl Path {
     pub fn transform(&self, map: &DAffine2) -> Result<Self, Error> {
         Ok(Self {
             points: images(&self.points, map)?,
-            degrees: self.degrees.clone(),
+            ends: self.ends.clone(),
             subpaths: self.subpaths.clone(),
         })
     }
@@ -221,8 +299,12 @@ impl Path {
     pub fn reverse(&self) -> Self {
         let mut path = Self::default();
         for part in self.parts() {
+            let backwards = (0..part.segment_count()).rev();
+            path.push_segments(
+                path.points.len(),
+                backwards.map(|k| part.segment(k).len() - 1),
+            );
             path.points.extend(part.points.iter().rev());
-            path.degrees.extend(part.degrees.iter().rev());
             path.end_subpath(part.closed);
         }
         path
@@ -230,7 +312,7 @@ impl Path {
 }
 
 fn spline(part: Subpath<'_>) -> Spline<DVec2> {
-    let degrees: Vec<usize> = part.degrees.iter().map(|&d| usize::from(d)).collect();
+    let degrees: Vec<usize> = part.degrees().collect();
     let count = part.points.len() - usize::from(part.closed);
     Spline::from_parts(part.points[..count].to_vec(), &degrees, part.closed)
 }

@@ -1,6 +1,6 @@
 //! Nearest point on a path.
 
-use super::Path;
+use super::{Path, PathTime};
 use crate::curve::nearest::{Nearest, nearest_on};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
@@ -25,6 +25,13 @@ pub struct PathPoint {
     pub point: DVec2,
     /// The distance from the query point.
     pub distance: f64,
+}
+
+impl PathPoint {
+    /// The position of the point on the path.
+    pub const fn time(&self) -> PathTime {
+        PathTime::new(self.subpath, self.t)
+    }
 }
 
 /// Squared distances are compared after two roundings each; a box may therefore seem this much too far away.

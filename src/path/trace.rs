@@ -8,11 +8,21 @@ use crate::geometry::error::Error;
 
 impl Path {
     /// Sends the path to `sink`: for each subpath a `move_to`, its segments, and `close` if it is closed.
+    pub fn trace(&self, sink: &mut impl PathSink) {
+        self.trace_all(sink, None);
+    }
+
+    /// [`trace`](Self::trace) with the largest distance of cubics from segments above degree 3.
     ///
     /// # Errors
-    /// As [`Curve::trace`].
-    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
-        self.check_trace(tolerance)?;
+    /// As [`Curve::trace_within`].
+    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        self.trace_all(sink, Some(tolerance));
+        Ok(())
+    }
+
+    fn trace_all(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         for part in self.parts() {
             sink.move_to(part.points[0]);
             for points in part.segments() {
@@ -22,13 +32,5 @@ impl Path {
                 sink.close();
             }
         }
-        Ok(())
-    }
-
-    /// Returns an error for a tolerance that the coordinates cannot resolve.
-    pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
-        tolerance.map_or(Ok(()), |tolerance| {
-            check_tolerance(tolerance, self.max_abs())
-        })
     }
 }

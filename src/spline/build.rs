@@ -55,14 +55,10 @@ impl<P: Point> Spline<P> {
     /// (G1) and has the shape of a quadratic curve; a line is followed by a line.
     ///
     /// # Errors
-    /// [`Error::Range`] for a closed spline, [`Error::NotFinite`] for a NaN or an infinity.
+    /// [`Error::ClosedSpline`], [`Error::NotFinite`] for a NaN or an infinity.
     pub fn append(&self, point: P) -> Result<Self, Error> {
         if self.closed {
-            return Err(Error::Range {
-                what: "closed",
-                expected: "an open spline, which has an end",
-                got: 1.0,
-            });
+            return Err(Error::ClosedSpline { what: "append" });
         }
         check_points("point", &[point])?;
         let last = self.curve(self.segment_count() - 1);
@@ -117,7 +113,7 @@ impl<P: Point> Spline<P> {
     /// removed too; the control points then start at the next joint.
     ///
     /// # Errors
-    /// [`Error::Index`] unless `joint` lies between two segments.
+    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::NoJoint`] for a single open segment.
     pub fn remove(&self, joint: usize) -> Result<Self, Error> {
         self.check_joint(joint)?;
         if self.segment_count() < 2 {

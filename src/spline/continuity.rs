@@ -39,43 +39,55 @@ pub struct Continuity {
 impl<P: Point> Spline<P> {
     /// The continuity at the joint t = `joint`; a closed spline also has a joint 0.
     ///
-    /// `tolerance` (default: 10⁻⁹ of the extent of the two segments) is a distance. Derivatives may differ by it. For
-    /// G1 and G2 it bounds the distance of the tip of the shorter handle from the tangent or the osculating parabola of
-    /// the other side. For handles of length zero the limit tangent is used.
+    /// As [`continuity_within`](Self::continuity_within) with a tolerance of 10⁻⁹ of the extent of the two segments.
     ///
     /// # Errors
-    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::Range`] unless the tolerance is above 0.
-    pub fn continuity(&self, joint: usize, tolerance: Option<f64>) -> Result<Continuity, Error> {
+    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::NoJoint`] for a single open segment.
+    pub fn continuity(&self, joint: usize) -> Result<Continuity, Error> {
         self.check_joint(joint)?;
-        if let Some(got) =
-            tolerance.filter(|&tolerance| !(tolerance > 0.0 && tolerance.is_finite()))
-        {
+        let [left, right] = self.sides(joint);
+        let bounds = left.control_bounds().union(right.control_bounds());
+        let tolerance = DEFAULT_RATIO * bounds.diagonal();
+        Ok(continuity_between(&left, &right, tolerance))
+    }
+
+    /// The continuity at the joint t = `joint` within a tolerance; a closed spline also has a joint 0.
+    ///
+    /// The tolerance is a distance. Derivatives may differ by it. For G1 and G2 it bounds the distance of the tip of the
+    /// shorter handle from the tangent or the osculating parabola of the other side. For handles of length zero the
+    /// limit tangent is used.
+    ///
+    /// # Errors
+    /// As [`continuity`](Self::continuity), and [`Error::Range`] unless the tolerance is above 0.
+    pub fn continuity_within(&self, joint: usize, tolerance: f64) -> Result<Continuity, Error> {
+        self.check_joint(joint)?;
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(Error::Range {
                 what: "tolerance",
                 expected: "a finite number above 0",
-                got,
+                got: tolerance,
             });
         }
+        let [left, right] = self.sides(joint);
+        Ok(continuity_between(&left, &right, tolerance))
+    }
+
+    /// The segments before and after a joint.
+    fn sides(&self, joint: usize) -> [Curve<P>; 2] {
         let before = if joint == 0 {
             self.segment_count() - 1
         } else {
             joint - 1
         };
-        let (left, right) = (self.curve(before), self.curve(joint));
-        let size = left
-            .control_bounds()
-            .union(right.control_bounds())
-            .diagonal();
-        Ok(continuity_between(
-            &left,
-            &right,
-            tolerance.unwrap_or(DEFAULT_RATIO * size),
-        ))
+        [self.curve(before), self.curve(joint)]
     }
 
     /// Returns an error unless `joint` is a joint; the ends of an open spline are not joints.
     pub(crate) fn check_joint(&self, joint: usize) -> Result<(), Error> {
         let (first, last) = (usize::from(!self.closed), self.segment_count() - 1);
+        if first > last {
+            return Err(Error::NoJoint);
+        }
         if joint < first || joint > last {
             return Err(Error::Index {
                 what: "joint",

@@ -20,8 +20,8 @@ impl<P: Point> Spline<P> {
     /// both directions meet). [`continuity`](Self::continuity) reports what holds.
     ///
     /// # Errors
-    /// [`Error::Index`] past the last control point, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`]
-    /// for [`JointMode::G2`] in space.
+    /// [`Error::Index`] past the last control point, [`Error::NotFinite`] for a NaN or an infinity,
+    /// [`Error::NotPlane`] for [`JointMode::G2`] in space.
     pub fn move_point(
         &self,
         index: usize,
@@ -69,7 +69,8 @@ impl<P: Point> Spline<P> {
     /// (for C2 also the control point after that handle). An automatic joint sets both handles.
     ///
     /// # Errors
-    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::Range`] for [`JointMode::G2`] in space.
+    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::NoJoint`] for a single open segment,
+    /// [`Error::NotPlane`] for [`JointMode::G2`] in space.
     pub fn set_joint(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
         if P::DIMENSION == 3 {
             check_plane(mode)?;
@@ -112,9 +113,5 @@ fn check_plane(mode: JointMode) -> Result<(), Error> {
     if mode != JointMode::G2 {
         return Ok(());
     }
-    Err(Error::Range {
-        what: "mode",
-        expected: "a spline of dimension 2 for G2",
-        got: 3.0,
-    })
+    Err(Error::NotPlane)
 }

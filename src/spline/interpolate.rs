@@ -51,7 +51,7 @@ impl<P: Point> Spline<P> {
     /// let points = [(0.0, 0.0), (1.0, 1.0), (3.0, 1.0), (4.0, 0.0)].map(DVec2::from);
     /// let spline = Spline::interpolate(&points, Interpolation::Natural, false)?;
     /// assert_eq!(spline.eval(2.0), points[2]);
-    /// assert!(spline.continuity(1, None)?.c2);
+    /// assert!(spline.continuity(1)?.c2);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     ///

@@ -1,7 +1,6 @@
 //! Arc length of a spline, and parameters at given arc lengths.
 
 use super::Spline;
-use crate::curve::arc_length::inverse::check_length;
 use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
@@ -12,39 +11,48 @@ use crate::numeric::float::as_f64;
 impl<P: Point> Spline<P> {
     /// The arc length of the spline: the sum over its segments.
     ///
-    /// `tolerance` is the maximum error of the sum, in the unit of the points; the default is 10⁻¹² of the length. See
-    /// [`Curve::length`](crate::Curve::length).
+    /// The relative error is at most 10⁻¹². See [`Curve::length`](crate::Curve::length).
+    #[doc(alias = "arclen")]
+    pub fn length(&self) -> f64 {
+        self.arc_length(f64::INFINITY)
+    }
+
+    /// [`length`](Self::length) with a maximum error of the sum, in the unit of the points.
     ///
     /// # Errors
-    /// As [`Curve::length`](crate::Curve::length).
-    pub fn length(&self, tolerance: Option<f64>) -> Result<f64, Error> {
-        let share = match tolerance {
-            Some(tolerance) => {
-                check_tolerance(tolerance, self.max_abs())?;
-                tolerance / self.segment_count() as f64
-            }
-            None => f64::INFINITY,
-        };
-        Ok((0..self.segment_count())
-            .map(|k| self.curve(k).arc_length(share))
-            .sum())
+    /// As [`Curve::length_within`](crate::Curve::length_within).
+    pub fn length_within(&self, tolerance: f64) -> Result<f64, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.arc_length(tolerance / as_f64(self.segment_count())))
+    }
+
+    /// The sum of the lengths of the segments, each within `share`.
+    fn arc_length(&self, share: f64) -> f64 {
+        self.segments().map(|curve| curve.arc_length(share)).sum()
     }
 
     /// The parameter t, from 0 to the number of segments, at the arc length s from the start.
     ///
-    /// If s lies outside 0 to the total length the result is the nearer end; for a spline that is a point it is 0.
-    /// `tolerance` as in [`length`](Self::length).
+    /// If s lies outside 0 to the total length the result is the nearer end; for a spline that is a point it is 0; for
+    /// NaN it is NaN.
+    #[doc(alias = "inv_arclen")]
+    pub fn time_at_length(&self, s: f64) -> f64 {
+        self.time_at(s, None)
+    }
+
+    /// [`time_at_length`](Self::time_at_length) with a maximum error, as a length in the unit of the points.
     ///
     /// # Errors
-    /// As [`Curve::time_at_length`](crate::Curve::time_at_length).
-    pub fn time_at_length(&self, s: f64, tolerance: Option<f64>) -> Result<f64, Error> {
-        check_length(s)?;
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, self.max_abs())?;
-        }
+    /// As [`Curve::length_within`](crate::Curve::length_within).
+    pub fn time_at_length_within(&self, s: f64, tolerance: f64) -> Result<f64, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.time_at(s, Some(tolerance)))
+    }
+
+    fn time_at(&self, s: f64, tolerance: Option<f64>) -> f64 {
         let mut lengths = self.segment_lengths();
         let (k, t) = lengths.position(s, 0.0, tolerance, |k| self.curve(k));
-        Ok(as_f64(k) + t)
+        as_f64(k) + t
     }
 
     /// `segments` + 1 values of t that divide the spline into arcs of equal length; the first is 0, the last is the
@@ -83,8 +91,8 @@ impl<P: Point> Spline<P> {
     /// assert_eq!(ends, [0.0, 5.0, 7.0]);
     /// let k = ends[1..].partition_point(|&end| end <= 6.0);
     /// let segment = spline.segment(k).expect("6 is on the spline");
-    /// let t = segment.time_at_length(6.0 - ends[k], None)?;
-    /// assert_eq!(k as f64 + t, spline.time_at_length(6.0, None)?);
+    /// let t = segment.time_at_length(6.0 - ends[k]);
+    /// assert_eq!(k as f64 + t, spline.time_at_length(6.0));
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn cumulative_lengths(&self) -> Vec<f64> {

@@ -79,13 +79,21 @@ impl<P: Point> Spline<P> {
 
 impl Spline<DVec2> {
     /// Sends the spline to `sink`: one `move_to`, then its segments; a closed spline is closed.
+    pub fn trace(&self, sink: &mut impl PathSink) {
+        self.trace_all(sink, None);
+    }
+
+    /// [`trace`](Self::trace) with the largest distance of cubics from segments above degree 3.
     ///
     /// # Errors
-    /// As [`Curve::trace`](crate::Curve::trace).
-    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, self.max_abs())?;
-        }
+    /// As [`Curve::trace_within`](crate::Curve::trace_within).
+    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        self.trace_all(sink, Some(tolerance));
+        Ok(())
+    }
+
+    fn trace_all(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         sink.move_to(self.points[0]);
         for k in 0..self.segment_count() {
             self.curve(k).trace_on(sink, tolerance);
@@ -93,6 +101,5 @@ impl Spline<DVec2> {
         if self.closed {
             sink.close();
         }
-        Ok(())
     }
 }

@@ -8,6 +8,7 @@ mod bspline;
 mod build;
 mod continuity;
 mod convert;
+mod coordinates;
 mod corners;
 mod cubics;
 mod derivative;
@@ -51,7 +52,7 @@ use crate::geometry::point::Point;
 /// let spline = Spline::new(&points, 3, false)?;
 /// assert_eq!(spline.segment_count(), 2);
 /// assert_eq!(spline.eval(1.0), points[3]);
-/// assert!(spline.continuity(1, None)?.c1);
+/// assert!(spline.continuity(1)?.c1);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,10 @@
 
 use super::Spline;
 use crate::curve::Curve;
+use crate::curve::split::ends_of;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
+use std::ops::RangeBounds;
 
 impl<P: Point> Spline<P> {
     /// The two parts before and after t, as open splines.
@@ -38,15 +41,22 @@ impl<P: Point> Spline<P> {
         )
     }
 
-    /// The part from t₀ to t₁, as an open spline; t₀ > t₁ reverses it.
+    /// The part in a range of parameters from t₀ to t₁, as an open spline; t₀ > t₁ reverses it.
     ///
     /// Its ends are the points of [`eval`](Self::eval) at t₀ and t₁; whole segments between them keep their control
     /// points. With t₀ = t₁ the part is a point. Values outside 0 to the number of segments extrapolate the first and
-    /// the last segment; a part does not cross the start of a closed spline.
+    /// the last segment; a part does not cross the start of a closed spline. A range without a start begins at 0, one
+    /// without an end ends at the number of segments.
     #[must_use]
-    pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
+    pub fn subsegment(&self, range: impl RangeBounds<f64>) -> Self {
+        let [t0, t1] = ends_of(&range, as_f64(self.segment_count()));
+        self.part(t0, t1)
+    }
+
+    /// [`subsegment`](Self::subsegment) from t₀ to t₁.
+    pub(crate) fn part(&self, t0: f64, t1: f64) -> Self {
         if t0 > t1 {
-            return self.subsegment(t1, t0).reverse();
+            return self.part(t1, t0).reverse();
         }
         let (first, from) = self.locate(t0);
         let (mut last, mut to) = self.locate(t1);
@@ -54,15 +64,15 @@ impl<P: Point> Spline<P> {
             (last, to) = (last - 1, 1.0);
         }
         if first == last {
-            return Self::from(self.curve(first).subsegment(from, to));
+            return Self::from(self.curve(first).part(from, to));
         }
         let start = match from {
             0.0 => self.curve(first),
-            _ => self.curve(first).subsegment(from, 1.0),
+            _ => self.curve(first).part(from, 1.0),
         };
         let end = match to {
             1.0 => self.curve(last),
-            _ => self.curve(last).subsegment(0.0, to),
+            _ => self.curve(last).part(0.0, to),
         };
         let between = (first + 1..last).map(|k| self.curve(k));
         Self::from_joined([start].into_iter().chain(between).chain([end]))

@@ -2,8 +2,8 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::optional;
 use super::spline::spline;
+use super::within;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use glam::DVec3;
@@ -36,13 +36,27 @@ fn number(f: impl FnOnce(&mut Arena) -> Result<f64, Error>) -> isize {
 /// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn curve_length(dimension: usize, count: usize, tolerance: f64) -> isize {
-    number(|a| curve(a, dimension, count).length(optional(tolerance)))
+    number(|a| {
+        let curve = curve(a, dimension, count);
+        within(
+            tolerance,
+            || curve.length(),
+            |error| curve.length_within(error),
+        )
+    })
 }
 
 /// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f64) -> isize {
-    number(|a| curve(a, dimension, count).time_at_length(s, optional(tolerance)))
+    number(|a| {
+        let curve = curve(a, dimension, count);
+        within(
+            tolerance,
+            || curve.time_at_length(s),
+            |error| curve.time_at_length_within(s, error),
+        )
+    })
 }
 
 /// Writes `segments` + 1 parameters.
@@ -57,16 +71,26 @@ pub fn curve_equidistant_times(dimension: usize, count: usize, segments: usize) 
 /// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
-    number(|a| spline(a, dimension).0.length(optional(tolerance)))
+    number(|a| {
+        let spline = spline(a, dimension).0;
+        within(
+            tolerance,
+            || spline.length(),
+            |error| spline.length_within(error),
+        )
+    })
 }
 
 /// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize {
     number(|a| {
-        spline(a, dimension)
-            .0
-            .time_at_length(s, optional(tolerance))
+        let spline = spline(a, dimension).0;
+        within(
+            tolerance,
+            || spline.time_at_length(s),
+            |error| spline.time_at_length_within(s, error),
+        )
     })
 }
 

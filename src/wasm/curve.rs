@@ -127,7 +127,7 @@ pub fn curve_split(dimension: usize, count: usize, t: f64) {
 #[wasm_bindgen]
 pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
-        let piece = curve_in_space(a, dimension, count).subsegment(t0, t1);
+        let piece = curve_in_space(a, dimension, count).part(t0, t1);
         write_curves(a, dimension, &[&piece]);
     });
 }

@@ -58,3 +58,12 @@ use by_dimension;
 fn optional(tolerance: f64) -> Option<f64> {
     (tolerance > 0.0).then_some(tolerance)
 }
+
+/// The result with a tolerance, or without one if it is 0.
+fn within<T>(
+    tolerance: f64,
+    plain: impl FnOnce() -> T,
+    with: impl FnOnce(f64) -> Result<T, Error>,
+) -> Result<T, Error> {
+    optional(tolerance).map_or_else(|| Ok(plain()), with)
+}

@@ -3,8 +3,8 @@
 use super::arena;
 use super::arena::Arena;
 use super::intersect::write_intersection;
-use super::optional;
 use super::spline::spline_at;
+use super::{optional, within};
 use crate::curve::Curve;
 use crate::curve::flatten::MAX_VERTICES;
 use crate::curve::intersect::intersection::Intersection;
@@ -37,10 +37,10 @@ pub(super) fn path_at(a: &Arena, start: usize) -> (Path, usize) {
     let mut at = start + 1;
     for _ in 0..a.count(start) {
         let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
-        let degrees = a.small_counts(at + 2, segments);
-        let count = degrees.iter().sum::<u32>() as usize + usize::from(!closed);
+        let degrees: Vec<usize> = (at + 2..at + 2 + segments).map(|k| a.count(k)).collect();
+        let count = degrees.iter().sum::<usize>() + usize::from(!closed);
         at += 2 + segments;
-        path.push(a.points(at, count), &degrees, closed);
+        path.push(a.points(at, count), degrees, closed);
         at += 2 * count;
     }
     (path, at)
@@ -80,7 +80,12 @@ pub fn path_moments() -> usize {
 #[wasm_bindgen]
 pub fn path_length(tolerance: f64) -> isize {
     arena::answer(|a| {
-        let length = path(a).0.length(optional(tolerance))?;
+        let path = path(a).0;
+        let length = within(
+            tolerance,
+            || path.length(),
+            |error| path.length_within(error),
+        )?;
         Ok(a.write_numbers(0, &[length]))
     })
 }
@@ -105,7 +110,12 @@ pub fn path_nearest() -> isize {
 #[wasm_bindgen]
 pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
-        let time = path(a).0.time_at_length(s, optional(tolerance))?;
+        let path = path(a).0;
+        let time = within(
+            tolerance,
+            || path.time_at_length(s),
+            |error| path.time_at_length_within(s, error),
+        )?;
         Ok(write_times(a, time.as_slice()))
     })
 }

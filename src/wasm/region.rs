@@ -37,7 +37,7 @@ fn write_path(a: &mut Arena, at: usize, path: &Path) -> usize {
     for part in path.parts() {
         let closed = usize::from(part.closed);
         at = a.write_counts(at, [part.segment_count(), closed].into_iter());
-        at = a.write_counts(at, part.segments().map(|points| points.len() - 1));
+        at = a.write_counts(at, part.degrees());
         at = a.write(at, &part.points[..part.points.len() - closed]);
     }
     at

@@ -130,7 +130,11 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
-        let c = spline.continuity(joint, optional(tolerance))?;
+        let c = within(
+            tolerance,
+            || spline.continuity(joint),
+            |error| spline.continuity_within(joint, error).map(Ok),
+        )??;
         let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
         let at = a.write_numbers(0, &flags);
         Ok(a.write_numbers(at, &[c.gap, c.angle]))

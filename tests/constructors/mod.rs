@@ -36,7 +36,7 @@ const COUNTS: [usize; 11] = [0, 1, 2, 3, 4, 7, 16, 64, 65, 66, 257];
 const DEGREES: [usize; 9] = [0, 1, 2, 3, 63, 64, 65, usize::MAX / 2, usize::MAX];
 
 /// Adds a segment with an extreme number.
-type Command = fn(&mut PathBuilder, f64);
+type Command = for<'b> fn(&'b mut PathBuilder, f64) -> &'b mut PathBuilder;
 
 fn is_coordinate(x: f64) -> bool {
     x.abs() <= MAX_COORDINATE
@@ -199,7 +199,7 @@ fn lines_quadratics_and_cubics_panic_as_documented() {
 fn paths_from_extreme_arguments() {
     assert!(Path::new(&[]).is_empty());
     assert!(PathBuilder::new().build().is_ok_and(|path| path.is_empty()));
-    let commands: [(bool, Command); 10] = [
+    let commands: [(bool, Command); 15] = [
         (false, |b, x| b.move_to(DVec2::new(x, 0.0))),
         (false, |b, x| b.line_to(DVec2::new(0.0, x))),
         (false, |b, x| b.quad_to(DVec2::new(0.0, x), DVec2::ONE)),
@@ -218,11 +218,18 @@ fn paths_from_extreme_arguments() {
         (false, |b, x| {
             b.arc_to(DVec2::ONE, 0.0, true, true, DVec2::new(x, 1.0))
         }),
+        (false, |b, x| b.polygon(&[DVec2::ONE, DVec2::splat(x)])),
+        (false, |b, x| b.rect(DVec2::new(x, 0.0), DVec2::ONE)),
+        (false, |b, x| {
+            b.ellipse(DVec2::ONE, DVec2::new(1.0, x.abs()), 0.5)
+        }),
+        (false, |b, x| b.ellipse(DVec2::ONE, DVec2::ONE, x)),
+        (false, |b, x| b.circle(DVec2::new(1.0, x), 2.0)),
     ];
     for value in VALUES {
         for (k, (is_refused, command)) in commands.iter().enumerate() {
             let mut builder = PathBuilder::new();
-            builder.set_arc_tolerance(1e-6);
+            builder.arc_tolerance(1e-6);
             command(&mut builder, value);
             builder.close();
             command(&mut builder, value);
@@ -238,7 +245,7 @@ fn paths_from_extreme_arguments() {
             }
         }
         let mut builder = PathBuilder::new();
-        builder.set_arc_tolerance(value);
+        builder.arc_tolerance(value);
         builder.arc_to(DVec2::ONE, 0.0, true, true, DVec2::X);
         assert_eq!(builder.build().is_ok(), value > 0.0);
         let arc = "M0 0A1 2 3 1 0 4 5";

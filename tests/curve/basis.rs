@@ -185,7 +185,7 @@ fn matrices_and_degrees_that_do_not_work_are_refused() {
     let mut twice = Hermite.matrix();
     twice.copy_within(0..4, 4);
     for singular in [[0.0; 16], [1.0; 16], twice] {
-        refused(cubic.to_basis(Matrix(singular)), "Range basis");
+        refused(cubic.to_basis(Matrix(singular)), "Singular basis");
     }
     for bad in [f64::NAN, f64::INFINITY] {
         let mut matrix = Bezier.matrix();

@@ -132,7 +132,7 @@ fn extreme_coordinates_do_not_overflow() {
     fn check<P: Space>(points: &[DVec3], t: f64, u: f64) {
         let curve = curve::<P>(points);
         let ((a, b), (c, d)) = (curve.split(t), curve.halve());
-        let mut pieces = vec![a, b, c, d, curve.subsegment(t, u), curve.reverse()];
+        let mut pieces = vec![a, b, c, d, curve.subsegment(t..u), curve.reverse()];
         pieces.push(curve.derivative());
         pieces.extend(curve.elevate());
         let mut all: Vec<P> = Vec::new();

@@ -37,14 +37,14 @@ fn splits_and_subsegments_are_the_curve() {
             .into_iter()
             .flat_map(|i| [0, 2, 4, 8].map(|k| (EIGHTHS[i], EIGHTHS[k])))
         {
-            let piece = whole.subsegment(t0, t1);
+            let piece = whole.subsegment(t0..t1);
             let ends = (whole.eval(t0), whole.eval(t1));
             assert_eq!((piece.start(), piece.end()), ends);
             assert_is_piece(&piece, points, t0, t1);
         }
-        let back = whole.subsegment(0.25, 0.75).reverse();
-        assert_eq!(whole.subsegment(0.75, 0.25), back);
-        assert_eq!(whole.subsegment(0.0, 1.0), whole);
+        let back = whole.subsegment(0.25..0.75).reverse();
+        assert_eq!(whole.subsegment(0.75..0.25), back);
+        assert_eq!(whole.subsegment(0.0..1.0), whole);
         // Sums and halvings round in the same way as the interpolation at ½.
         assert_eq!(whole.split(0.5), whole.halve());
     }

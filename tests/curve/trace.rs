@@ -39,7 +39,10 @@ impl PathSink for Notes {
 
 fn strokes(curve: &Curve<DVec2>, tolerance: Option<f64>) -> Vec<Stroke> {
     let mut notes = Notes::default();
-    curve.trace(&mut notes, tolerance).expect("drawn");
+    match tolerance {
+        None => curve.trace(&mut notes),
+        Some(tolerance) => curve.trace_within(&mut notes, tolerance).expect("drawn"),
+    }
     notes.0
 }
 
@@ -113,7 +116,7 @@ fn tolerances_are_checked_before_the_first_stroke() {
         (1e-18, "Tolerance"),
     ] {
         let mut notes = Notes::default();
-        refused(curve.trace(&mut notes, Some(bad)), expected);
+        refused(curve.trace_within(&mut notes, bad), expected);
         assert_eq!(notes.0, []);
     }
 }

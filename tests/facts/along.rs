@@ -7,10 +7,10 @@ use casteljau::glam::{DVec2, DVec3};
 
 pub(crate) fn length(fact: &Fact) {
     let points = fact.points("points");
-    let space = fact.curve().length(None).expect("a length");
+    let space = fact.curve().length();
     fact.number(space, &fact.expect);
     if points.iter().all(|p| p.z == 0.0) {
-        let plane = fact.flat().length(None).expect("a length");
+        let plane = fact.flat().length();
         fact.number(plane, &fact.expect);
     }
 }
@@ -18,11 +18,10 @@ pub(crate) fn length(fact: &Fact) {
 /// The arc length s may be the word "length", which stands for the whole length.
 pub(crate) fn inverse_length(fact: &Fact) {
     let plane = fact.flat();
-    for whole in [plane.length(None), fact.curve().length(None)] {
-        let s = fact.input["s"].as_f64().unwrap_or(whole.expect("a length"));
-        fact.number(plane.time_at_length(s, None).expect("a t"), &fact.expect);
-        let space = fact.curve().time_at_length(s, None);
-        fact.number(space.expect("a t"), &fact.expect);
+    for whole in [plane.length(), fact.curve().length()] {
+        let s = fact.input["s"].as_f64().unwrap_or(whole);
+        fact.number(plane.time_at_length(s), &fact.expect);
+        fact.number(fact.curve().time_at_length(s), &fact.expect);
     }
 }
 
@@ -31,7 +30,7 @@ pub(crate) fn area(fact: &Fact) {
     if let Some(outline) = fact.input.get("svg") {
         let path = Path::from_svg(text(outline)).expect("good data");
         fact.number(path.area().abs(), &fact.expect["abs_area"]);
-        let length = path.length(None).expect("no tolerance");
+        let length = path.length();
         fact.number(length, &fact.expect["perimeter"]);
         return;
     }
@@ -43,7 +42,7 @@ pub(crate) fn area(fact: &Fact) {
 /// ∫ B |B′| dt / ∫ |B′| dt, as the mean of points at equal steps along the curve, and as an integral.
 pub(crate) fn length_centroid(fact: &Fact) {
     let plane = fact.flat();
-    let whole = plane.length(None).expect("a length");
+    let whole = plane.length();
     let steps = plane.equidistant_times(2000).expect("steps");
     // The mean over equal steps of arc length, by Simpson's rule.
     let weight = |i: usize| match i {

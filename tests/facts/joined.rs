@@ -6,7 +6,7 @@ use casteljau::{Easing, Spline};
 
 pub(crate) fn continuity(fact: &Fact) {
     let spline = Spline::from_curves(&[fact.named("a"), fact.named("b")], false).expect("joined");
-    let found = spline.continuity(1, None).expect("a joint");
+    let found = spline.continuity(1).expect("a joint");
     let of = |name: &str| fact.expect[name].as_bool();
     let found = [
         ("C0", found.c0),

@@ -61,7 +61,7 @@ fn check(fact: &Value) {
         }
         "subsegment" => {
             let (t0, t1) = (number(&fact.input["t0"]), number(&fact.input["t1"]));
-            fact.all_near(&fact.curve().subsegment(t0, t1), &fact.expect);
+            fact.all_near(&fact.curve().subsegment(t0..t1), &fact.expect);
         }
         "elevate" => fact.all_near(&fact.curve().elevate().expect("degree 2"), &fact.expect),
         "length" => along::length(fact),

@@ -51,7 +51,7 @@ pub(crate) fn path_data(fact: &Fact) {
                 let expected = Path::from_svg(text(answer)).expect("good data");
                 same(fact, &segments(&path.reverse()), &segments(&expected));
             }
-            "length" => fact.number(path.length(None).expect("no tolerance"), answer),
+            "length" => fact.number(path.length(), answer),
             "area" => fact.number(path.area(), answer),
             "bbox" | "bounds" => {
                 let bounds = path.bounds().expect("not empty");

@@ -73,7 +73,7 @@ pub(crate) fn curve<P: Space>(
             3 => ("reduce", value.reduce().curve),
             4 => ("derivative", value.derivative()),
             5 => ("split", value.split(t).1),
-            6 => ("subsegment", value.subsegment(t, 1.0 - t)),
+            6 => ("subsegment", value.subsegment(t..1.0 - t)),
             _ => ("halve", value.halve().0),
         };
         chain.record(name, Curve::new(next.control_points()))?;
@@ -81,8 +81,8 @@ pub(crate) fn curve<P: Space>(
     }
     let tolerance = tolerance_of(value.control_points(), 1e-3);
     ask! { chain, value,
-        eval(t) bounds() length(None) tangent(t) curvature(t) nearest(other.start()) distance_to(&other)
-        hausdorff(&other) flatten(tolerance) extrema(0) cusps() time_at_length(tolerance, None)
+        eval(t) bounds() length() tangent(t) curvature(t) nearest(other.start()) distance_to(&other)
+        hausdorff(&other) flatten(tolerance) extrema(0) cusps() time_at_length(tolerance)
     }
     // The projections along z.
     let [plane, second] = [&value, &other].map(|curve| {
@@ -112,7 +112,7 @@ pub(crate) fn spline<P: Space>(mut value: Spline<P>, map: P::Affine, t: f64, p: 
         let (name, result) = match operation {
             0 | 1 => ("transform", value.transform(&map)),
             2 => ("split", Ok(value.split(t).0)),
-            3 => ("subsegment", Ok(value.subsegment(t, 1.0 - t))),
+            3 => ("subsegment", Ok(value.subsegment(t..1.0 - t))),
             4 => ("insert", value.insert(t)),
             5 => ("remove", value.remove(joint)),
             6 => ("move_point", value.move_point(index, p, |_| mode)),
@@ -129,8 +129,8 @@ pub(crate) fn spline<P: Space>(mut value: Spline<P>, map: P::Affine, t: f64, p: 
     }
     let tolerance = tolerance_of(value.control_points(), 1e-3);
     ask! { chain, value,
-        bounds() length(None) nearest(p) flatten(tolerance) continuity(1, None)
-        time_at_length(tolerance, None)
+        bounds() length() nearest(p) flatten(tolerance) continuity(1)
+        time_at_length(tolerance)
     }
     Ok(())
 }
@@ -157,10 +157,10 @@ pub(crate) fn path(mut value: Path, map: DAffine2, other: Path, width: f64) -> C
     let first = other.segments().next();
     let p = first.map_or(DVec2::ONE, |curve| curve.start());
     ask! { chain, value,
-        bounds() length(None) nearest(p) self_intersections() intersections(&other) winding_number(p)
+        bounds() length() nearest(p) self_intersections() intersections(&other) winding_number(p)
         filled_area(rule)
     }
-    let svg = or(value.to_svg(None, None), String::new());
+    let svg = value.to_svg();
     let finite = !svg.contains("NaN") && !svg.contains("inf");
     holds!(finite, "{:?}: {svg}", chain.names)
 }

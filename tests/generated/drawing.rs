@@ -5,15 +5,18 @@ use crate::geometry::*;
 use crate::recorder::Recorder;
 use crate::shared::*;
 use casteljau::glam::DVec2;
-use casteljau::path::{PathBuilder, PathElement};
+use casteljau::path::{PathBuilder, PathElement, SvgOptions};
 use casteljau::spline::OffsetJoin;
-use casteljau::{Curve, Path, Point, Spline};
+use casteljau::{Curve, Error, Path, Point, Spline};
 use casteljau_generator::Mode;
 
 /// Checks that subpaths of finite numbers are drawn, near the curves.
 pub(crate) fn trace<D: Drawing>(drawing: D, tolerance: Option<f64>) -> Checked {
     let mut pen = Recorder::default();
-    answer!(drawing.trace(&mut pen, tolerance), "tolerance");
+    match tolerance {
+        None => value!(drawing.trace(&mut pen)),
+        Some(tolerance) => answer!(drawing.trace_within(&mut pen, tolerance), "tolerance"),
+    }
     let path: Path = drawing.into();
     ensure!(!pen.is_bad, "numbers that are not finite");
     same(pen.subpaths.len(), path.subpath_count(), "the subpaths")?;
@@ -44,20 +47,24 @@ fn is_drawn(curve: &Curve<DVec2>, drawn: &[Curve<DVec2>], tolerance: f64) -> Che
 
 /// Checks that the output of `elements` is what `trace` draws.
 pub(crate) fn elements(path: Path, tolerance: Option<f64>) -> Checked {
-    let elements = || path.elements(tolerance).map(Iterator::collect::<Vec<_>>);
-    let elements = answer!(elements(), "tolerance");
-    let (mut traced, mut built) = (PathBuilder::new(), PathBuilder::new());
-    path.trace(&mut traced, tolerance)?;
-    for element in elements {
-        match element {
-            PathElement::MoveTo(p) => built.move_to(p),
-            PathElement::LineTo(p) => built.line_to(p),
-            PathElement::QuadTo(p1, p) => built.quad_to(p1, p),
-            PathElement::CubicTo(p1, p2, p) => built.cubic_to(p1, p2, p),
-            PathElement::Close => built.close(),
+    let elements: Vec<PathElement> = match tolerance {
+        None => value!(path.elements().collect()),
+        Some(tolerance) => {
+            let elements = || path.elements_within(tolerance).map(Iterator::collect);
+            answer!(elements(), "tolerance")
         }
+    };
+    let mut traced = PathBuilder::new();
+    match tolerance {
+        None => path.trace(&mut traced),
+        Some(tolerance) => path.trace_within(&mut traced, tolerance)?,
     }
-    same(built.build(), traced.build(), "the commands of trace")
+    let built = Path::from_elements(elements);
+    same(
+        built,
+        traced.build().map_err(Error::from),
+        "the commands of trace",
+    )
 }
 
 /// Checks that the text is read back as the same path, unless it was rounded or curves were approximated.
@@ -66,7 +73,9 @@ pub(crate) fn to_svg<D: Drawing>(
     precision: Option<u8>,
     tolerance: Option<f64>,
 ) -> Checked {
-    let text = answer!(drawing.to_svg(precision, tolerance), "tolerance|precision");
+    let mut options = SvgOptions::new();
+    (options.precision, options.tolerance) = (precision, tolerance);
+    let text = answer!(drawing.to_svg_with(&options), "tolerance|precision");
     let (back, path): (_, Path) = (Path::from_svg(&text)?, drawing.into());
     let exact = precision.is_none() && path.segments().all(|curve| curve.degree() <= 3);
     holds!(!exact || back == path, "another path from {text}")

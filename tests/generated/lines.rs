@@ -181,38 +181,48 @@ pub(crate) fn are_halves<L: Divided>(line: &L, pieces: &(L, L), t: f64) -> Check
 }
 
 pub(crate) fn subsegment<L: Divided>(line: L, t0: f64, t1: f64) -> Checked {
-    let piece = value!(line.subsegment(t0, t1));
+    let piece = value!(line.subsegment(t0..t1));
     line.has_piece(&piece, [t0, t1])
 }
 
 pub(crate) fn length<L: Line>(line: L, tolerance: Option<f64>) -> Checked {
-    let length = answer!(line.length(tolerance), "tolerance");
+    let length = match tolerance {
+        None => value!(line.length()),
+        Some(tolerance) => answer!(line.length_within(tolerance), "tolerance"),
+    };
     let (mut chords, mut polygons, mut sum) = (0.0, 0.0, 0.0);
     for curve in line.curves() {
         chords += curve.start().distance(curve.end());
         polygons += polygon_length(curve.control_points());
-        sum += curve.length(None)?;
+        sum += curve.length();
     }
     let slack = LENGTH_SLACK * polygons + line.slack();
     at_most(chords, length + slack, "the chords are longer")?;
     at_most(length, polygons + slack, "longer than the polygons")?;
     let (left, right) = line.split(0.375 * line.last());
-    let halves = left.length(None)? + right.length(None)?;
+    let halves = left.length() + right.length();
     near(length, halves, 4.0 * slack, "the sum of the pieces")?;
     near(length, sum, slack, "the sum of the segments")
 }
 
 /// Checks that a length lies between the start and t.
 fn lies_before<L: Line>(line: &L, t: f64, s: f64, tolerance: f64) -> Checked {
-    let whole = line.length(None)?;
+    let whole = line.length();
     // A parameter is an f64: where the speed is large, the arc length jumps from one parameter to the next.
     let step = 4.0 * f64::EPSILON * t * line.derivative_at(t, 1).length();
     let slack = LENGTH_SLACK * whole + 4.0 * line.slack() + tolerance + step;
-    near(line.split(t).0.length(None)?, s.clamp(0.0, whole), slack, t)
+    near(line.split(t).0.length(), s.clamp(0.0, whole), slack, t)
 }
 
 pub(crate) fn time_at_length<L: Line>(line: L, s: f64, tolerance: Option<f64>) -> Checked {
-    let t = answer!(line.time_at_length(s, tolerance), "tolerance|s");
+    let t = match tolerance {
+        None => value!(line.time_at_length(s)),
+        Some(tolerance) => answer!(line.time_at_length_within(s, tolerance), "tolerance"),
+    };
+    ensure!(!s.is_nan() || t.is_nan(), "t = {t} for NaN");
+    if s.is_nan() {
+        return Ok(());
+    }
     ensure!((0.0..=line.last()).contains(&t), "t = {t}");
     ensure!(s > 0.0 || t == 0.0, "t = {t} for the length {s}");
     lies_before(&line, t, s, tolerance.unwrap_or(0.0))
@@ -224,7 +234,7 @@ pub(crate) fn equidistant_times<L: Line>(line: L, segments: usize) -> Checked {
     same([ts[0], ts[segments]], [0.0, line.last()], "the ends")?;
     ensure!(ts.is_sorted(), "the parameters do not ascend");
     let k = segments / 2;
-    let expected = line.length(None)? * real(k) / real(segments);
+    let expected = line.length() * real(k) / real(segments);
     lies_before(&line, ts[k], expected, 0.0)
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn from_svg(text: String) -> Checked {
     // An arc becomes at most four cubics and takes at least nine characters.
     let (count, length) = (path.segment_count(), text.len());
     ensure!(count <= length + 1, "{count} segments of {length} bytes");
-    let written = path.to_svg(None, None)?;
+    let written = path.to_svg();
     let bytes = written.len();
     ensure!(bytes <= 600 * (length + 1), "{bytes} bytes");
     same(Path::from_svg(&written)?, path, "the path read again")

@@ -9,9 +9,11 @@ use casteljau::curve::{Bounds, Frame, Intersection, Nearest, Polyline, SelfInter
 use casteljau::glam::{DAffine3, DVec2, DVec3};
 use casteljau::mesh::TessellationOptions;
 use casteljau::patch::PatchPoint;
+use casteljau::path::SvgOptions;
 use casteljau::surface::SurfacePoint;
 use casteljau::{Curve, Error, Grid, GridMethod, Mesh, Patch, Path, Spline, Surface};
 use std::fmt::Debug;
+use std::ops::Range;
 
 /// A trait of methods that several types have under the same name.
 macro_rules! shared {
@@ -113,13 +115,15 @@ shared! {
         eval(t: f64) -> Self::P;
         eval_at(ts: &[f64]) -> Vec<Self::P>;
         flatten(tolerance: f64) -> Result<Polyline<Self::P>, Error>;
-        length(tolerance: Option<f64>) -> Result<f64, Error>;
+        length() -> f64;
+        length_within(tolerance: f64) -> Result<f64, Error>;
         nearest(p: Self::P) -> Result<Nearest<Self::P>, Error>;
         reverse() -> Self;
         sample(segments: usize) -> Result<Vec<Self::P>, Error>;
         split(t: f64) -> (Self, Self);
-        subsegment(t0: f64, t1: f64) -> Self;
-        time_at_length(s: f64, tolerance: Option<f64>) -> Result<f64, Error>;
+        subsegment(range: Range<f64>) -> Self;
+        time_at_length(s: f64) -> f64;
+        time_at_length_within(s: f64, tolerance: f64) -> Result<f64, Error>;
         transform(map: &<Self::P as casteljau::Point>::Affine) -> Result<Self, Error>;
     }
 }
@@ -147,8 +151,9 @@ shared! {
     /// What can be drawn.
     Drawing: Into<Path>, [] Curve<DVec2>, [] Spline<DVec2>, [] Path;
     {
-        to_svg(precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error>;
-        trace(sink: &mut Recorder, tolerance: Option<f64>) -> Result<(), Error>;
+        to_svg_with(options: &SvgOptions) -> Result<String, Error>;
+        trace(sink: &mut Recorder) -> ();
+        trace_within(sink: &mut Recorder, tolerance: f64) -> Result<(), Error>;
     }
 }
 

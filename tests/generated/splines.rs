@@ -193,7 +193,7 @@ pub(crate) fn cumulative_lengths<P: Space>(spline: Spline<P>) -> Checked {
     same(ends.len(), spline.segment_count() + 1, "lengths")?;
     same(ends[0], 0.0, "the first length")?;
     ensure!(ends.is_sorted(), "decreasing lengths");
-    same(ends.last(), Some(&spline.length(None)?), "the last length")
+    same(ends.last(), Some(&spline.length()), "the last length")
 }
 
 pub(crate) fn continuity<P: Space>(
@@ -201,7 +201,13 @@ pub(crate) fn continuity<P: Space>(
     joint: usize,
     tolerance: Option<f64>,
 ) -> Checked {
-    let found = answer!(spline.continuity(joint, tolerance), "joint|tolerance");
+    let found = match tolerance {
+        None => answer!(spline.continuity(joint), "joint"),
+        Some(tolerance) => answer!(
+            spline.continuity_within(joint, tolerance),
+            "joint|tolerance"
+        ),
+    };
     ensure!(found.c0 && found.gap == 0.0, "a gap of {:e}", found.gap);
     let angle = found.angle;
     ensure!((0.0..=std::f64::consts::PI).contains(&angle), "{angle}");

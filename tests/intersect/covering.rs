@@ -24,7 +24,7 @@ fn shapes() -> [Curve<DVec2>; 8] {
 
 /// A curve and others that nearly or completely coincide with it.
 fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
-    let (some, back) = (c.subsegment(0.2, 0.8), c.subsegment(1.0, 0.3));
+    let (some, back) = (c.subsegment(0.2..0.8), c.subsegment(1.0..0.3));
     let mut all = vec![c.clone(), c.reverse(), some, back];
     for k in 0..17 {
         let e = 10_f64.powi(-k);

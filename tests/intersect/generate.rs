@@ -116,10 +116,10 @@ fn shapes(rng: &mut Rng) -> (&'static str, Curve<DVec2>, Curve<DVec2>) {
         }
         7 => {
             let (t0, t1) = (rng.pick(&dyadic), rng.pick(&dyadic));
-            ("subsegment", a.clone(), a.subsegment(t0, t1))
+            ("subsegment", a.clone(), a.subsegment(t0..t1))
         }
         8 => {
-            let b = a.subsegment(rng.pick(&[0.0, 0.25]), rng.pick(&[0.5, 1.0]));
+            let b = a.subsegment(rng.pick(&[0.0, 0.25])..rng.pick(&[0.5, 1.0]));
             ("elevated", a, b.elevate().expect("low").reverse())
         }
         kind => special_shapes(rng, kind, a, m),

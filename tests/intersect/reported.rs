@@ -30,7 +30,7 @@ fn a_part_of_a_line_lies_on_it() {
         let x = |n: usize| real(n % 101) / 7.0;
         let line = line(k, x);
         let (from, to) = (0.05 + x(13 * k) / 40.0, 0.55 + x(17 * k) / 40.0);
-        let found = line.intersections(&line.subsegment(from, to));
+        let found = line.intersections(&line.subsegment(from..to));
         let [(t, 0.0, Overlap { t_end, u_end: 1.0 })] = kinds(&found)[..] else {
             panic!("{line:?} from {from} to {to}: {found:?}")
         };

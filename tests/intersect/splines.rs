@@ -30,7 +30,7 @@ fn a_curve_cut_into_a_spline_meets_as_the_curve_does() {
         let mut draw = || Curve::new(&random_points::<DVec2>(&mut rng, 4)).expect("finite");
         let (a, b) = (draw(), draw());
         let cuts = [0.0, 0.21, 0.5, 0.83, 1.0];
-        let pieces: Vec<_> = cuts.windows(2).map(|c| a.subsegment(c[0], c[1])).collect();
+        let pieces: Vec<_> = cuts.windows(2).map(|c| a.subsegment(c[0]..c[1])).collect();
         let spline = Spline::from_curves(&pieces, false).expect("joined");
         let whole = |t: f64| {
             let k = [1.0, 2.0, 3.0].iter().filter(|&&joint| t >= joint).count();

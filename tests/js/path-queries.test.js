@@ -117,14 +117,14 @@ test("locations of a coordinate: joints once, the end of a closed subpath as its
   refused(() => path.timesAtCoordinate({ x: NaN }), RangeError, /^x: /);
 });
 
-test("extrema: inside segments and at joints, alternately maxima and minima", () => {
+test("extrema: those of the subpaths", () => {
   /** Path data with the parameters of the extrema in x and in y. @type {[string, number[], number[]][]} */
   const cases = [
     ["M0 0L1 1L2 0L3 1", [], [1, 2]],
     ["M0 0Q1 2 2 0Q3 -2 4 0", [], [0.5, 1.5]],
-    ["M0 0L1 1H2L3 0", [], [1]], // a plateau between increasing and decreasing counts once, at its start
+    ["M0 0L1 1H2L3 0", [], [1, 2]], // both joints of a plateau between increasing and decreasing
     ["M0 0L1 1H2L3 2", [], []], // a step does not count
-    ["M0 0H4V4H0Z", [1, 3], [0, 2]],
+    ["M0 0H4V4H0Z", [0, 1, 2, 3], [0, 1, 2, 3]],
     ["M2 0L0 2L-2 0L0 -2Z", [0, 2], [1, 3]],
     ["M1 1Z", [], []],
     ["", [], []],

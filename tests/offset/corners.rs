@@ -33,7 +33,7 @@ fn star() -> Vec<DVec2> {
 
 /// The joints where the tangent turns, also at the start of a closed spline.
 pub(crate) fn corners(spline: &Spline<DVec2>) -> Vec<DVec2> {
-    let sharp = |k: &usize| !spline.continuity(*k, Some(1e-6)).expect("a joint").g1;
+    let sharp = |k: &usize| !spline.continuity_within(*k, 1e-6).expect("a joint").g1;
     let joints = usize::from(!spline.is_closed())..spline.segment_count();
     joints.filter(sharp).map(|k| spline.eval(real(k))).collect()
 }

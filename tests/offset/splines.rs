@@ -50,7 +50,7 @@ fn smooth_joints_need_no_join() {
                 .expect("finite")
         });
         near(one.eval(0.0), other.eval(0.0), 1e-14);
-        let g1 = |k: usize| one.continuity(k, Some(1e-6)).expect("a joint").g1;
+        let g1 = |k: usize| one.continuity_within(k, 1e-6).expect("a joint").g1;
         assert!((1..one.segment_count()).all(g1));
     }
 }

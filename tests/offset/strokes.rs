@@ -89,7 +89,7 @@ fn a_square_and_a_circle() {
     let circle: Vec<DVec2> = (0..360).map(point).collect();
     let circle = Spline::fit(&circle, 1e-3, None, true).expect("finite");
     assert!(circle.segment_count() <= 5, "{}", circle.segment_count());
-    let g1 = |k: usize| circle.continuity(k, Some(1e-9)).expect("a joint").g1;
+    let g1 = |k: usize| circle.continuity_within(k, 1e-9).expect("a joint").g1;
     assert!((0..circle.segment_count()).all(g1));
 }
 

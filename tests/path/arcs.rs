@@ -253,7 +253,7 @@ fn an_ellipse_has_its_area_and_its_length() {
     near(path(d).area() / area, 1.0, 2e-5);
     near(fine.area() / area, 1.0, 2e-9);
     // The perimeter of an ellipse with the semi-axes 3 and 2 is 15.865439589290589...
-    let length = fine.length(None).expect("no tolerance");
+    let length = fine.length();
     near(length / 15.865_439_589_290_59, 1.0, 1e-9);
     let m = fine.moments();
     assert!(m.x.abs() < 1e-12 && m.xy.abs() < 1e-12);
@@ -268,7 +268,7 @@ fn tolerances_that_are_not_above_0_are_refused() {
         let error = error.expect_err("no tolerance").to_string();
         assert!(error.contains("an arc tolerance above 0"), "{error}");
         let mut builder = PathBuilder::new();
-        builder.set_arc_tolerance(tolerance);
+        builder.arc_tolerance(tolerance);
         assert!(builder.build().is_err(), "{tolerance}");
     }
     // The finest tolerance gives a bounded number of cubics, the coarsest a quarter turn each.

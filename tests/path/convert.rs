@@ -3,6 +3,7 @@
 use crate::support::assert_refused;
 use crate::support::paths::path;
 use casteljau::glam::{DAffine2, DVec2};
+use casteljau::path::SvgOptions;
 use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
 const TEXT: &str = "M0,0 L1,0.5 Q2,3 4,4 C5,4 6,3 6,2 Z M8,8 L9,8";
@@ -12,7 +13,9 @@ fn text_is_read_and_written() {
     let path = path(TEXT);
     assert_eq!(path, Path::from_svg(TEXT).expect("path data"));
     assert_eq!(path.to_string().parse(), Ok(path.clone()));
-    let brief = path.to_svg(Some(1), None).expect("no tolerance");
+    let brief = path
+        .to_svg_with(&SvgOptions::new().precision(1))
+        .expect("no tolerance");
     assert_eq!(format!("{path:.1}"), brief);
     assert_eq!("M0,0 L1".parse::<Path>(), Path::from_svg("M0,0 L1"));
 }

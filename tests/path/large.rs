@@ -37,7 +37,7 @@ fn queries_of_a_coast() {
     let area: f64 = sides(&points).map(|(a, b)| 0.5 * a.perp_dot(b)).sum();
     assert!((path.area() - area).abs() <= 1e-9 * area);
     let around: f64 = sides(&points).map(|(a, b)| a.distance(b)).sum();
-    let length = path.length(None).expect("no tolerance");
+    let length = path.length();
     assert!((length - around).abs() <= 1e-9 * around);
     let polylines = path.flatten(1e-3).expect("few vertices");
     assert_eq!(polylines[0].points.len(), points.len() + 1);
@@ -49,21 +49,21 @@ fn queries_of_a_coast() {
         near(nearest.distance, expected, 1e-12);
     }
     assert!(path.contains(DVec2::ZERO, FillRule::NonZero));
-    let half = path.time_at_length(0.5 * length, None).expect("a length");
+    let half = path.time_at_length(0.5 * length);
     let t = half.expect("a path").t;
     near(t, real(points.len() / 2), 0.2 * real(points.len()));
-    let again = Path::from_svg(&path.to_svg(None, None).expect("no tolerance"));
+    let again = Path::from_svg(&path.to_svg());
     assert_eq!(again.expect("own text"), path);
 }
 
 #[test]
 fn dashes_of_a_coast() {
     let path = lines(&coast(count()), true);
-    let length = path.length(None).expect("no tolerance");
+    let length = path.length();
     let dashes = path.dash(&[0.01, 0.02], 0.0).expect("few dashes");
     let expected = length / 0.03;
     near(real(dashes.subpath_count()), expected, 2.0);
-    let dashed = dashes.length(None).expect("no tolerance");
+    let dashed = dashes.length();
     near(dashed, length / 3.0, 0.1);
 }
 
@@ -86,7 +86,7 @@ fn strokes_and_offsets_of_a_coast() {
     let points = coast(count() / 10);
     let path = lines(&points, true);
     let stroke = path.stroke(0.1, &StrokeOptions::default());
-    let length = path.length(None).expect("no tolerance");
+    let length = path.length();
     let area = stroke.expect("few segments").area();
     near(area, 0.1 * length, 0.02 * length * 0.1);
     let grown = path.offset(0.05, &OffsetOptions::default());
@@ -103,8 +103,8 @@ fn splines_through_and_near_many_points() {
     assert_eq!(through.eval(1234.0), points[1234]);
     let b_spline = Spline::from_bspline(&points, 3, None, true).expect("uniform knots");
     assert_eq!(b_spline.segment_count(), points.len());
-    let bspline_length = b_spline.length(None).expect("no tolerance");
-    let length = through.length(None).expect("no tolerance");
+    let bspline_length = b_spline.length();
+    let length = through.length();
     assert!((bspline_length - length).abs() < 0.01 * length);
     let tolerance = 0.01;
     let near = Spline::fit(&points, tolerance, None, true).expect("a tolerance");

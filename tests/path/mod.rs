@@ -3,10 +3,12 @@
 mod arcs;
 mod builder;
 mod convert;
+mod evaluate;
 mod inside;
 mod kurbo;
 #[cfg(not(target_family = "wasm"))]
 mod large;
+mod shapes;
 mod sizes;
 mod svg;
 mod table;

@@ -6,6 +6,7 @@ use crate::support::measure::from_polyline;
 use crate::support::paths::{bits, path, points, polygons};
 use crate::support::{Rng as Numbers, deep, ulp};
 use casteljau::glam::DVec2;
+use casteljau::path::SvgOptions;
 use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
 /// The number of cases; millions with CASTELJAU_DEEP=1.
@@ -21,12 +22,13 @@ fn read(d: &str) -> (Path, String) {
 }
 
 fn print(path: &Path) -> String {
-    path.to_svg(None, None).expect("no tolerance")
+    path.to_svg()
 }
 
 /// A path in short form.
 fn brief(path: &Path, digits: u8) -> String {
-    path.to_svg(Some(digits), None).expect("no tolerance")
+    path.to_svg_with(&SvgOptions::new().precision(digits))
+        .expect("no tolerance")
 }
 
 /// The hash of the results for the 20,000 texts: their messages, the paths with all digits, the paths in short form.
@@ -201,7 +203,9 @@ fn no_repetition_takes_long_or_much_memory() {
 #[test]
 fn higher_degrees_are_written_as_cubics() {
     let curve = Curve::new(&points("0 0  1 9  8 -9  4 7  3 -5  9 2")).expect("six points");
-    let text = curve.to_svg(None, Some(1e-3)).expect("a tolerance");
+    let text = curve
+        .to_svg_with(&SvgOptions::new().tolerance(1e-3))
+        .expect("a tolerance");
     let written = path(&text);
     assert!(written.segment_count() > 1);
     let spline = written.subpath(0).expect("a spline");
@@ -210,6 +214,34 @@ fn higher_degrees_are_written_as_cubics() {
     for p in spline.sample(8).expect("few") {
         assert!(from_polyline(p, &polygon) <= 1.1e-3 + 1e-4, "{p}");
     }
-    assert!(curve.to_svg(None, Some(1e-30)).is_err());
-    assert!(Path::default().to_svg(None, Some(-1.0)).is_err());
+    assert!(
+        curve
+            .to_svg_with(&SvgOptions::new().tolerance(1e-30))
+            .is_err()
+    );
+    assert!(
+        Path::default()
+            .to_svg_with(&SvgOptions::new().tolerance(-1.0))
+            .is_err()
+    );
+}
+
+#[test]
+fn errors_of_parsers_become_errors() {
+    fn read() -> Result<(), casteljau::Error> {
+        Path::from_svg("M0 0L1 1,2")?;
+        Ok(())
+    }
+    let message = read().map_err(|error| error.to_string());
+    let expected = "d: expected another text at offset 10";
+    assert_eq!(message, Err(expected.to_owned()));
+    let easing = casteljau::Error::from("steps(4, ende)".parse::<casteljau::Easing>().unwrap_err());
+    assert_eq!(
+        easing.to_string(),
+        "easing: expected another text at offset 9"
+    );
+    let surface = casteljau::Error::from(
+        casteljau::Surface::parse("1\n1 1\n0 0 0\n1 0\n0 1 0\n1 1 0\n").unwrap_err(),
+    );
+    assert_eq!(surface.to_string(), "text: expected another text at line 4");
 }

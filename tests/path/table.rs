@@ -2,6 +2,7 @@
 
 use crate::support::paths::bits;
 use casteljau::Path;
+use casteljau::path::SvgOptions;
 use serde_json::Value;
 
 /// One subpath of the table: `[closed, [degrees], [coordinates]]`.
@@ -38,7 +39,7 @@ fn table_of_texts() {
         if let Some(subpaths) = entry.get("subpaths") {
             check_subpaths(name, &path, subpaths);
         }
-        let svg = path.to_svg(None, None).expect("no tolerance");
+        let svg = path.to_svg();
         if let Some(expected) = entry["svg"].as_str() {
             assert_eq!(svg, expected, "{name}");
         }
@@ -46,7 +47,9 @@ fn table_of_texts() {
         assert_eq!(again, path, "{name}: there and back");
         for (digits, key) in [(0, "brief0"), (2, "brief2"), (5, "brief5")] {
             if let Some(expected) = entry[key].as_str() {
-                let brief = path.to_svg(Some(digits), None).expect("no tolerance");
+                let brief = path
+                    .to_svg_with(&SvgOptions::new().precision(digits))
+                    .expect("no tolerance");
                 assert_eq!(brief, expected, "{name}: {key}");
             }
         }

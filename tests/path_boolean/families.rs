@@ -136,7 +136,7 @@ fn partial_overlap(random: &mut Rng) -> (Path, Path) {
     let curve = Curve::new(&curve).expect("a curve");
     let mut part = || {
         let (from, to) = (random.between(0.0, 0.45), random.between(0.55, 1.0));
-        let piece = curve.subsegment(from, to);
+        let piece = curve.subsegment(from..to);
         let tip = DVec2::new(random.between(-0.5, 0.5), random.between(-2.0, 2.0));
         let sides = [
             Curve::line(piece.end(), tip),

@@ -218,9 +218,7 @@ fn many_lines_through_a_point() {
     let mut builder = PathBuilder::new();
     for k in 0..count {
         let [p, q] = [0.0, 0.3].map(|part| DVec2::from_angle(TAU * (real(k) + part) / real(count)));
-        builder.move_to(p);
-        [q, -p, -q].into_iter().for_each(|p| builder.line_to(p));
-        builder.close();
+        builder.polygon(&[p, q, -p, -q]);
     }
     let path = builder.build().expect("finite points");
     let odd = valid(path.remove_overlaps(FillRule::EvenOdd));

@@ -14,7 +14,7 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
     let (s, t) = (rng.unit(), rng.unit());
     let b = match rng.below(8) {
         0 => a.clone(),
-        1 => on.subsegment(s, t).control_points().to_vec(),
+        1 => on.subsegment(s..t).control_points().to_vec(),
         2 => {
             let direction = rng.point(dimension) * rng.magnitude(-12.0, 1.0);
             a.iter().map(|&p| p + direction).collect()
@@ -175,7 +175,7 @@ fn known_hausdorff_distances() {
     ] {
         assert_eq!(bezier(a).hausdorff(&bezier(b)), expected, "{a} and {b}");
     }
-    let to_part = |t0, t1| arch.hausdorff(&arch.subsegment(t0, t1));
+    let to_part = |t0, t1| arch.hausdorff(&arch.subsegment(t0..t1));
     near(to_part(0.0, 0.5), to_part(0.5, 1.0), 1e-9);
 }
 

@@ -126,7 +126,7 @@ fn features_count_only_inside() {
         ("0 0, 0 1, 1 2, 2 1, 2 0", [0.0, 1.0], Arch),
         ("0 0, 2 2, 1 1", [0.0, 1.0], Line),
     ] {
-        let part = bezier(points).subsegment(t0, t1);
+        let part = bezier(points).subsegment(t0..t1);
         assert_eq!(part.classify(), class, "{points} from {t0} to {t1}");
     }
     assert!(bezier("0 0, 1 1, 0 1, 1 0").inflections().is_empty());

@@ -105,7 +105,7 @@ fn appending_goes_on_in_the_direction_of_arrival() {
     let between = |p: &DVec2| p.y == 1.0 && (1.0..=4.0).contains(&p.x);
     assert!(still.expect("open").control_points().iter().all(between));
     let closed = spline("0 0, 1 0, 0 1", 3, true);
-    refused(closed.append(DVec2::ONE), "Range closed");
+    refused(closed.append(DVec2::ONE), "ClosedSpline append");
     for bad in [f64::NAN, f64::INFINITY] {
         let open = spline("0 0, 1 0", 1, false);
         refused(open.append(DVec2::new(0.0, bad)), "NotFinite point 0");

@@ -88,7 +88,7 @@ fn the_tolerance_is_a_distance() {
     assert!(at(1.1e-3).g1 && !at(0.9e-3).g1);
     assert!(at(3.1e-3).c1 && !at(2.9e-3).c1);
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        refused(spline.continuity(1, Some(bad)), "Range tolerance");
+        refused(spline.continuity_within(1, bad), "Range tolerance");
     }
 }
 

@@ -147,9 +147,12 @@ fn what_is_no_joint_is_refused() {
             got,
         };
         assert_eq!(open.remove(got), Err(refused));
-        assert_eq!(open.continuity(got, None), Err(refused));
+        assert_eq!(open.continuity(got), Err(refused));
         assert_eq!(open.set_joint(got, JointMode::G1), Err(refused));
     }
+    let alone = random::<DVec3>(&mut Rng(40), &[3], false);
+    assert_eq!(alone.continuity(1), Err(Error::NoJoint));
+    assert_eq!(alone.remove(0), Err(Error::NoJoint));
     let closed = random::<DVec3>(&mut Rng(38), &[3, 3], true);
     assert!(closed.remove(0).is_ok() && closed.remove(2).is_err());
     let ring = random::<DVec3>(&mut Rng(39), &[3], true);

@@ -119,10 +119,10 @@ fn drawing_moves_once_and_closes_closed_splines() {
     ] {
         let spline = Spline::with_degrees(points.clone(), &degrees, closed).expect("a spline");
         let mut notes = Notes::default();
-        spline.trace(&mut notes, Some(0.1)).expect("drawn");
+        spline.trace_within(&mut notes, 0.1).expect("drawn");
         assert_eq!((notes.0.as_str(), notes.1), (letters, xy(ends)));
         let mut nothing = Notes::default();
-        refused(spline.trace(&mut nothing, Some(-1.0)), "Range tolerance");
+        refused(spline.trace_within(&mut nothing, -1.0), "Range tolerance");
         assert_eq!(nothing.0, "");
     }
 }

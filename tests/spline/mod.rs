@@ -53,7 +53,11 @@ fn index_of<P: Point>(spline: &Spline<P>, joint: usize) -> usize {
 }
 
 fn continuity<P: Point>(spline: &Spline<P>, joint: usize, tolerance: Option<f64>) -> Continuity {
-    spline.continuity(joint, tolerance).expect("a joint")
+    let found = match tolerance {
+        None => spline.continuity(joint),
+        Some(tolerance) => spline.continuity_within(joint, tolerance),
+    };
+    found.expect("a joint")
 }
 
 /// The control points after a point is moved, all joints in one mode.

@@ -1,7 +1,7 @@
 //! Tangents and curvature of splines, and their parts.
 
 use crate::spline::each_spline;
-use crate::support::{near_at, real, spline};
+use crate::support::{near_at, real, refused, spline};
 use casteljau::glam::DVec2;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -39,12 +39,12 @@ fn parts_of_a_spline_are_the_same_curve() {
             assert_eq!(pieces, n + usize::from(!at_joint), "{t} of {count}");
         }
         // Segments that are not cut keep their points.
-        let part = spline.subsegment(0.25, count - 0.25);
+        let part = spline.subsegment(0.25..count - 0.25);
         assert_eq!(part.segment_count(), n);
         assert!((1..n - 1).all(|k| part.segment(k) == spline.segment(k)));
         assert_eq!(part.eval(0.0), spline.eval(0.25));
         assert_eq!(part.eval(count), spline.eval(count - 0.25));
-        assert_eq!(spline.subsegment(count - 0.25, 0.25), part.reverse());
+        assert_eq!(spline.subsegment(count - 0.25..0.25), part.reverse());
     });
 }
 
@@ -52,11 +52,81 @@ fn parts_of_a_spline_are_the_same_curve() {
 fn a_part_between_joints_has_no_empty_segment() {
     let square = spline("0 0, 1 0, 1 1, 0 1", 1, true);
     assert_eq!(
-        square.subsegment(1.0, 3.0),
+        square.subsegment(1.0..3.0),
         spline("1 0, 1 1, 0 1", 1, false)
     );
     let whole = spline("0 0, 1 0, 1 1, 0 1, 0 0", 1, false);
-    assert_eq!(square.subsegment(0.0, 4.0), whole);
-    let point = square.subsegment(1.5, 1.5);
+    assert_eq!(square.subsegment(0.0..4.0), whole);
+    let point = square.subsegment(1.5..1.5);
     assert_eq!(point.control_points(), [DVec2::new(1.0, 0.5); 2]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn extrema_lie_inside_segments_and_at_joints() {
+    let lines = |text: &str, closed: bool| spline(text, 1, closed);
+    for (what, spline, x, y) in [
+        (
+            "joints, not the ends",
+            lines("0 0, 1 2, 2 -1, 3 -2, 2 5", false),
+            vec![3.0],
+            vec![1.0, 3.0],
+        ),
+        (
+            "the inside of segments",
+            spline("0 0, 1 2, 2 0, 3 2, 4 0", 2, false),
+            vec![],
+            vec![0.5, 1.0, 1.5],
+        ),
+        (
+            "both joints of a constant part",
+            lines("0 0, 1 1, 2 1, 3 0", false),
+            vec![],
+            vec![1.0, 2.0],
+        ),
+        (
+            "two rises",
+            lines("0 0, 1 1, 2 1, 3 2", false),
+            vec![],
+            vec![],
+        ),
+        (
+            "a constant coordinate",
+            lines("0 0, 1 0, 2 0", true),
+            vec![0.0, 2.0],
+            vec![],
+        ),
+        (
+            "a constant part with the start",
+            lines("1 0, 2 0, 2 3, 0 3, 0 0", true),
+            vec![1.0, 2.0, 3.0, 4.0],
+            vec![0.0, 1.0, 2.0, 3.0, 4.0],
+        ),
+    ] {
+        assert_eq!(spline.extrema(0), Ok(x), "{what}");
+        assert_eq!(spline.extrema(1), Ok(y), "{what}");
+        refused(spline.extrema(2), "Index axis 2");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn times_at_a_coordinate_name_joints_once() {
+    let square = spline("0 0, 4 0, 4 4, 0 4", 1, true);
+    assert_eq!(square.times_at_coordinate(0, 1.0), Ok(vec![0.25, 2.75]));
+    // The whole last segment has the value 0, the start is the end.
+    assert_eq!(square.times_at_coordinate(0, 0.0), Ok(vec![0.0, 3.0]));
+    assert_eq!(square.times_at_coordinate(1, 4.0), Ok(vec![2.0, 3.0]));
+    refused(square.times_at_coordinate(0, f64::NAN), "NotFinite value 0");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_point_at_a_length_has_both_directions() {
+    each_spline(78, |spline, degrees| {
+        let s = 0.6 * spline.length();
+        let found = spline.point_at_length(s);
+        assert_eq!(found.t, spline.time_at_length(s));
+        assert_eq!(found.point, spline.eval(found.t));
+        near_at(found.tangent.dot(found.normal), 0.0, 1e-15, degrees);
+        let curve = spline.segment(0).expect("a segment");
+        assert_eq!(curve.point_at_length(-1.0).point, curve.start());
+    });
 }

@@ -238,6 +238,8 @@ pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
         Error::TooMany { what, limit, .. } => format!("TooMany {what} {limit}"),
         Error::Tolerance { .. } => "Tolerance".to_owned(),
         Error::Gap { index, got } => format!("Gap {index} {got}"),
+        Error::ClosedSpline { what } => format!("ClosedSpline {what}"),
+        Error::Singular { what } => format!("Singular {what}"),
         _ => format!("{error:?}"),
     };
     assert_eq!(found, expected, "{error}");

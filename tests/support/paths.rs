@@ -28,7 +28,9 @@ pub(crate) fn points(text: &str) -> Vec<DVec2> {
 pub(crate) fn lines(points: &[DVec2], closed: bool) -> Path {
     let mut builder = PathBuilder::new();
     builder.move_to(points[0]);
-    points[1..].iter().for_each(|&p| builder.line_to(p));
+    for &p in &points[1..] {
+        builder.line_to(p);
+    }
     if closed {
         builder.close();
     }

@@ -4,8 +4,8 @@ pub(crate) fn sample(out: &mut String) {
     let points = [(0.0, 0.0), (0.0, 100.0), (200.0, 100.0), (200.0, 0.0)];
     let curve = Curve::new(&points.map(DVec2::from)).unwrap();
     let (left, _) = curve.split(0.5);
-    let length = curve.length(None).unwrap();
-    let half_way = curve.time_at_length(length / 2.0, None).unwrap();
+    let length = curve.length();
+    let half_way = curve.time_at_length(length / 2.0);
     let highest = curve.bounds().max.y;
     writeln!(out, "half way: {half_way}, highest: {highest}");
     let numbers = left.control_points().iter().flat_map(|p| [p.x, p.y]);

@@ -7,7 +7,7 @@ pub(crate) fn sample(out: &mut String) {
         out,
         "degree {}, length {:.4}",
         curve.degree(),
-        curve.length(None).unwrap()
+        curve.length()
     );
     let lines = teapot.isocurves(4).unwrap();
     writeln!(out, "{} curves divide the teapot into strips", lines.len());

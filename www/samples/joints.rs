@@ -29,7 +29,7 @@ pub(crate) fn sample(out: &mut String) {
         (600.0, 160.0),
     ];
     let spline = Spline::new(&points.map(DVec2::from), 3, false).unwrap();
-    let aligned = names(spline.continuity(1, None).unwrap());
+    let aligned = names(spline.continuity(1).unwrap());
     writeln!(out, "aligned: {aligned}");
 
     let (before, after) = (spline.segment(0).unwrap(), spline.segment(1).unwrap());
@@ -45,7 +45,7 @@ pub(crate) fn sample(out: &mut String) {
         ("C2", JointMode::C2),
     ] {
         let set = spline.set_joint(1, mode).unwrap();
-        let text = names(set.continuity(1, None).unwrap());
+        let text = names(set.continuity(1).unwrap());
         writeln!(out, "set to {name}: {text}");
     }
 

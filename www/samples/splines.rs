@@ -27,7 +27,7 @@ pub(crate) fn sample(out: &mut String) {
 
     // How smooth is the first joint, and how far is the spline from P1?
     for (name, spline) in &kinds {
-        let joint = spline.continuity(1, None).unwrap();
+        let joint = spline.continuity(1).unwrap();
         let smooth = if joint.c2 {
             "C2"
         } else if joint.c1 {

@@ -19,8 +19,8 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "r: {}", show(&r));
 
     // The part between two parameters. If they are swapped, it runs backwards.
-    writeln!(out, "third quarter: {}", show(&curve.subsegment(0.5, 0.75)));
-    writeln!(out, "reversed: {}", show(&curve.subsegment(1.0, 0.0)));
+    writeln!(out, "third quarter: {}", show(&curve.subsegment(0.5..0.75)));
+    writeln!(out, "reversed: {}", show(&curve.subsegment(1.0..0.0)));
 
     // Insert a point: two pieces, the same shape.
     let spline = Spline::new(&points, 3, false).unwrap().insert(0.5).unwrap();

@@ -152,7 +152,8 @@ export class PathEvaluation extends PathValue {
   /**
    * The locations where a coordinate has a local extremum (its derivative changes sign), inside segments and at joints,
    * in the order of the path. The ends of open subpaths do not count. Where the coordinate is constant between
-   * increasing and decreasing (the sides of a rectangle), it is the start of the constant part.
+   * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
+   * `Spline.extrema`.
    *
    * @param {never[]} surplus
    * @returns {PathExtrema}

@@ -1,4 +1,5 @@
 // Queries of the single coordinates of a spline: extrema, and parameters of given values.
+import { requestedCoordinate } from "../curve-queries.js";
 
 /**
  * @import { CurveMeasures } from "../curve/curve-measures.js"
@@ -100,8 +101,27 @@ function carried(directions, closed) {
  * @returns {Float64Array}
  */
 export function splineTimesAtCoordinate(segments, where, closed) {
-  const ts = segments.flatMap((segment, k) => Array.from(segment.timesAtCoordinate(where), (t) => k + t));
+  const [axis, value] = requestedCoordinate(where, segments[0].dimension);
+  const ts = segments.flatMap((segment, k) =>
+    mayContain(segment, axis, value) ? Array.from(segment.timesAtCoordinate(where), (t) => k + t) : [],
+  );
   const times = new Set(ts); // a joint is the end of one segment and the start of the next
   if (closed && times.has(0)) times.delete(segments.length);
   return Float64Array.from(times);
+}
+
+/**
+ * Whether a value lies in the range of a coordinate of the control points.
+ *
+ * @param {CurveMeasures} curve
+ * @param {number} axis
+ * @param {number} value
+ */
+function mayContain({ _flat, dimension }, axis, value) {
+  let [min, max] = [Infinity, -Infinity];
+  for (let k = axis; k < _flat.length; k += dimension) {
+    min = Math.min(min, _flat[k]);
+    max = Math.max(max, _flat[k]);
+  }
+  return min <= value && value <= max;
 }

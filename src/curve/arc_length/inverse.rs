@@ -36,10 +36,10 @@ impl ArcLengthInverse {
         }
     }
 
-    /// The t up to which the arc length is s; 0 or 1 for an s outside the range.
+    /// The t up to which the arc length is s; 0 or 1 for an s outside the range, NaN for NaN.
     pub(crate) fn time(&self, s: f64) -> f64 {
         let Some(arc) = self.arc.as_ref().filter(|_| s > 0.0) else {
-            return 0.0;
+            return if s.is_nan() { s } else { 0.0 };
         };
         if s >= self.length {
             return 1.0;
@@ -54,17 +54,20 @@ impl<P: Point> Curve<P> {
     /// The parameter t at a given arc length s: the inverse of the length from 0 to t.
     ///
     /// s runs from 0 to the whole length; outside this range the result is the nearer end, 0 or 1. For a curve that is
-    /// a point it is 0. `tolerance` is the maximum error, as a length in the unit of the points; the default is 10⁻¹²
-    /// of the whole length. The method is Newton's, safeguarded by bisection.
+    /// a point it is 0; for NaN it is NaN. The error, as a length, is at most 10⁻¹² of the whole length. The method is
+    /// Newton's, safeguarded by bisection.
+    #[doc(alias = "inv_arclen")]
+    pub fn time_at_length(&self, s: f64) -> f64 {
+        ArcLengthInverse::new(self, None).time(s)
+    }
+
+    /// [`time_at_length`](Self::time_at_length) with a maximum error, as a length in the unit of the points.
     ///
     /// # Errors
-    /// [`Error::Range`] for an s that is not finite; for a tolerance the same as [`length`](Self::length).
-    pub fn time_at_length(&self, s: f64, tolerance: Option<f64>) -> Result<f64, Error> {
-        check_length(s)?;
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, self.max_abs())?;
-        }
-        Ok(ArcLengthInverse::new(self, tolerance).time(s))
+    /// As [`length_within`](Self::length_within).
+    pub fn time_at_length_within(&self, s: f64, tolerance: f64) -> Result<f64, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(ArcLengthInverse::new(self, Some(tolerance)).time(s))
     }
 
     /// `segments` + 1 parameters that divide the curve into segments of equal arc length; the first is 0, the last 1.
@@ -90,16 +93,4 @@ impl<P: Point> Curve<P> {
         ts[segments] = 1.0;
         Ok(ts)
     }
-}
-
-/// Returns an error for a length that is not finite.
-pub(crate) fn check_length(s: f64) -> Result<(), Error> {
-    if s.is_finite() {
-        return Ok(());
-    }
-    Err(Error::Range {
-        what: "s",
-        expected: "a finite number",
-        got: s,
-    })
 }

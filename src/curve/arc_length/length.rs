@@ -18,30 +18,35 @@ impl<P: Point> Curve<P> {
     ///
     /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, otherwise by Gauss–Legendre rules on intervals that are
     /// cut at the minima of the speed. The relative error is at most 10⁻¹², also for curves with cusps and reversals.
-    /// `tolerance` is the maximum error, in the unit of the points; it has an effect only if it is finer than the
-    /// default, and no accuracy is gained below 10⁻¹⁴ of the length. At most 4096 intervals are integrated;
-    /// curves with moderate numbers need less than a tenth of them. A curve that is a point has length exactly 0;
+    /// At most 4096 intervals are integrated; curves with moderate numbers need less than a tenth of them. A curve that is a point has length exactly 0;
     /// beyond the range of f64 the length is infinite.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
     ///
     /// let line = Curve::new(&[DVec2::new(0.0, 0.0), DVec2::new(3.0, 4.0)])?;
-    /// assert_eq!(line.length(None)?, 5.0);
+    /// assert_eq!(line.length(), 5.0);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
+    ///
+    /// Source: Gravesen, "Adaptive subdivision and the length and energy of Bézier curves", Computational Geometry 8
+    /// (1997); Trefethen, *Approximation Theory and Approximation Practice*, ch. 19, for the error of the rules.
+    #[doc(alias = "arclen")]
+    pub fn length(&self) -> f64 {
+        self.arc_length(f64::INFINITY)
+    }
+
+    /// [`length`](Self::length) with a maximum error, in the unit of the points.
+    ///
+    /// It has an effect only if it is finer than the 10⁻¹² of the length that `length` keeps; no accuracy is gained
+    /// below 10⁻¹⁴ of the length.
     ///
     /// # Errors
     /// [`Error::Range`] for a tolerance that is not above 0, [`Error::Tolerance`] for one below 4 ulps of the largest
     /// coordinate.
-    ///
-    /// Source: Gravesen, "Adaptive subdivision and the length and energy of Bézier curves", Computational Geometry 8
-    /// (1997); Trefethen, *Approximation Theory and Approximation Practice*, ch. 19, for the error of the rules.
-    pub fn length(&self, tolerance: Option<f64>) -> Result<f64, Error> {
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, self.max_abs())?;
-        }
-        Ok(self.arc_length(tolerance.unwrap_or(f64::INFINITY)))
+    pub fn length_within(&self, tolerance: f64) -> Result<f64, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        Ok(self.arc_length(tolerance))
     }
 
     /// [`length`](Curve::length) for a tolerance that is already checked, or infinite if there is none.

@@ -188,7 +188,7 @@ impl<P: Point> Segment<P> {
     /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
     /// depend on the parametrization.
     fn max(&self, b: &Curve<P>, straight: [bool; 2]) -> f64 {
-        let along = b.subsegment(self.from, self.to);
+        let along = b.part(self.from, self.to);
         let beside = match straight {
             [_, true] => self.distance_from_segment(b),
             [true, _] => self.straight_distance_from(&along),

@@ -115,8 +115,9 @@ pub(super) fn push_contours(arrangement: &Arrangement, contours: &[Contour], pat
         );
         let area = single.area();
         if area != 0.0 && (area < 0.0) == contour.is_hole {
-            let count = single.points.len() - 1;
-            path.push(&single.points[..count], &single.degrees, true);
+            let part = single.part(0);
+            let count = part.points.len() - 1;
+            path.push(&part.points[..count], part.degrees(), true);
         } else if !contour.is_hole {
             left_out = Some(contour.region);
         }
@@ -180,7 +181,7 @@ pub(super) fn push_subpath(
         points.pop();
     }
     points.iter_mut().for_each(|p| *p /= segments.unit);
-    path.push(&points, &degrees, closed);
+    path.push(&points, degrees, closed);
 }
 
 /// The point where one or two consecutive pieces of an outline end: a joint of the input where there is one.

@@ -19,7 +19,7 @@ pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen
     if pen.cap == StrokeCap::Square {
         // The caps meet in the middle of two sides, which need no corner there.
         let corners = [&dot.points[1..3], &back.points[1..3]].concat();
-        path.push(&corners, &[1_usize; 4], true);
+        path.push(&corners, [1; 4], true);
         return;
     }
     dot.points.extend(&back.points[1..]);
@@ -46,7 +46,7 @@ pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
         } else {
             pen.tolerance.min(THIN_PART * pen.radius)
         };
-        let length = contour.length(None).unwrap_or(f64::INFINITY);
+        let length = contour.length();
         2.0 * area.abs() > thin * length
     };
     region.subpaths().filter(keeps).collect()

@@ -181,7 +181,7 @@ impl Cutter<'_> {
         }
         for &[from, to] in intervals {
             let ts = [from, to].map(|s| self.time(s));
-            let mut dash = self.dash(self.spline.subsegment(ts[0], ts[1]));
+            let mut dash = self.dash(self.spline.part(ts[0], ts[1]));
             if from == to {
                 dash.tangent = self.tangent(ts[0]);
             }

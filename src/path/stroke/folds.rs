@@ -101,7 +101,7 @@ impl Side<'_> {
 
     /// Appends the contour of what is swept backwards: the offset curve forwards and the evolute backwards.
     fn push_fold(&self, run: [f64; 2], pen: &Pen, path: &mut Path) -> Result<(), Error> {
-        let piece = self.curve.subsegment(run[0], run[1]);
+        let piece = self.curve.part(run[0], run[1]);
         if piece.control_points().iter().all(|&p| p == piece.start()) {
             return Ok(());
         }

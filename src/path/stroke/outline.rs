@@ -141,7 +141,7 @@ fn append(chain: &mut SplineBuilder, next: &SplineBuilder) {
 /// Appends a closed subpath that ends where it starts.
 pub(super) fn push_closed(path: &mut Path, mut chain: SplineBuilder) {
     chain.points.pop();
-    path.push(&chain.points, &chain.degrees, true);
+    path.push(&chain.points, chain.degrees.iter().copied(), true);
 }
 
 /// The cap at an end with a tangent that points out of the stroke, from the right to the left.

@@ -242,7 +242,7 @@ impl<'a> RoundedSubpath<'a> {
         if self.arcs.iter().all(Option::is_none) {
             let count = self.part.points.len() - usize::from(self.part.closed);
             let points = &self.part.points[..count];
-            return path.push(points, self.part.degrees, self.part.closed);
+            return path.push(points, self.part.degrees(), self.part.closed);
         }
         let mut out = Pieces {
             points: vec![self.start()],
@@ -261,7 +261,7 @@ impl<'a> RoundedSubpath<'a> {
             out.points.pop();
         }
         out.points.iter_mut().for_each(|p| *p = clamp_to_limit(*p));
-        path.push(&out.points, &out.degrees, self.part.closed);
+        path.push(&out.points, out.degrees, self.part.closed);
     }
 
     /// Whether no arc replaces the joint before segment k.
@@ -289,7 +289,7 @@ impl<'a> RoundedSubpath<'a> {
             return curve.control_points().to_vec();
         }
         let [from, to] = [start, end].map(|cut| cut.map_or(0.0, |cut| cut.part));
-        let mut rest = curve.subsegment(from, 1.0 - to).control_points().to_vec();
+        let mut rest = curve.part(from, 1.0 - to).control_points().to_vec();
         let last = rest.len() - 1;
         if let Some(p) = start.and_then(|cut| self.end(cut, 1)) {
             rest[0] = p;
@@ -304,15 +304,14 @@ impl<'a> RoundedSubpath<'a> {
 /// A subpath under construction.
 struct Pieces {
     points: Vec<DVec2>,
-    degrees: Vec<u8>,
+    degrees: Vec<usize>,
 }
 
 impl Pieces {
     /// Appends a segment that starts at the last point.
     fn add(&mut self, points: &[DVec2]) {
         self.points.extend(&points[1..]);
-        let degree = u8::try_from(points.len() - 1).unwrap_or(u8::MAX); // at most 64
-        self.degrees.push(degree);
+        self.degrees.push(points.len() - 1);
     }
 
     fn add_arc(&mut self, arc: &CornerArc) {

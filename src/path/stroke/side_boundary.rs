@@ -76,7 +76,7 @@ fn add_side(
         if [from, to] == [0.0, 1.0] {
             return builder.add_offset(side.curve, side.distance, tolerance);
         }
-        builder.add_offset(&side.curve.subsegment(from, to), side.distance, tolerance)
+        builder.add_offset(&side.curve.part(from, to), side.distance, tolerance)
     };
     let midway = Midway {
         with: CurveWithDerivatives::new(&side.points),
