@@ -79,6 +79,21 @@ impl<P: Point> Bounds<P> {
         self.min.min(p) == self.min && self.max.max(p) == self.max
     }
 
+    /// The point in the middle of the box.
+    pub fn center(&self) -> P {
+        (self.min + self.max) * 0.5
+    }
+
+    /// The extent along x.
+    pub fn width(&self) -> f64 {
+        self.max.coordinate(0) - self.min.coordinate(0)
+    }
+
+    /// The extent along y.
+    pub fn height(&self) -> f64 {
+        self.max.coordinate(1) - self.min.coordinate(1)
+    }
+
     /// The length of the diagonal.
     pub fn diagonal(&self) -> f64 {
         (self.max - self.min).length()

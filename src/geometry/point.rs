@@ -11,6 +11,11 @@ mod sealed {
 }
 
 /// A point or a vector in the plane or in space: glam's `DVec2` or `DVec3`. The trait is sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a point: expected `DVec2` or `DVec3` of glam",
+    label = "expected `DVec2` or `DVec3`",
+    note = "a `Vec2` or `Vec3` converts with `as_dvec2()` or `as_dvec3()`, a pair or an array with `DVec2::from`"
+)]
 pub trait Point:
     sealed::Sealed
     + Copy
@@ -28,11 +33,15 @@ pub trait Point:
 {
     /// The number of coordinates, 2 or 3.
     const DIMENSION: usize;
+    /// The origin.
+    const ZERO: Self;
     /// The affine maps of this space.
     type Affine: Copy + Debug;
     /// The type of A×B: a number in the plane (the signed area), a vector in space.
     type CrossProduct: CrossProduct;
 
+    /// The point whose coordinates are all equal to a number.
+    fn splat(value: f64) -> Self;
     /// The point in space; z = 0 for a plane point.
     fn to_3d(self) -> DVec3;
     /// The point in the plane; drops the z of a point in space.
@@ -66,6 +75,12 @@ pub trait Point:
     #[inline]
     fn lerp(self, other: Self, t: f64) -> Self {
         self * (1.0 - t) + other * t
+    }
+
+    /// The Euclidean distance of two points.
+    #[inline]
+    fn distance(self, other: Self) -> f64 {
+        Point::length(self - other)
     }
 
     /// The Euclidean length; it overflows or underflows only if the true value does.
@@ -153,9 +168,14 @@ impl CrossProduct for DVec3 {
 
 impl Point for DVec2 {
     const DIMENSION: usize = 2;
+    const ZERO: Self = DVec2::ZERO;
     type Affine = DAffine2;
     type CrossProduct = f64;
 
+    #[inline]
+    fn splat(value: f64) -> Self {
+        DVec2::splat(value)
+    }
     #[inline]
     fn to_3d(self) -> DVec3 {
         self.extend(0.0)
@@ -224,9 +244,14 @@ impl Point for DVec2 {
 
 impl Point for DVec3 {
     const DIMENSION: usize = 3;
+    const ZERO: Self = DVec3::ZERO;
     type Affine = DAffine3;
     type CrossProduct = DVec3;
 
+    #[inline]
+    fn splat(value: f64) -> Self {
+        DVec3::splat(value)
+    }
     #[inline]
     fn to_3d(self) -> DVec3 {
         self

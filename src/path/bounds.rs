@@ -1,12 +1,13 @@
 //! Bounding boxes and flattening of paths.
 
-use super::Path;
+use super::{Path, PathTime};
 use crate::curve::Curve;
 use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 use glam::{DVec2, DVec3};
 
 impl Path {
@@ -40,18 +41,35 @@ impl Path {
     /// # Errors
     /// As [`Spline::flatten`](crate::Spline::flatten), with the limit of 2²⁴ vertices for all subpaths together.
     pub fn flatten(&self, tolerance: f64) -> Result<Vec<Polyline<DVec2>>, Error> {
+        let mut lines = vec![Polyline::default(); self.subpath_count()];
+        self.flatten_with(tolerance, |PathTime { subpath, t }, point| {
+            lines[subpath].ts.push(t);
+            lines[subpath].points.push(point);
+        })?;
+        Ok(lines)
+    }
+
+    /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them; a subpath
+    /// starts with t = 0.
+    ///
+    /// # Errors
+    /// As [`Curve::flatten_with`].
+    pub fn flatten_with(
+        &self,
+        tolerance: f64,
+        mut vertex: impl FnMut(PathTime, DVec2),
+    ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         check_vertices(|| self.segment_points().map(Curve::from_slice), tolerance)?;
         let mut left = VertexLimit::new(MAX_VERTICES);
-        self.parts()
-            .map(|part| {
-                let mut line = Polyline::default();
-                for (k, points) in part.segments().enumerate() {
-                    line.append(&Curve::from_slice(points), k as f64, tolerance, &mut left)?;
-                }
-                Ok(line)
-            })
-            .collect()
+        for (subpath, part) in self.parts().enumerate() {
+            for (k, points) in part.segments().enumerate() {
+                let time = |t| PathTime::new(subpath, as_f64(k) + t);
+                let curve = Curve::from_slice(points);
+                curve.walk_after(k > 0, tolerance, &mut left, |t, p| vertex(time(t), p))?;
+            }
+        }
+        Ok(())
     }
 
     /// The control points of all segments.

@@ -6,6 +6,7 @@ use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 
 /// The maximum number of knot insertions, which take a few seconds. A segment of degree p needs p (p − 1).
 const MAX_STEPS: usize = 1 << 28;
@@ -29,6 +30,118 @@ pub struct BSpline<P: Point> {
     pub degree: usize,
     /// Whether the points and the knots are periodic.
     pub closed: bool,
+}
+
+impl<P: Point> BSpline<P> {
+    /// A B-spline whose numbers of points and knots and whose knots are valid; the default knots are 0, 1, 2, …
+    ///
+    /// ```
+    /// use casteljau::{Spline, glam::DVec2, spline::BSpline};
+    ///
+    /// let points = [(0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0)].map(DVec2::from);
+    /// let knots = vec![0.0, 0.0, 0.0, 1.0, 3.0, 3.0, 3.0];
+    /// let b_spline = BSpline::new(points.to_vec(), 2, Some(knots), false)?;
+    /// assert_eq!(b_spline.eval(0.5)?, b_spline.to_spline()?.eval(0.5));
+    /// assert_eq!(Spline::try_from(&b_spline)?.segment_count(), 2);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Spline::from_bspline`].
+    pub fn new(
+        points: Vec<P>,
+        degree: usize,
+        knots: Option<Vec<f64>>,
+        closed: bool,
+    ) -> Result<Self, Error> {
+        checked_knots(&points, degree, knots.as_deref(), closed)?;
+        let count = points.len() + if closed { 1 } else { degree + 1 };
+        let knots = knots.unwrap_or_else(|| (0..count).map(as_f64).collect());
+        Ok(Self {
+            points,
+            knots,
+            degree,
+            closed,
+        })
+    }
+
+    /// The point at the parameter u of the knots, which is clamped to the range of the curve.
+    ///
+    /// Σ Nᵢ(u) Pᵢ, by de Boor's algorithm. At a knot the span that starts there counts. The cost is that of checking the
+    /// knots, which grows with their number, and p² steps.
+    ///
+    /// # Errors
+    /// As [`Spline::from_bspline`]; [`Error::NotFinite`] for a u that is NaN.
+    ///
+    /// Source: de Boor, "On calculating with B-splines", Journal of Approximation Theory 6 (1972).
+    pub fn eval(&self, u: f64) -> Result<P, Error> {
+        let knots = checked_knots(&self.points, self.degree, Some(&self.knots), self.closed)?;
+        if u.is_nan() {
+            return Err(Error::NotFinite {
+                what: "u",
+                index: 0,
+                got: u,
+            });
+        }
+        let p = self.degree;
+        let u = knots.in_units(u);
+        let starts: Vec<usize> = knots.starts().collect();
+        let after = starts.partition_point(|&k| knots.at(k + p) <= u);
+        let k = starts[after.saturating_sub(1)];
+        let u = u.clamp(knots.at(k + p), knots.at(k + p + 1));
+        let at = |i: usize| self.points[(k + i) % self.points.len()];
+        let mut points: Vec<P> = (0..=p).map(at).collect();
+        for level in 1..=p {
+            for i in 0..=p - level {
+                let (from, to) = (knots.at(k + i + level), knots.at(k + i + p + 1));
+                points[i] = points[i].lerp(points[i + 1], (u - from) / (to - from));
+            }
+        }
+        Ok(points[0])
+    }
+
+    /// The Bézier form; see [`Spline::from_bspline`].
+    ///
+    /// # Errors
+    /// As [`Spline::from_bspline`].
+    pub fn to_spline(&self) -> Result<Spline<P>, Error> {
+        Spline::from_bspline(&self.points, self.degree, Some(&self.knots), self.closed)
+    }
+}
+
+impl<P: Point> TryFrom<&BSpline<P>> for Spline<P> {
+    type Error = Error;
+
+    /// The Bézier form; see [`Spline::from_bspline`].
+    fn try_from(b_spline: &BSpline<P>) -> Result<Self, Error> {
+        b_spline.to_spline()
+    }
+}
+
+/// The knots of a valid B-spline.
+fn checked_knots<P: Point>(
+    points: &[P],
+    degree: usize,
+    knots: Option<&[f64]>,
+    closed: bool,
+) -> Result<Knots, Error> {
+    if !(1..=MAX_DEGREE).contains(&degree) {
+        return Err(Error::Range {
+            what: "degree",
+            expected: "1 to 64",
+            got: as_f64(degree),
+        });
+    }
+    let count = points.len();
+    if count < if closed { 1 } else { degree + 1 } {
+        return Err(Error::Count {
+            what: "points",
+            expected: "at least degree + 1 points (closed: 1)",
+            got: count,
+        });
+    }
+    check_points("points", points)?;
+    Knots::new(knots, count, degree, closed)
 }
 
 impl<P: Point> Spline<P> {
@@ -67,23 +180,7 @@ impl<P: Point> Spline<P> {
         knots: Option<&[f64]>,
         closed: bool,
     ) -> Result<Self, Error> {
-        if !(1..=MAX_DEGREE).contains(&degree) {
-            return Err(Error::Range {
-                what: "degree",
-                expected: "1 to 64",
-                got: degree as f64,
-            });
-        }
-        let count = points.len();
-        if count < if closed { 1 } else { degree + 1 } {
-            return Err(Error::Count {
-                what: "points",
-                expected: "at least degree + 1 points (closed: 1)",
-                got: count,
-            });
-        }
-        check_points("points", points)?;
-        let knots = Knots::new(knots, count, degree, closed)?;
+        let knots = checked_knots(points, degree, knots, closed)?;
         let spans = knots.spans();
         let limit = (MAX_OUTPUT_F64 / P::DIMENSION / degree - 1).min(MAX_STEPS / degree / degree);
         if spans > limit {

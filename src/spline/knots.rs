@@ -9,6 +9,9 @@ const HUGE: f64 = 1e300;
 /// Knots in ascending order with valid multiplicities.
 pub(crate) struct Knots {
     values: Vec<f64>,
+    /// A knot of the caller is an own one, times `unit`, plus `start`.
+    start: f64,
+    unit: f64,
     /// The number of control points.
     count: usize,
     degree: usize,
@@ -40,16 +43,16 @@ impl Knots {
             });
         }
         Error::unless_finite("knots", &values)?;
-        if values.iter().any(|u| u.abs() > HUGE) {
-            values.iter_mut().for_each(|u| *u /= 1024.0);
-        }
-        if closed {
-            // With the start at 0, the first and the last knot are exactly one period apart.
-            let start = values[0];
-            values.iter_mut().for_each(|u| *u -= start);
-        }
+        let is_huge = values.iter().any(|u| u.abs() > HUGE);
+        let unit = if is_huge { 1024.0 } else { 1.0 };
+        values.iter_mut().for_each(|u| *u /= unit);
+        // With the start at 0, the first and the last knot of a period are exactly one period apart.
+        let start = if closed { values[0] } else { 0.0 };
+        values.iter_mut().for_each(|u| *u -= start);
         let knots = Self {
             values,
+            start,
+            unit,
             count,
             degree,
             closed,
@@ -85,6 +88,11 @@ impl Knots {
         let inside = |i: &usize| v[first] < v[*i] && v[*i] < v[last];
         let parted = (p..n).filter(inside).find(|&i| v[i] == v[i + p]);
         parted.map(|i| (i + p, "at most degree times the same knot inside"))
+    }
+
+    /// A parameter of the caller in the units of these knots.
+    pub(crate) fn in_units(&self, u: f64) -> f64 {
+        u / self.unit - self.start
     }
 
     pub(crate) fn degree(&self) -> usize {

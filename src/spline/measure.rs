@@ -8,7 +8,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::whole_and_rest;
+use crate::numeric::float::{as_f64, whole_and_rest};
 use glam::DVec2;
 
 impl<P: Point> Spline<P> {
@@ -53,16 +53,30 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`Curve::flatten`](crate::Curve::flatten).
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(
-            || (0..self.segment_count()).map(|k| self.curve(k)),
-            tolerance,
-        )?;
-        let (mut line, mut left) = (Polyline::default(), VertexLimit::new(MAX_VERTICES));
-        for k in 0..self.segment_count() {
-            line.append(&self.curve(k), k as f64, tolerance, &mut left)?;
-        }
+        let mut line = Polyline::default();
+        self.flatten_with(tolerance, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
         Ok(line)
+    }
+
+    /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them.
+    ///
+    /// # Errors
+    /// As [`Curve::flatten_with`](crate::Curve::flatten_with).
+    pub fn flatten_with(
+        &self,
+        tolerance: f64,
+        mut vertex: impl FnMut(f64, P),
+    ) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(|| self.segments(), tolerance)?;
+        let mut left = VertexLimit::new(MAX_VERTICES);
+        for (k, curve) in self.segments().enumerate() {
+            curve.walk_after(k > 0, tolerance, &mut left, |t, p| vertex(as_f64(k) + t, p))?;
+        }
+        Ok(())
     }
 
     /// The tight bounding box of the spline.

@@ -190,6 +190,11 @@ impl Surface {
         Some(Patch::from_net(points, columns))
     }
 
+    /// The point of a patch at (u, v), see [`Patch::eval`]; `None` if there is no such patch.
+    pub fn eval(&self, patch: usize, u: f64, v: f64) -> Option<DVec3> {
+        self.patch(patch).map(|patch| patch.eval(u, v))
+    }
+
     /// All patches in order.
     pub fn patches(&self) -> impl Iterator<Item = Patch> {
         (0..self.patch_count()).map_while(|patch| self.patch(patch))

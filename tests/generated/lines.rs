@@ -192,7 +192,7 @@ pub(crate) fn length<L: Line>(line: L, tolerance: Option<f64>) -> Checked {
     };
     let (mut chords, mut polygons, mut sum) = (0.0, 0.0, 0.0);
     for curve in line.curves() {
-        chords += curve.start().distance(curve.end());
+        chords += Metric::distance(curve.start(), curve.end());
         polygons += polygon_length(curve.control_points());
         sum += curve.length();
     }
@@ -279,7 +279,7 @@ pub(crate) fn nearest<L: Line>(line: L, p: L::P) -> Checked {
     let (slack, last) = (line.slack(), line.last());
     ensure!((0.0..=last).contains(&found.t), "t = {}", found.t);
     near(found.point, line.eval(found.t), slack, "the point at t")?;
-    let distance = found.point.distance(p);
+    let distance = Metric::distance(found.point, p);
     near(distance, found.distance, 4.0 * slack, "the distance")?;
     let closest = from_nearest(p, line.sample(100 / line.curves().len())?);
     at_most(found.distance, closest + 4.0 * slack, "a sample is nearer")

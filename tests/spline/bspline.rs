@@ -6,6 +6,7 @@ use crate::support::{Rng, Space, all_near, apart, largest, near, near_at};
 use crate::support::{random_points, real, refused, xy};
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::spline::BSpline;
 use casteljau::{Curve, Error, Point, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -304,4 +305,53 @@ fn long_ones_in_linear_time() {
         Spline::from_bspline(&points, 64, None, true),
         "TooMany segments 65536",
     );
+}
+
+/// By the Cox–de Boor recursion; outside its range the curve ends at its ends.
+#[wasm_bindgen_test(unsupported = test)]
+fn evaluation_keeps_the_knots() {
+    let mut rng = Rng(117);
+    for case in 0..cases() / 4 {
+        let p = 1 + rng.below(5);
+        let count = p + 1 + rng.below(6);
+        let u = knots(&mut rng, count, p);
+        let points: Vec<DVec2> = random_points(&mut rng, count);
+        let Ok(b) = BSpline::new(points.clone(), p, Some(u.clone()), false) else {
+            continue;
+        };
+        let (from, to) = (u[p], u[count]);
+        for _ in 0..5 {
+            let x = from + (to - from) * rng.unit();
+            let expected = slow(&points, &u, p, x, to);
+            near_at(b.eval(x).expect("knots"), expected, 1e-11, case);
+        }
+        assert_eq!(b.eval(from - 1.0), b.eval(from));
+        assert_eq!(b.eval(to + 1.0), b.eval(to));
+        assert_eq!(b.knots, u);
+        assert_eq!(Ok(&b), BSpline::new(points, p, Some(u), false).as_ref());
+        let spline = b.to_spline().expect("knots");
+        let ends = [
+            spline.control_points()[0],
+            spline.eval(real(spline.segment_count())),
+        ];
+        near_at(b.eval(from).expect("knots"), ends[0], 1e-12, case);
+        near_at(b.eval(to).expect("knots"), ends[1], 1e-12, case);
+    }
+    let around = BSpline::new(xy("0 0, 2 0, 1 2"), 2, Some(vec![1.0, 2.0, 4.0, 5.0]), true);
+    let around = around.expect("a closed one");
+    let spline = Spline::try_from(&around).expect("a closed one");
+    for (u, t) in [
+        (1.0, 0.0),
+        (1.5, 0.5),
+        (2.0, 1.0),
+        (3.0, 1.5),
+        (4.5, 2.5),
+        (5.0, 3.0),
+    ] {
+        near_at(around.eval(u).expect("knots"), spline.eval(t), 1e-15, u);
+    }
+    refused(around.eval(f64::NAN), "NotFinite u 0");
+    let mut broken = around;
+    broken.knots.swap(0, 1);
+    refused(broken.eval(1.5), "Item knots 1 1");
 }

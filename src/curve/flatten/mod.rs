@@ -49,29 +49,6 @@ pub struct Polyline<P> {
     pub ts: Vec<f64>,
 }
 
-impl<P: Point> Polyline<P> {
-    /// Appends the vertices of a curve whose parameters start at `from`. The start is left out if the polyline has
-    /// vertices, the last of which is then the start.
-    pub(crate) fn append(
-        &mut self,
-        curve: &Curve<P>,
-        from: f64,
-        tolerance: f64,
-        limit: &mut VertexLimit,
-    ) -> Result<(), Error> {
-        let joined = !self.ts.is_empty();
-        if !joined {
-            limit.spend()?;
-        }
-        curve.walk(tolerance, limit, |t, point| {
-            if !(joined && t == 0.0) {
-                self.ts.push(from + t);
-                self.points.push(point);
-            }
-        })
-    }
-}
-
 impl<P: Point> Curve<P> {
     /// A polyline whose distance from every point of the curve is at most `tolerance`, in the unit of the input.
     ///
@@ -90,9 +67,7 @@ impl<P: Point> Curve<P> {
     /// 20 n² steps for each vertex.
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
-        let mut line = Polyline::default();
-        line.append(self, 0.0, tolerance, &mut VertexLimit::new(MAX_VERTICES))?;
-        Ok(line)
+        self.polyline(tolerance, &mut VertexLimit::new(MAX_VERTICES))
     }
 
     /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them.
@@ -102,9 +77,12 @@ impl<P: Point> Curve<P> {
     /// where the forecast of their number was too low.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        let mut limit = VertexLimit::new(MAX_VERTICES);
-        limit.spend()?;
-        self.walk(tolerance, &mut limit, vertex)
+        self.walk_after(
+            false,
+            tolerance,
+            &mut VertexLimit::new(MAX_VERTICES),
+            vertex,
+        )
     }
 
     /// Returns an error before anything is allocated.
@@ -121,9 +99,34 @@ impl<P: Point> Curve<P> {
         limit: &mut VertexLimit,
     ) -> Result<Polyline<P>, Error> {
         check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit.max)?;
+        self.polyline(tolerance, limit)
+    }
+
+    fn polyline(&self, tolerance: f64, limit: &mut VertexLimit) -> Result<Polyline<P>, Error> {
         let mut line = Polyline::default();
-        line.append(self, 0.0, tolerance, limit)?;
+        self.walk_after(false, tolerance, limit, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
         Ok(line)
+    }
+
+    /// Passes on the vertices, without the start if the curve is joined to another one, whose last vertex it is.
+    pub(crate) fn walk_after(
+        &self,
+        joined: bool,
+        tolerance: f64,
+        limit: &mut VertexLimit,
+        mut vertex: impl FnMut(f64, P),
+    ) -> Result<(), Error> {
+        if !joined {
+            limit.spend()?;
+        }
+        self.walk(tolerance, limit, |t, point| {
+            if !(joined && t == 0.0) {
+                vertex(t, point);
+            }
+        })
     }
 
     /// Passes on the vertices; the start, which a joined curve has already, is not counted.

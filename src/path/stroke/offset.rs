@@ -34,6 +34,38 @@ impl Default for OffsetOptions {
     }
 }
 
+/// Methods that set one option, for chaining.
+impl OffsetOptions {
+    /// The default options.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the joins at corners.
+    #[must_use]
+    pub fn join(self, join: OffsetJoin) -> Self {
+        Self { join, ..self }
+    }
+
+    /// Sets the limit of miters, in distances.
+    #[must_use]
+    pub fn miter_limit(self, miter_limit: f64) -> Self {
+        Self {
+            miter_limit,
+            ..self
+        }
+    }
+
+    /// Sets the largest distance of the boundary from the exact one.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self {
+            tolerance: Some(tolerance),
+            ..self
+        }
+    }
+}
+
 impl Path {
     /// The region that the path fills, grown by a distance, or shrunk if it is negative.
     ///
@@ -41,6 +73,7 @@ impl Path {
     /// stroke is twice the distance. Growing and shrinking do not depend on the orientation of the subpaths. Open
     /// subpaths are closed, and the nonzero rule applies. A region that is thinner than twice the distance shrinks to
     /// the empty path. The result is a region as [`union`](Self::union) describes it.
+    /// [`Spline::offset`](crate::Spline::offset) is the parallel curve on one side instead.
     ///
     /// ```
     /// use casteljau::Path;

@@ -26,7 +26,7 @@ pub enum StrokeCap {
 /// ```
 /// use casteljau::path::{StrokeCap, StrokeOptions};
 ///
-/// let options = StrokeOptions { cap: StrokeCap::Round, dash: vec![4.0, 2.0], ..StrokeOptions::default() };
+/// let options = StrokeOptions::new().cap(StrokeCap::Round).dash(&[4.0, 2.0], 0.0);
 /// assert_eq!(options.miter_limit, 4.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +69,59 @@ impl Default for StrokeOptions {
     }
 }
 
+/// Methods that set one option, for chaining.
 impl StrokeOptions {
+    /// The default options.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the joins at corners.
+    #[must_use]
+    pub fn join(self, join: OffsetJoin) -> Self {
+        Self { join, ..self }
+    }
+
+    /// Sets the limit of miters, in half widths.
+    #[must_use]
+    pub fn miter_limit(self, miter_limit: f64) -> Self {
+        Self {
+            miter_limit,
+            ..self
+        }
+    }
+
+    /// Sets the caps.
+    #[must_use]
+    pub fn cap(self, cap: StrokeCap) -> Self {
+        Self { cap, ..self }
+    }
+
+    /// Sets the lengths of dashes and gaps, and the length in the pattern at which subpaths start.
+    #[must_use]
+    pub fn dash(self, dash: &[f64], dash_offset: f64) -> Self {
+        Self {
+            dash: dash.to_vec(),
+            dash_offset,
+            ..self
+        }
+    }
+
+    /// Sets the largest distance of the boundary from that of the exact stroke.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self {
+            tolerance: Some(tolerance),
+            ..self
+        }
+    }
+
+    /// Sets whether the result has no overlaps.
+    #[must_use]
+    pub fn simple(self, simple: bool) -> Self {
+        Self { simple, ..self }
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
         check_miter_limit(self.miter_limit)
     }

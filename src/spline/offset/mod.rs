@@ -44,6 +44,10 @@ impl Spline<DVec2> {
     /// where the offset curves cross: nothing is trimmed. A smooth joint needs no join (the ends may differ by 1/64 of
     /// the tolerance). The offset curve of a closed spline is closed.
     ///
+    /// A parallel curve on one side is not an enlarged region: a positive distance is to the left of the direction, which
+    /// is inside of an outline that runs counter-clockwise (x right, y up). [`Path::offset`](crate::Path::offset) grows
+    /// regions whatever their direction.
+    ///
     /// # Errors
     /// As [`Curve::offset`].
     pub fn offset(
