@@ -1,7 +1,7 @@
 //! Conversions from and to the types of the crate kurbo, behind the feature `kurbo`.
 
-use crate::curve::Curve;
 use crate::curve::trace::PathSink;
+use crate::curve::{self, Curve};
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::builder::PathBuilder;
@@ -51,6 +51,37 @@ impl TryFrom<CubicBez> for Curve<DVec2> {
     fn try_from(cubic: CubicBez) -> Result<Self, Error> {
         Self::new(&[cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(from_kurbo))
     }
+}
+
+/// Implements the conversions between the curves of fixed degrees of both libraries.
+macro_rules! same_degree {
+    ($($ours:ident, $theirs:ident($($p:ident),+);)+) => {$(
+        impl TryFrom<$theirs> for curve::$ours<DVec2> {
+            type Error = Error;
+
+            /// The same curve.
+            ///
+            /// # Errors
+            /// [`Error::NotFinite`] for a NaN or an infinity.
+            fn try_from(curve: $theirs) -> Result<Self, Error> {
+                Self::new($(from_kurbo(curve.$p)),+)
+            }
+        }
+
+        impl From<curve::$ours<DVec2>> for $theirs {
+            /// The same curve.
+            fn from(curve: curve::$ours<DVec2>) -> Self {
+                let [$($p),+] = curve.control_points().map(to_kurbo);
+                Self::new($($p),+)
+            }
+        }
+    )+};
+}
+
+same_degree! {
+    Line, Line(p0, p1);
+    Quad, QuadBez(p0, p1, p2);
+    Cubic, CubicBez(p0, p1, p2, p3);
 }
 
 impl TryFrom<PathSeg> for Curve<DVec2> {

@@ -1,7 +1,7 @@
 //! Evaluation and splitting of cubics.
 
 use crate::inputs::{COUNT, Cubics, parameters};
-use casteljau::Curve;
+use casteljau::curve::Cubic;
 use casteljau::glam::DVec2;
 use criterion::Criterion;
 use kurbo::{CubicBez, ParamCurve};
@@ -13,16 +13,18 @@ const TOLERANCE: f64 = 1e-11;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let (cubics, ts) = (Cubics::new(), parameters());
-    eval(criterion, &cubics, &ts);
-    split(criterion, &cubics, &ts);
-    halve(criterion, &cubics);
+    let cubic = |curve| Cubic::try_from(curve).expect("a cubic");
+    let ours: Vec<Cubic<DVec2>> = cubics.ours.iter().map(cubic).collect();
+    eval(criterion, &cubics, &ours, &ts);
+    split(criterion, &cubics, &ours, &ts);
+    halve(criterion, &cubics, &ours);
 }
 
-fn eval(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
+fn eval(criterion: &mut Criterion, cubics: &Cubics, ours: &[Cubic<DVec2>], ts: &[f64]) {
     for (k, &t) in ts.iter().enumerate() {
-        let ours = cubics.ours[k].eval(t);
-        assert_same(of_kurbo(cubics.kurbo[k].eval(t)), ours);
-        assert_same(of_lyon(cubics.lyon[k].sample(t)), ours);
+        let point = ours[k].eval(t);
+        assert_same(of_kurbo(cubics.kurbo[k].eval(t)), point);
+        assert_same(of_lyon(cubics.lyon[k].sample(t)), point);
     }
     let mut group = criterion.benchmark_group("eval");
     group.bench_function("kurbo", |b| {
@@ -32,35 +34,35 @@ fn eval(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
         b.iter(|| each(&cubics.lyon, ts, CubicBezierSegment::sample));
     });
     group.bench_function("casteljau", |b| {
-        b.iter(|| each(&cubics.ours, ts, Curve::eval));
+        b.iter(|| each(ours, ts, Cubic::eval));
     });
     group.finish();
 }
 
 /// kurbo has no function that splits a curve at t.
-fn split(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
+fn split(criterion: &mut Criterion, cubics: &Cubics, ours: &[Cubic<DVec2>], ts: &[f64]) {
     for (k, &t) in ts.iter().enumerate() {
-        let ours = cubics.ours[k].split(t);
+        let pieces = ours[k].split(t);
         let (before, after) = cubics.lyon[k].split(t);
-        assert_same_pieces([lyon_points(before), lyon_points(after)], &ours);
+        assert_same_pieces([lyon_points(before), lyon_points(after)], pieces);
     }
     let mut group = criterion.benchmark_group("split");
     group.bench_function("lyon_geom", |b| {
         b.iter(|| each(&cubics.lyon, ts, CubicBezierSegment::split));
     });
     group.bench_function("casteljau", |b| {
-        b.iter(|| each(&cubics.ours, ts, Curve::split));
+        b.iter(|| each(ours, ts, Cubic::split));
     });
     group.finish();
 }
 
-fn halve(criterion: &mut Criterion, cubics: &Cubics) {
-    for k in 0..COUNT {
-        let ours = cubics.ours[k].halve();
+fn halve(criterion: &mut Criterion, cubics: &Cubics, ours: &[Cubic<DVec2>]) {
+    for (k, cubic) in ours.iter().enumerate() {
+        let pieces = cubic.halve();
         let (before, after) = cubics.kurbo[k].subdivide();
-        assert_same_pieces([kurbo_points(before), kurbo_points(after)], &ours);
+        assert_same_pieces([kurbo_points(before), kurbo_points(after)], pieces);
         let (before, after) = cubics.lyon[k].split(0.5);
-        assert_same_pieces([lyon_points(before), lyon_points(after)], &ours);
+        assert_same_pieces([lyon_points(before), lyon_points(after)], pieces);
     }
     let ts = [0.5; COUNT];
     let mut group = criterion.benchmark_group("halve");
@@ -71,7 +73,7 @@ fn halve(criterion: &mut Criterion, cubics: &Cubics) {
         b.iter(|| each(&cubics.lyon, &ts, |curve, _| curve.split(0.5)));
     });
     group.bench_function("casteljau", |b| {
-        b.iter(|| each(&cubics.ours, &ts, |curve, _| curve.halve()));
+        b.iter(|| each(ours, &ts, |curve, _| curve.halve()));
     });
     group.finish();
 }
@@ -89,14 +91,10 @@ fn assert_same(theirs: DVec2, ours: DVec2) {
     assert!(apart <= TOLERANCE, "{theirs}, ours {ours}");
 }
 
-fn assert_same_pieces(theirs: [[DVec2; 4]; 2], ours: &(Curve<DVec2>, Curve<DVec2>)) {
-    let ours = ours
-        .0
-        .control_points()
-        .iter()
-        .chain(ours.1.control_points());
-    for (theirs, &ours) in theirs.as_flattened().iter().zip(ours) {
-        assert_same(*theirs, ours);
+fn assert_same_pieces(theirs: [[DVec2; 4]; 2], (a, b): (Cubic<DVec2>, Cubic<DVec2>)) {
+    let ours = [a.control_points(), b.control_points()];
+    for (theirs, ours) in theirs.as_flattened().iter().zip(ours.as_flattened()) {
+        assert_same(*theirs, *ours);
     }
 }
 

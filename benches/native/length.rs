@@ -21,7 +21,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
 }
 
 fn ours(curve: &Curve<DVec2>, tolerance: f64) -> f64 {
-    curve.length_within((tolerance)).expect("a fit tolerance")
+    curve.length_within(tolerance).expect("a fit tolerance")
 }
 
 fn length(criterion: &mut Criterion, cubics: &Cubics) {

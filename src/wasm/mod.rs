@@ -63,7 +63,7 @@ fn optional(tolerance: f64) -> Option<f64> {
 fn within<T>(
     tolerance: f64,
     plain: impl FnOnce() -> T,
-    with: impl FnOnce(f64) -> Result<T, Error>,
-) -> Result<T, Error> {
+    with: impl FnOnce(f64) -> Result<T, crate::Error>,
+) -> Result<T, crate::Error> {
     optional(tolerance).map_or_else(|| Ok(plain()), with)
 }

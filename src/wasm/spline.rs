@@ -3,7 +3,7 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::optional;
+use super::within;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::spline::Spline;

@@ -2,6 +2,7 @@
 
 mod basis;
 mod convert;
+mod copy;
 mod eval;
 mod limits;
 mod pieces;

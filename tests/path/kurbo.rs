@@ -2,10 +2,11 @@
 #![cfg(feature = "kurbo")]
 
 use crate::support::paths::path;
+use casteljau::curve::{Cubic, Line, Quad};
 use casteljau::glam::DVec2;
 use casteljau::path::FillRule;
 use casteljau::{Curve, Error, Path, Spline};
-use kurbo::{BezPath, Circle, ParamCurve, PathSeg, Shape};
+use kurbo::{BezPath, Circle, CubicBez, ParamCurve, PathSeg, QuadBez, Shape};
 
 const TEXT: &str = "M0,0 L1,0.5 Q2,3 4,4 C5,4 6,3 6,2 Z M8,8 L9,8";
 
@@ -14,7 +15,8 @@ fn a_path_comes_back_from_kurbo() {
     let path = path(TEXT);
     let there = BezPath::from(&path);
     assert_eq!(there.segments().count(), path.segment_count());
-    assert_eq!(Path::try_from(&there), Ok(path));
+    assert_eq!(BezPath::from(path.clone()), there);
+    assert_eq!(Path::try_from(there), Ok(path));
 }
 
 #[test]
@@ -27,6 +29,22 @@ fn segments_have_the_same_points() {
         assert_eq!(Curve::try_from(segment), Ok(curve.clone()));
         assert_eq!(BezPath::from(&curve), BezPath::from(&Spline::from(curve)));
     }
+}
+
+#[test]
+fn curves_of_fixed_degrees_are_the_same() {
+    let [a, b, c, d] = [(0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 5.0)].map(DVec2::from);
+    let cubic = Cubic::new(a, b, c, d).expect("finite");
+    let theirs = CubicBez::from(cubic);
+    assert_eq!(Cubic::try_from(theirs), Ok(cubic));
+    assert_eq!(CubicBez::try_from(&Curve::from(cubic)), Ok(theirs));
+    assert_eq!(theirs.eval(0.5).x, cubic.eval(0.5).x);
+    let line = Line::new(a, b).expect("finite");
+    assert_eq!(Line::try_from(kurbo::Line::from(line)), Ok(line));
+    let quad = Quad::new(a, b, c).expect("finite");
+    assert_eq!(Quad::try_from(QuadBez::from(quad)), Ok(quad));
+    let refused = QuadBez::try_from(&Curve::from(cubic));
+    assert!(matches!(refused, Err(Error::Range { what: "degree", .. })));
 }
 
 #[test]

@@ -1,0 +1,112 @@
+//! Lines, quadratics and cubics that are `Copy`: every method has the result of the same method of `Curve`.
+
+use crate::support::{Rng, Space, all_near, refused};
+use casteljau::curve::{Cubic, Line, Quad};
+use casteljau::glam::{DAffine2, DVec2, DVec3, dvec2};
+use casteljau::{Curve, Error};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// Compares a curve of a fixed degree with the same curve of any degree.
+macro_rules! same {
+    ($type:ident, $points:expr, $t:expr, $p:expr) => {{
+        let copy = $type::try_from($points).expect("finite points");
+        let curve = Curve::from(copy);
+        let (t, p) = ($t, $p);
+        assert_eq!(curve.control_points(), copy.control_points());
+        assert_eq!((copy.start(), copy.end()), (curve.start(), curve.end()));
+        assert_eq!($type::try_from(&curve), Ok(copy));
+        assert_eq!(copy.eval(t), curve.eval(t));
+        for (part, of_curve) in [
+            (copy.split(t), curve.split(t)),
+            (copy.halve(), curve.halve()),
+        ] {
+            assert_eq!(Curve::from(part.0), of_curve.0, "{t}");
+            assert_eq!(Curve::from(part.1), of_curve.1, "{t}");
+        }
+        assert_eq!(
+            Curve::from(copy.subsegment(t..0.75)),
+            curve.subsegment(t..0.75)
+        );
+        assert_eq!(Curve::from(copy.reverse()), curve.reverse());
+        assert_eq!(copy.bounds(), curve.bounds());
+        assert_eq!(copy.length(), curve.length());
+        assert_eq!(copy.nearest(p), curve.nearest(p));
+        let tolerance = 0.01 * (1.0 + copy.bounds().diagonal());
+        assert_eq!(copy.flatten(tolerance), curve.flatten(tolerance));
+        assert_eq!(
+            (copy.tangent(t), copy.normal(t)),
+            (curve.tangent(t), curve.normal(t))
+        );
+        assert_eq!(copy.curvature(t).to_bits(), curve.curvature(t).to_bits());
+        copy
+    }};
+}
+
+fn check<P: Space>(rng: &mut Rng) {
+    let mut point = || {
+        let [x, y, z] = [0, 1, 2].map(|_| rng.signed() * rng.pick(&[1.0, 1e-9, 1e100]));
+        P::of(DVec3::new(x, y, z))
+    };
+    let points = [point(), point(), point(), point()];
+    let p = point();
+    let t = rng.pick(&[0.0, 0.3, 1.0, -0.5, 1.5, 0.999]);
+    let [a, b, c, _] = points;
+    let line = same!(Line, [a, b], t, p);
+    let quad = same!(Quad, [a, b, c], t, p);
+    let cubic = same!(Cubic, points, t, p);
+    assert_eq!(line.derivative(), b - a);
+    assert_eq!(
+        Curve::from(quad.derivative()),
+        Curve::from(quad).derivative()
+    );
+    assert_eq!(
+        Curve::from(cubic.derivative()),
+        Curve::from(cubic).derivative()
+    );
+    let elevated = Curve::from(quad).elevate().expect("degree 3");
+    let size = [a, b, c].iter().map(|p| p.max_abs()).fold(0.0, f64::max);
+    all_near(
+        &quad.elevate().control_points(),
+        elevated.control_points(),
+        4.0 * f64::EPSILON * size,
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn methods_are_those_of_curves() {
+    let mut rng = Rng(3301);
+    for _ in 0..300 {
+        check::<DVec2>(&mut rng);
+        check::<DVec3>(&mut rng);
+    }
+    let map = DAffine2::from_angle(1.0);
+    let line = Line::new(DVec2::X, DVec2::Y).expect("finite");
+    let image = line.transform(&map).map(Curve::from);
+    assert_eq!(image, Curve::from(line).transform(&map));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn other_degrees_and_numbers_are_refused() {
+    let line = Curve::line(DVec2::ZERO, DVec2::X);
+    refused(Cubic::try_from(&line), "Count points 2");
+    refused(
+        Line::new(DVec2::ZERO, dvec2(f64::NAN, 0.0)),
+        "NotFinite points 1",
+    );
+    let far = Quad::new(DVec2::ZERO, dvec2(0.0, 1e200), DVec2::X);
+    assert!(matches!(
+        far,
+        Err(Error::Item {
+            what: "points",
+            index: 1,
+            ..
+        })
+    ));
+    let largest = casteljau::MAX_COORDINATE;
+    let huge = Line::new(dvec2(-largest, 0.0), dvec2(largest, 0.0)).expect("within the limit");
+    assert!(huge.split(10.0).0.end().is_finite());
+    let doubled = huge.transform(&DAffine2::from_scale(DVec2::splat(2.0)));
+    assert!(matches!(doubled, Err(Error::Item { what: "image", .. })));
+    refused(huge.nearest(DVec2::NAN), "NotFinite p 0");
+    refused(huge.flatten(0.0), "Range tolerance");
+}
