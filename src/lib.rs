@@ -22,6 +22,23 @@
 //! - Degenerate geometry is not an error and gives a defined result. An [`Error`] means an invalid argument: a wrong
 //!   count, a NaN, 0 segments, a tolerance that the coordinates cannot resolve.
 //!
+//! - Numbers that are NaN: functions that evaluate ([`Curve::eval`], [`Curve::time_at_length`]) return NaN, questions with
+//!   yes or no ([`Path::contains`]) say no, and searches ([`Curve::nearest`]) return an error.
+//!
+//! # Coming from kurbo or lyon
+//!
+//! | kurbo, lyon | here |
+//! |---|---|
+//! | `Line`, `QuadBez`, `CubicBez`; `LineSegment`, `QuadraticBezierSegment`, `CubicBezierSegment` | [`curve::Line`], [`curve::Quad`], [`curve::Cubic`], which are `Copy`; [`Curve`] for any degree; kurbo's types convert with `From` and `TryFrom` (feature `kurbo`) |
+//! | `BezPath`; `Path` | [`Path`], a list of [`Spline`]s; [`Path::builder`], [`Path::from_elements`], [`Path::elements`], [`Path::trace`] into a [`curve::PathSink`] |
+//! | `Circle`, `Rect`, `RoundedRect`, `Arc`, `Ellipse` | [`Path::circle`], [`Path::rect`], [`Path::rounded_rect`], [`Path::arc`], [`Path::ellipse`] |
+//! | `eval`, `subsegment(a..b)`, `subdivide`; `sample`, `split_range`, `split` | [`Curve::eval`], [`Curve::subsegment`], [`Curve::halve`], [`Curve::split`] |
+//! | `arclen(accuracy)`, `inv_arclen`; `approximate_length` | [`Curve::length`] and [`Curve::length_within`], [`Curve::time_at_length`] |
+//! | `nearest(p, accuracy)` | [`Curve::nearest`], to rounding |
+//! | `bounding_box`; `bounding_box`, `fast_bounding_box` | [`Curve::bounds`], [`Curve::control_bounds`] |
+//! | `flatten`, `offset_cubic`, `stroke`; `for_each_flattened` | [`Curve::flatten`], [`Curve::offset`], [`Path::stroke`], [`Curve::flatten_with`] |
+//! | `fit_to_bezpath`, `simplify_bezpath` | [`Spline::fit`], [`Spline::simplify`] |
+//!
 //! # Features
 //!
 //! All but `fast` are off by default.
@@ -31,7 +48,6 @@
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
 //!   checked as by the constructors.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
-//!
 //! - `rayon`: `grid`, `tessellate`, `area`, `volume` and `intersect_ray` of a surface use all cores, through the global
 //!   thread pool of the crate rayon or the pool in which they are called. The results are the same bit for bit. It pays
 //!   off for surfaces with many patches.

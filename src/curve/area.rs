@@ -35,34 +35,31 @@ pub(crate) fn triangle_area<P: Point>(a: P, b: P) -> f64 {
 ///
 /// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m), which is ½ ∫
 /// (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
+#[inline]
 pub(crate) fn area_about<P: Point>(points: &[P], centre: P) -> f64 {
-    let around: Points<DVec2> = points.iter().map(|&p| (p - centre).to_2d()).collect();
-    let n = around.len() - 1;
-    let known = WEIGHTS.get(n.wrapping_sub(1));
-    let (mut sum, mut k) = (0.0, 0);
-    for j in 1..=n {
-        for i in 0..j {
-            let weight = known.map_or_else(|| weight(n, i, j), |weights| weights[k]);
-            sum += weight * around[i].cross(around[j]);
-            k += 1;
+    let around = |p: P| (p - centre).to_2d();
+    match *points {
+        [a, b] => 0.5 * around(a).cross(around(b)),
+        [a, b, c] => {
+            let [a, b, c] = [a, b, c].map(around);
+            (2.0 * (a.cross(b) + b.cross(c)) + a.cross(c)) / 6.0
         }
+        [a, b, c, d] => {
+            let [a, b, c, d] = [a, b, c, d].map(around);
+            let ends = 6.0 * (a.cross(b) + c.cross(d));
+            (ends + 3.0 * (a.cross(c) + b.cross(c) + b.cross(d)) + a.cross(d)) / 20.0
+        }
+        _ => area_of_any_degree(&points.iter().map(|&p| around(p)).collect::<Points<DVec2>>()),
     }
-    sum
 }
 
-/// The weights of lines, quadratics and cubics, in the order of [`area_about`].
-const WEIGHTS: [&[f64]; 3] = [
-    &[0.5],
-    &[2.0 / 3.0 * 0.5, 1.0 / 6.0, 2.0 / 3.0 * 0.5],
-    &[
-        0.6 * 0.5,
-        0.75 * 0.2,
-        1.0 / 3.0 * 0.45,
-        0.05,
-        0.75 * 0.2,
-        0.6 * 0.5,
-    ],
-];
+fn area_of_any_degree(points: &[DVec2]) -> f64 {
+    let n = points.len() - 1;
+    let pairs = (1..=n).flat_map(|j| (0..j).map(move |i| (i, j)));
+    pairs
+        .map(|(i, j)| weight(n, i, j) * points[i].cross(points[j]))
+        .sum()
+}
 
 /// The weight w of Pᵢ × Pⱼ for degree n.
 fn weight(n: usize, i: usize, j: usize) -> f64 {
@@ -73,12 +70,15 @@ fn weight(n: usize, i: usize, j: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+
     #[test]
-    fn the_weights_are_those_of_the_formula() {
-        for (weights, n) in super::WEIGHTS.iter().zip(1..) {
-            let pairs = (1..=n).flat_map(|j| (0..j).map(move |i| (i, j)));
-            let expected: Vec<f64> = pairs.map(|(i, j)| super::weight(n, i, j)).collect();
-            assert_eq!(*weights, expected, "degree {n}");
+    fn low_degrees_are_the_formula() {
+        let points = [(1.0, 2.0), (3.0, -1.0), (0.5, 4.0), (7.0, 0.25)].map(DVec2::from);
+        for count in 2..=4 {
+            let area = area_about(&points[..count], DVec2::ZERO);
+            let expected = area_of_any_degree(&points[..count]);
+            assert!((area - expected).abs() < 1e-14, "{count} points: {area}");
         }
     }
 }

@@ -12,6 +12,7 @@ impl<P: Point> Curve<P> {
     ///
     /// Exact up to rounding: an extremum is a root of one coordinate of B′, so an error of the root changes the
     /// coordinate only to second order.
+    #[doc(alias = "bounding_box")]
     pub fn bounds(&self) -> Bounds<P> {
         let mut bounds = Bounds {
             min: self.start(),

@@ -71,6 +71,7 @@ impl<P: Point> Curve<P> {
     /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: only sums and
     /// divisions by powers of two, which do not round.
     #[inline]
+    #[doc(alias = "subdivide")]
     pub fn halve(&self) -> (Self, Self) {
         self.split(0.5)
     }

@@ -15,6 +15,7 @@ impl Path {
     ///
     /// Exact up to rounding, as [`Curve::bounds`]. Extrema are computed only for segments with control points outside
     /// the box of all joints.
+    #[doc(alias = "bounding_box")]
     pub fn bounds(&self) -> Option<Bounds<DVec2>> {
         let first = *self.points.first()?;
         let joints = self.segment_points().map(|points| points[points.len() - 1]);

@@ -45,6 +45,7 @@ impl Path {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
+    #[doc(alias = "closest")]
     pub fn nearest(&self, p: DVec2) -> Result<Option<PathPoint>, Error> {
         check_points("p", &[p])?;
         // The nearest joint gives an upper bound of the distance.

@@ -80,6 +80,7 @@ impl<P: Point> Spline<P> {
     }
 
     /// The tight bounding box of the spline.
+    #[doc(alias = "bounding_box")]
     pub fn bounds(&self) -> Bounds<P> {
         let first = self.curve(0).bounds();
         (1..self.segment_count()).fold(first, |bounds, k| bounds.union(self.curve(k).bounds()))

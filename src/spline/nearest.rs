@@ -28,6 +28,7 @@ impl<P: Point> Spline<P> {
     /// assert_eq!((nearest.t, nearest.distance), (1.5, 1.0));
     /// # Ok::<(), casteljau::Error>(())
     /// ```
+    #[doc(alias = "closest")]
     pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
         check_points("p", &[p])?;
         Ok(self.nearest_to(p))

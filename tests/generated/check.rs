@@ -267,7 +267,12 @@ pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
             got,
         } => allows(what) && !(first..=last).contains(&got),
         Error::NotFinite { what, got, .. } => allows(what) && !got.is_finite(),
-        Error::Count { what, .. } | Error::Item { what, .. } => allows(what),
+        Error::Count { what, .. }
+        | Error::Item { what, .. }
+        | Error::Singular { what }
+        | Error::ClosedSpline { what } => allows(what),
+        Error::NoJoint => allows("joint"),
+        Error::NotPlane => allows("mode"),
         _ => false,
     };
     ensure!(fits, "refused without a stated reason: {error} ({error:?})");

@@ -216,7 +216,15 @@ fn lies_before<L: Line>(line: &L, t: f64, s: f64, tolerance: f64) -> Checked {
 
 pub(crate) fn time_at_length<L: Line>(line: L, s: f64, tolerance: Option<f64>) -> Checked {
     let t = match tolerance {
-        None => value!(line.time_at_length(s)),
+        None => {
+            let t = value!(line.time_at_length(s));
+            let at = line.point_at_length(s);
+            ensure!(
+                s.is_nan() || (at.t, at.point) == (t, line.eval(t)),
+                "another point"
+            );
+            t
+        }
         Some(tolerance) => answer!(line.time_at_length_within(s, tolerance), "tolerance"),
     };
     ensure!(!s.is_nan() || t.is_nan(), "t = {t} for NaN");

@@ -5,7 +5,9 @@ use crate::check::size;
 use crate::geometry::{growth, real, slack};
 use crate::numbers::Numbers;
 use crate::recorder::Recorder;
-use casteljau::curve::{Bounds, Frame, Intersection, Nearest, Polyline, SelfIntersection};
+use casteljau::curve::{
+    Bounds, Frame, Intersection, Nearest, PointAtLength, Polyline, SelfIntersection,
+};
 use casteljau::glam::{DAffine3, DVec2, DVec3};
 use casteljau::mesh::TessellationOptions;
 use casteljau::patch::PatchPoint;
@@ -118,6 +120,7 @@ shared! {
         length() -> f64;
         length_within(tolerance: f64) -> Result<f64, Error>;
         nearest(p: Self::P) -> Result<Nearest<Self::P>, Error>;
+        point_at_length(s: f64) -> PointAtLength<Self::P>;
         reverse() -> Self;
         sample(segments: usize) -> Result<Vec<Self::P>, Error>;
         split(t: f64) -> (Self, Self);

@@ -136,9 +136,14 @@ impl<P: Point> Curve<P> {
         limit: &mut VertexLimit,
         mut vertex: impl FnMut(f64, P),
     ) -> Result<(), Error> {
+        vertex(0.0, self.start());
+        if self.points.len() == 2 {
+            limit.spend()?;
+            vertex(1.0, self.end());
+            return Ok(());
+        }
         let size = self.max_abs();
         let plain = PLAIN_RANGE.contains(&size);
-        vertex(0.0, self.start());
         if !(plain && self.deviates_by(2.0 * STRAIGHT_ULPS * ulp(size)))
             && let Some(ts) = self.turns_of_straight(tolerance)
         {

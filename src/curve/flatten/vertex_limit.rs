@@ -60,7 +60,10 @@ pub(super) fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
 ) -> Result<(), Error> {
     // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
     // large overestimate.
-    let enough = |c: Curve<P>| as_f64(c.degree()) * (c.max_abs() / tolerance).sqrt();
+    let enough = |c: Curve<P>| match c.degree() {
+        1 => 1.0,
+        n => as_f64(n) * (c.max_abs() / tolerance).sqrt(),
+    };
     let max = limit as f64;
     if curves().map(enough).sum::<f64>() <= max
         || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < max

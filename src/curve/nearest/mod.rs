@@ -80,6 +80,7 @@ impl<P: Point> Curve<P> {
     /// assert_eq!((nearest.t, nearest.point), (0.5, DVec2::new(75.0, 25.0)));
     /// # Ok::<(), casteljau::Error>(())
     /// ```
+    #[doc(alias = "closest")]
     pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
         check_points("p", &[p])?;
         Ok(nearest_on(&self.points, p))

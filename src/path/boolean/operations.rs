@@ -97,6 +97,7 @@ impl Path {
     ///
     /// # Errors
     /// As [`union`](Self::union).
+    #[doc(alias = "difference")]
     pub fn subtract(&self, other: &Self, rule: FillRule) -> Result<Self, Error> {
         region(&[self, other], rule, |windings| {
             windings.is_inside(0) && !windings.is_inside(1)
@@ -108,6 +109,7 @@ impl Path {
     ///
     /// # Errors
     /// As [`union`](Self::union).
+    #[doc(alias = "xor")]
     pub fn exclude(&self, other: &Self, rule: FillRule) -> Result<Self, Error> {
         Self::combine([self, other], BooleanOperation::Exclude, rule)
     }
