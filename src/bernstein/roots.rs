@@ -49,6 +49,10 @@ fn scaled(coefficients: &[f64]) -> Option<(Scalars, f64)> {
 /// ascending order.
 pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     let mut roots = Scalars::new();
+    // The polynomial lies between its smallest and its largest coefficient.
+    if coefficients.iter().all(|&c| c > slack) || coefficients.iter().all(|&c| c < -slack) {
+        return roots;
+    }
     walk(coefficients, slack, |crossing| {
         // A root next to an end may be rounded to it.
         if let ZeroCrossing::Cross(t) = crossing
@@ -252,6 +256,13 @@ impl Polynomial {
 
     /// The only root in (lo, hi), where the sign at lo is that of `before`.
     fn close_in(&self, lo: f64, hi: f64, before: f64) -> f64 {
+        if let [a, b, c] = *self.0 {
+            let mut roots = Scalars::new();
+            quadratic(&mut roots, a, 0.5 * b, c);
+            if let Some(&root) = roots.iter().find(|&&t| lo <= t && t <= hi) {
+                return root;
+            }
+        }
         let sign = 1.0_f64.copysign(before);
         let value = |t: f64| sign * self.at(t);
         regula_falsi([lo, hi], [value(lo), value(hi)], 0.0, value)
