@@ -126,3 +126,11 @@ fn known_hulls() {
         assert_eq!(bezier(points).hull(), xy(expected), "{points}");
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn boxes_have_a_center_and_extents() {
+    let bounds = bezier("1 2, 5 2, 5 10").control_bounds();
+    assert_eq!((bounds.width(), bounds.height()), (4.0, 8.0));
+    assert_eq!(xy("3 6"), [bounds.center()]);
+    assert_eq!(bounds.diagonal(), 80.0_f64.sqrt());
+}

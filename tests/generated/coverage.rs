@@ -45,7 +45,7 @@ const WITHIN_OTHERS: [&str; 35] = [
     "Path::rounded_rect",
     "Path::polygon",
     "PathTime::new",
-    "Surface::eval", // tests/surface/grid.rs
+    "Surface::eval", // tests/surface/bicubic.rs
     "Spline::flatten_with",
     "Path::flatten_with",
 ];

@@ -1,7 +1,7 @@
 //! Guarantees of grids of bicubic patches on difficult nets: 4 ulps, identical edges, normals within 0.001°.
 
 use crate::support::Rng;
-use crate::support::nets::{RandomNet, net, patch, vector};
+use crate::support::nets::{RandomNet, net, patch, teapot, vector};
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Mesh, Patch};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -157,4 +157,14 @@ fn normals_where_little_is_left_of_the_product() {
         let angle = worst_angle(&patch(&net, 3, 3), Grid::from(64));
         assert!(angle < MIN_ANGLE, "{angle:e}");
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_surface_is_evaluated_by_its_patches() {
+    let surface = teapot();
+    for k in [0, 7, 31] {
+        let patch = surface.patch(k).expect("a patch");
+        assert_eq!(surface.eval(k, 0.25, 0.75), Some(patch.eval(0.25, 0.75)));
+    }
+    assert_eq!(surface.eval(32, 0.5, 0.5), None);
 }
