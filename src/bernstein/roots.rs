@@ -136,6 +136,7 @@ fn push_inside(roots: &mut Scalars, t: f64) {
 
 /// Roots of a(1−t)² + 2b(1−t)t + ct². With r = t/(1−t) it is proportional to a + 2br + cr², which is solved without
 /// cancellation.
+#[inline(never)]
 fn quadratic(roots: &mut Scalars, a: f64, b: f64, c: f64) {
     let discriminant = discriminant(a, b, c);
     if discriminant < 0.0 {

@@ -35,7 +35,6 @@ pub(crate) fn triangle_area<P: Point>(a: P, b: P) -> f64 {
 ///
 /// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m), which is ½ ∫
 /// (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
-#[inline]
 pub(crate) fn area_about<P: Point>(points: &[P], centre: P) -> f64 {
     let around = |p: P| (p - centre).to_2d();
     match *points {

@@ -63,7 +63,7 @@ impl Path {
         }
         let index = SegmentIndex::new(self);
         let mut lengths = index.lengths();
-        let curve = |k| index.curve(k);
+        let curve = &|k| index.curve(k);
         Some(index.path_time(lengths.position(s, 0.0, tolerance, curve)))
     }
 
@@ -80,7 +80,9 @@ impl Path {
             return Ok(Vec::new());
         }
         let index = SegmentIndex::new(self);
-        let positions = index.lengths().even_positions(segments, |k| index.curve(k));
+        let positions = index
+            .lengths()
+            .even_positions(segments, &|k| index.curve(k));
         Ok(positions
             .into_iter()
             .map(|at| index.path_time(at))

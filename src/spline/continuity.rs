@@ -44,11 +44,7 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// [`Error::Index`] unless `joint` lies between two segments, [`Error::NoJoint`] for a single open segment.
     pub fn continuity(&self, joint: usize) -> Result<Continuity, Error> {
-        self.check_joint(joint)?;
-        let [left, right] = self.sides(joint);
-        let bounds = left.control_bounds().union(right.control_bounds());
-        let tolerance = DEFAULT_RATIO * bounds.diagonal();
-        Ok(continuity_between(&left, &right, tolerance))
+        self.continuity_at(joint, None)
     }
 
     /// The continuity at the joint t = `joint` within a tolerance; a closed spline also has a joint 0.
@@ -60,26 +56,34 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`continuity`](Self::continuity), and [`Error::Range`] unless the tolerance is above 0.
     pub fn continuity_within(&self, joint: usize, tolerance: f64) -> Result<Continuity, Error> {
-        self.check_joint(joint)?;
         if !(tolerance > 0.0 && tolerance.is_finite()) {
+            self.check_joint(joint)?;
             return Err(Error::Range {
                 what: "tolerance",
                 expected: "a finite number above 0",
                 got: tolerance,
             });
         }
-        let [left, right] = self.sides(joint);
-        Ok(continuity_between(&left, &right, tolerance))
+        self.continuity_at(joint, Some(tolerance))
     }
 
-    /// The segments before and after a joint.
-    fn sides(&self, joint: usize) -> [Curve<P>; 2] {
+    pub(crate) fn continuity_at(
+        &self,
+        joint: usize,
+        tolerance: Option<f64>,
+    ) -> Result<Continuity, Error> {
+        self.check_joint(joint)?;
         let before = if joint == 0 {
             self.segment_count() - 1
         } else {
             joint - 1
         };
-        [self.curve(before), self.curve(joint)]
+        let (left, right) = (self.curve(before), self.curve(joint));
+        let tolerance = tolerance.unwrap_or_else(|| {
+            let bounds = left.control_bounds().union(right.control_bounds());
+            DEFAULT_RATIO * bounds.diagonal()
+        });
+        Ok(continuity_between(&left, &right, tolerance))
     }
 
     /// Returns an error unless `joint` is a joint; the ends of an open spline are not joints.

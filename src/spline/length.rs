@@ -51,7 +51,7 @@ impl<P: Point> Spline<P> {
 
     fn time_at(&self, s: f64, tolerance: Option<f64>) -> f64 {
         let mut lengths = self.segment_lengths();
-        let (k, t) = lengths.position(s, 0.0, tolerance, |k| self.curve(k));
+        let (k, t) = lengths.position(s, 0.0, tolerance, &|k| self.curve(k));
         as_f64(k) + t
     }
 
@@ -66,7 +66,7 @@ impl<P: Point> Spline<P> {
     pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
         let lengths = self.segment_lengths();
-        let positions = lengths.even_positions(segments, |k| self.curve(k));
+        let positions = lengths.even_positions(segments, &|k| self.curve(k));
         let mut before = 0.0_f64;
         let monotone = positions.into_iter().map(|(k, t)| {
             before = before.max(as_f64(k) + t);

@@ -53,11 +53,12 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`Curve::flatten`](crate::Curve::flatten).
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
-        let mut line = Polyline::default();
-        self.flatten_with(tolerance, |t, point| {
-            line.ts.push(t);
-            line.points.push(point);
-        })?;
+        check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(|| self.segments(), tolerance)?;
+        let (mut line, mut left) = (Polyline::default(), VertexLimit::new(MAX_VERTICES));
+        for (k, curve) in self.segments().enumerate() {
+            line.append(&curve, as_f64(k), tolerance, &mut left)?;
+        }
         Ok(line)
     }
 

@@ -3,7 +3,7 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::within;
+use super::optional;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::spline::Spline;
@@ -130,11 +130,7 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
-        let c = within(
-            tolerance,
-            || spline.continuity(joint),
-            |error| spline.continuity_within(joint, error).map(Ok),
-        )??;
+        let c = spline.continuity_at(joint, optional(tolerance))?;
         let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
         let at = a.write_numbers(0, &flags);
         Ok(a.write_numbers(at, &[c.gap, c.angle]))

@@ -46,7 +46,7 @@ impl SegmentLengths {
         s: f64,
         margin: f64,
         tolerance: Option<f64>,
-        curve: impl FnOnce(usize) -> Curve<P>,
+        curve: &dyn Fn(usize) -> Curve<P>,
     ) -> (usize, f64) {
         let k = self.ends[1..].partition_point(|&end| end <= s + margin);
         if s + margin <= 0.0 {
@@ -73,7 +73,7 @@ impl SegmentLengths {
     pub(crate) fn even_positions<P: Point>(
         mut self,
         steps: usize,
-        curve: impl Fn(usize) -> Curve<P>,
+        curve: &dyn Fn(usize) -> Curve<P>,
     ) -> Vec<(usize, f64)> {
         let (whole, last) = (self.whole(), self.last());
         let count = as_f64(last + 1);
@@ -81,7 +81,7 @@ impl SegmentLengths {
         for i in 0..steps {
             let part = ratio(i, steps);
             positions.push(if whole > 0.0 {
-                self.position(part * whole, 0.0, None, &curve)
+                self.position(part * whole, 0.0, None, curve)
             } else {
                 whole_and_rest(part * count, last)
             });

@@ -49,6 +49,24 @@ pub struct Polyline<P> {
     pub ts: Vec<f64>,
 }
 
+impl<P: Point> Polyline<P> {
+    /// Appends the vertices of a curve whose parameters start at `from`. The start is left out if the polyline has
+    /// vertices, the last of which is then the start.
+    pub(crate) fn append(
+        &mut self,
+        curve: &Curve<P>,
+        from: f64,
+        tolerance: f64,
+        limit: &mut VertexLimit,
+    ) -> Result<(), Error> {
+        let joined = !self.ts.is_empty();
+        curve.walk_after(joined, tolerance, limit, |t, point| {
+            self.ts.push(from + t);
+            self.points.push(point);
+        })
+    }
+}
+
 impl<P: Point> Curve<P> {
     /// A polyline whose distance from every point of the curve is at most `tolerance`, in the unit of the input.
     ///
@@ -104,10 +122,7 @@ impl<P: Point> Curve<P> {
 
     fn polyline(&self, tolerance: f64, limit: &mut VertexLimit) -> Result<Polyline<P>, Error> {
         let mut line = Polyline::default();
-        self.walk_after(false, tolerance, limit, |t, point| {
-            line.ts.push(t);
-            line.points.push(point);
-        })?;
+        line.append(self, 0.0, tolerance, limit)?;
         Ok(line)
     }
 

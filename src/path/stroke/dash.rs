@@ -211,7 +211,7 @@ impl Cutter<'_> {
     /// The parameter at an arc length.
     fn time(&mut self, s: f64) -> f64 {
         let near = AT_JOINT * self.lengths.whole();
-        let curve = |k| self.spline.curve(k);
+        let curve = &|k| self.spline.curve(k);
         let (k, t) = self.lengths.position(s, near, None, curve);
         as_f64(k) + t
     }
