@@ -169,7 +169,7 @@ struct Reader {
 }
 
 impl Reader {
-    /// Adds one command with its numbers; adds nothing and returns false if a coordinate exceeds the limit.
+    /// Adds one command with its numbers. Returns false if a coordinate exceeds the limit.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
         let from = self.builder.current_point();
         let base = if command.is_ascii_lowercase() {
@@ -216,19 +216,16 @@ impl Reader {
     }
 
     fn arc(&mut self, n: &[f64; 7], to: DVec2) -> bool {
-        if !is_within_limit(to) {
-            return false;
-        }
-        self.builder.add_arc(&Arc {
-            from: self.builder.current_point(),
-            to,
-            radii: DVec2::new(n[0].abs(), n[1].abs()),
-            degrees: n[2],
-            large: n[3] != 0.0,
-            sweep: n[4] != 0.0,
-        });
         (self.cubic, self.quadratic) = (None, None);
-        true
+        is_within_limit(to)
+            && self.builder.add_arc(&Arc {
+                from: self.builder.current_point(),
+                to,
+                radii: DVec2::new(n[0].abs(), n[1].abs()),
+                degrees: n[2],
+                large: n[3] != 0.0,
+                sweep: n[4] != 0.0,
+            })
     }
 
     fn close(&mut self) {

@@ -30,7 +30,8 @@ pub(crate) struct Arc {
 }
 
 /// Calls `cubic` with the control points after the first of each cubic. Returns false without a call if the arc is a
-/// line: a radius is 0, or too small relative to the other for f64. The cubics are within `tolerance` of the arc, by
+/// line: a radius is 0, or one of the radii, scaled up where they are too small, is beyond the limit of coordinates.
+/// Points of the arc may be beyond the limit. The cubics are within `tolerance` of the arc, by
 /// default 10⁻⁵ of the larger radius.
 ///
 /// Points are computed relative to the start, so that a short arc of a very large ellipse keeps its precision: the
@@ -125,8 +126,7 @@ impl Ellipse {
         } else {
             height = ((1.0 - length) * (1.0 + length)).sqrt();
         }
-        // No point is farther from the start than two radii and a handle.
-        if !(..=MAX_COORDINATE).contains(&(4.0 * radii.max_element() + largest)) {
+        if radii.max_element() > MAX_COORDINATE {
             return None;
         }
         let across = DVec2::new(part.y, -part.x) * (height / part_length);

@@ -138,9 +138,9 @@ impl PathBuilder {
     ///
     /// `x_rotation` is the angle from the x-axis to the first axis of the ellipse, in radians. `large` selects an arc
     /// of more than half the ellipse, `sweep` one of increasing angle. Radii that are too small are scaled up; with a
-    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to as few
-    /// cubics as possible within 10⁻⁵ of the larger radius (7 or 8 for a circle), or within
-    /// [`arc_tolerance`](Self::arc_tolerance). Source: *SVG 2*, §B.2.
+    /// radius of 0, or one that would exceed [`MAX_COORDINATE`](crate::MAX_COORDINATE), the arc is a line; if both
+    /// ends are equal it is omitted. The arc is converted to as few cubics as possible within 10⁻⁵ of the larger radius
+    /// (7 or 8 for a circle), or within [`arc_tolerance`](Self::arc_tolerance). Source: *SVG 2*, §B.2.
     pub fn arc_to(
         &mut self,
         radii: DVec2,
@@ -192,7 +192,7 @@ impl PathBuilder {
     ///
     /// # Errors
     /// The first invalid command: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a
-    /// coordinate beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE), [`Error::Count`] for
+    /// coordinate of an argument or of an arc beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE), [`Error::Count`] for
     /// [`curve_to`](Self::curve_to) with no points or more than 64, [`Error::Range`] for a tolerance that is not above 0.
     pub fn build(&mut self) -> Result<Path, BuildError> {
         let empty = Self {
@@ -224,13 +224,22 @@ impl PathBuilder {
         self.current = points[points.len() - 1];
     }
 
-    /// Adds an arc that starts at the current point.
-    pub(crate) fn add_arc(&mut self, shape: &Arc) {
+    /// Adds an arc that starts at the current point. Returns false if it leaves the limit of coordinates; the builder
+    /// keeps the error then.
+    pub(crate) fn add_arc(&mut self, shape: &Arc) -> bool {
         let tolerance = self.arc_tolerance;
-        if shape.from != shape.to && !arc(shape, tolerance, |points| self.add_segment(points)) {
-            self.add_segment(&[shape.to]);
+        let mut fits = true;
+        let mut add = |points: &[DVec2]| {
+            fits = fits && self.accept("points of the arc", points);
+            if fits {
+                self.add_segment(points);
+            }
+        };
+        if shape.from != shape.to && !arc(shape, tolerance, &mut add) {
+            add(&[shape.to]);
         }
         self.is_closed = false;
+        fits
     }
 
     /// Starts a subpath.

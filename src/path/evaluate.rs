@@ -3,6 +3,7 @@
 use super::{Path, PathTime};
 use crate::curve::Curve;
 use crate::curve::arc_length::point_at_length::PointAtLength;
+use crate::curve::eval::check_segments;
 use crate::geometry::error::Error;
 use crate::spline::Spline;
 use glam::DVec2;
@@ -43,8 +44,11 @@ impl Path {
     /// [`Spline::sample`]: crate::Spline::sample
     ///
     /// # Errors
-    /// As [`Curve::sample`].
+    /// As [`Curve::sample`]; the limit of 1 GiB is that of all subpaths together.
     pub fn sample(&self, per_curve: usize) -> Result<Vec<Vec<DVec2>>, Error> {
+        if !self.is_empty() {
+            check_segments(per_curve.saturating_mul(self.segment_count()), 2)?;
+        }
         self.subpaths()
             .map(|spline| spline.sample(per_curve))
             .collect()
@@ -125,7 +129,7 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// As [`eval`](Self::eval); [`Error::Count`] for the empty path only if the range has an end.
+    /// As [`eval`](Self::eval); [`Error::Count`] for the empty path only if the range has a start or an end.
     pub fn subsegment(&self, range: impl RangeBounds<PathTime>) -> Result<Self, Error> {
         let given = |bound: Bound<&PathTime>| match bound {
             Bound::Included(&time) | Bound::Excluded(&time) => self.checked(time).map(Some),

@@ -45,7 +45,6 @@ impl Spline<DVec3> {
     /// # Errors
     /// As [`sample`](Self::sample).
     pub fn frames(&self, per_curve: usize) -> Result<Vec<Frame>, Error> {
-        check_segments(per_curve, FRAME_NUMBERS)?;
         let total = per_curve.saturating_mul(self.segment_count());
         check_segments(total, FRAME_NUMBERS)?;
         let ts: Vec<f64> = (0..=total).map(|i| i as f64 / per_curve as f64).collect();

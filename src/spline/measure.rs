@@ -1,7 +1,7 @@
 //! Evaluation, sampling, flattening and bounding boxes of splines.
 
 use super::Spline;
-use crate::curve::eval::{MAX_OUTPUT_F64, check_segments};
+use crate::curve::eval::check_segments;
 use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
 use crate::curve::trace::PathSink;
 use crate::geometry::bounds::Bounds;
@@ -29,12 +29,8 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`Curve::sample`](crate::Curve::sample).
     pub fn sample(&self, per_curve: usize) -> Result<Vec<P>, Error> {
-        check_segments(per_curve, P::DIMENSION)?;
-        let limit = MAX_OUTPUT_F64 / P::DIMENSION - 1;
         let total = per_curve.saturating_mul(self.segment_count());
-        if total > limit {
-            return Err(Error::too_many("segments", limit, total));
-        }
+        check_segments(total, P::DIMENSION)?;
         let mut points = vec![P::default(); total + 1];
         for k in 0..self.segment_count() {
             self.curve(k)

@@ -210,7 +210,7 @@ fn paths_from_extreme_arguments() {
         (true, |b, x| b.curve_to(&[DVec2::splat(x); 65])),
         (true, |b, _| b.curve_to(&[])),
         (false, |b, x| {
-            b.arc_to(DVec2::new(x, 2.0), 0.5, true, false, DVec2::ONE)
+            b.arc_to(DVec2::new(x, 2.0), 0.5, false, false, DVec2::ONE)
         }),
         (false, |b, x| {
             b.arc_to(DVec2::ONE, x, false, true, DVec2::ONE)
@@ -251,6 +251,17 @@ fn paths_from_extreme_arguments() {
         let arc = "M0 0A1 2 3 1 0 4 5";
         assert_eq!(Path::from_svg_with(arc, value).is_ok(), value > 0.0);
     }
+    let far = DVec2::splat(MAX_COORDINATE);
+    let outside = |path: Result<Path, _>| assert!(matches!(path, Err(Error::Item { .. })));
+    outside(Path::circle(far, MAX_COORDINATE));
+    outside(Path::ellipse(far, DVec2::new(MAX_COORDINATE, 1.0), 0.0));
+    outside(Path::arc(far, MAX_COORDINATE, -1.0, 1.0));
+    let arc_around =
+        |sweep: u8| Path::from_svg(&format!("M0 3e150A3e150 3e150 0 1 {sweep} 3e150 0"));
+    assert!(arc_around(1).is_ok(), "around the origin");
+    let refused = arc_around(0).expect_err("around (3e150, 3e150)");
+    assert_eq!(refused.expected, "coordinates from -2^500 to 2^500");
+    assert!(refused.path.is_empty());
     for text in [
         "",
         "M",

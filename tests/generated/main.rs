@@ -184,10 +184,14 @@ groups! {
         Easing one (parsers easing_to_linear): to_linear;
         Easing one (parsers easing_text): text;
     }
-    chains_of_operations {
+    chains_of_curves {
         Curve points (chains curve): chain;
         Spline points (chains spline): chain;
+    }
+    chains_of_paths {
         Path one (chains path): chain;
+    }
+    chains_of_surfaces {
         Patch one (chains patch): chain;
         Surface one (chains surface): chain;
     }

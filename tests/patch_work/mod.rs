@@ -24,7 +24,7 @@ const ONE_MORE: usize = 1 << 22;
 
 /// The number of calls of each function.
 fn calls() -> u64 {
-    crate::support::cases(200, 100_000) as u64
+    crate::support::cases(200, 40_000) as u64
 }
 
 /// A patch of degrees up to 3 or up to 24, and the random number generator after its generation.

@@ -8,10 +8,10 @@ use casteljau::path::FillRule;
 /// nearly coincide.
 const NEARLY_COINCIDENT: f64 = 1e-9;
 
-fn check(suite: &str, fewest: usize) {
+fn check(suite: &str, at_least: usize) {
     let cases = suite.lines().filter(|line| !line.starts_with("# "));
     let cases: Vec<&str> = cases.collect();
-    assert!(cases.len() >= fewest, "only {} cases", cases.len());
+    assert!(cases.len() >= at_least, "only {} cases", cases.len());
     let wrong: Vec<String> = cases.into_iter().flat_map(faults_of).collect();
     assert!(wrong.is_empty(), "{} wrong: {wrong:#?}", wrong.len());
 }

@@ -48,6 +48,7 @@ function decoded(text) {
 
 /** Brings a figure into the state that the address asks for, as far as it can be used. */
 function load() {
+  kept?.abort();
   const { hash } = location;
   if (hash.length < 2 || hash.startsWith(OTHERS)) return showMessage("");
   if (hash.length > LONGEST_ADDRESS)
@@ -58,7 +59,7 @@ function load() {
   const id = decoded(name);
   if (!document.getElementById(id)) return showMessage("The address asks for a place that is not on this page.");
   if (query === undefined) {
-    if (!moved) document.getElementById(id)?.scrollIntoView(); // browsers without scroll anchoring have lost it meanwhile
+    if (!moved) keepInPlace(/** @type {HTMLElement} */ (document.getElementById(id)));
     return showMessage("");
   }
   const element = elementOf(id);
@@ -85,6 +86,31 @@ function save({ target }) {
 let moved = false;
 for (const type of ["wheel", "touchmove", "keydown", "pointerdown"])
   addEventListener(type, () => (moved = true), { once: true, passive: true });
+
+/** What `keepInPlace` listens to, until another place is kept. @type {AbortController | undefined} */
+let kept;
+
+/** Scrolls to an element, and again whenever a figure above it changes its height, until the reader scrolls. @param {HTMLElement} element */
+function keepInPlace(element) {
+  kept?.abort();
+  const { signal } = (kept = new AbortController());
+  const page = document.documentElement;
+  let height = 0;
+  let top = 0;
+  const observer = new ResizeObserver(() => {
+    if (moved) return kept?.abort();
+    element.scrollIntoView();
+    [height, top] = [page.scrollHeight, scrollY];
+  });
+  observer.observe(document.body);
+  signal.addEventListener("abort", () => observer.disconnect());
+  const scrolled = () => {
+    // A scroll bar sends no other event. Browsers scroll by themselves only when the height changes.
+    if (page.scrollHeight === height && Math.abs(scrollY - top) > 1) moved = true;
+    if (moved) kept?.abort();
+  };
+  addEventListener("scroll", scrolled, { signal, passive: true });
+}
 
 async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];

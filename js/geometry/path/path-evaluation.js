@@ -10,6 +10,9 @@ import { packedSplines } from "../../wasm/packed-path.js";
  * @import { Point } from "../points.js"
  */
 
+/** The limit of one result in the core: 1 GiB of coordinates. */
+const MAX_SAMPLE_SEGMENTS = (1 << 26) - 1;
+
 /**
  * Points, derivatives and parts of a path at given locations {subpath, t}.
  *
@@ -59,6 +62,10 @@ export class PathEvaluation extends PathValue {
    */
   sample(segmentsPerCurve) {
     check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
+    const total = segmentsPerCurve * this.segmentCount;
+    if (total > MAX_SAMPLE_SEGMENTS) {
+      throw new RangeError(`segments: expected at most ${MAX_SAMPLE_SEGMENTS}, this needs ${total}`);
+    }
     return this.subpaths.map((spline) => spline.sample(segmentsPerCurve));
   }
 

@@ -135,7 +135,7 @@ impl Pattern {
         }
         let intervals = self.intervals(whole);
         *count += intervals.len();
-        Ok(Cutter { spline, lengths }.cut(&intervals))
+        Ok(DashSplitter { spline, lengths }.split(&intervals))
     }
 
     /// The arc lengths at which the dashes start and end, for a subpath of a given length.
@@ -160,14 +160,14 @@ impl Pattern {
     }
 }
 
-/// Cuts a spline at arc lengths.
-struct Cutter<'a> {
+/// Splits a spline at arc lengths.
+struct DashSplitter<'a> {
     spline: &'a Spline<DVec2>,
     lengths: SegmentLengths,
 }
 
-impl Cutter<'_> {
-    fn cut(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
+impl DashSplitter<'_> {
+    fn split(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
         let whole = self.lengths.whole();
         let mut dashes: Vec<Dash> = Vec::with_capacity(intervals.len());
         let around = match intervals {

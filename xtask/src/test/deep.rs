@@ -58,15 +58,18 @@ pub(crate) const STEPS: [Step; 11] = [
     part(
         "generated-curves",
         "Generated calls of curves and splines, and of parsers",
-        |context| generated(context, &["curves_", "splines", "parsers_", "chains_"]),
+        |context| {
+            let groups = ["curves_", "splines", "parsers_", "chains_of_curves"];
+            generated(context, &groups)
+        },
     ),
     part("generated-paths", "Generated calls of paths", |context| {
-        generated(context, &["paths_"])
+        generated(context, &["paths_", "chains_of_paths"])
     }),
     part(
         "generated-surfaces",
         "Generated calls of patches, surfaces and meshes",
-        |context| generated(context, &["patches", "surfaces_"]),
+        |context| generated(context, &["patches", "surfaces_", "chains_of_surfaces"]),
     ),
     Step {
         selects: false,
