@@ -10,3 +10,6 @@ export { Mesh } from "./geometry/mesh.js";
 export { easing } from "./geometry/easing.js";
 
 /** @typedef {import("./geometry/easing.js").Easing} Easing */
+/** @typedef {import("./geometry/easing.js").SpringEasing} SpringEasing */
+/** @typedef {import("./geometry/easing-fit.js").FitEasingOptions} FitEasingOptions */
+/** @typedef {import("./geometry/easing-fit.js").SpringOptions} SpringOptions */

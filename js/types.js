@@ -4,6 +4,7 @@ export {};
 /** @typedef {import("./geometry/check.js").PointLike} PointLike */
 /** @typedef {import("./geometry/check.js").PointsLike} PointsLike */
 /** @typedef {import("./geometry/check.js").MatrixLike} MatrixLike */
+/** @typedef {import("./geometry/check.js").TransformLike} TransformLike */
 /** @typedef {import("./geometry/net.js").NetLike} NetLike */
 /** @typedef {import("./geometry/basis.js").BasisName} BasisName */
 /** @typedef {import("./geometry/basis.js").BasisLike} BasisLike */
@@ -40,7 +41,11 @@ export {};
 /** @typedef {import("./geometry/path/path-shapes.js").ArcOptions} ArcOptions */
 /** @typedef {import("./geometry/path/path-shapes.js").CornerOptions} CornerOptions */
 /** @typedef {import("./geometry/path/path-shapes.js").RectOptions} RectOptions */
+/** @typedef {import("./geometry/path/path.js").NearestPath} NearestPath */
 /** @typedef {import("./geometry/path/path.js").Shape} Shape */
+/** @typedef {import("./geometry/path/path-builder.js").PathBuilder} PathBuilder */
+/** @typedef {import("./io/path-data.js").PathSegment} PathSegment */
+/** @typedef {import("./io/path-data.js").CssOptions} CssOptions */
 /** @typedef {import("./geometry/intersections.js").PathIntersection} PathIntersection */
 /** @typedef {import("./io/svg-write.js").SvgOptions} SvgOptions */
 /** @typedef {import("./geometry/patch/patch-value.js").PatchJSON} PatchJSON */
@@ -75,6 +80,16 @@ export {};
 /**
  * @template {{ new (): any, prototype: any }} [GeometryClass={ new (): any, prototype: any }]
  * @typedef {import("./io/three.js").Three<GeometryClass>} Three
+ */
+
+/**
+ * @template {{ new (): any, prototype: any }} [ShapeClass={ new (): any, prototype: any }]
+ * @typedef {import("./io/three.js").ThreeShapes<ShapeClass>} ThreeShapes
+ */
+
+/**
+ * @template {{ prototype: any }} [CurveClass={ prototype: any }]
+ * @typedef {import("./io/three.js").ThreeCurves<CurveClass>} ThreeCurves
  */
 
 /**

@@ -113,10 +113,11 @@ function edit(files, name, pattern, replacement) {
 }
 
 /**
- * Marks the registration of wasm modules as free of side effects, so that bundlers can drop unused modules: esbuild
- * removes these marks with the other comments.
+ * Marks the registration of wasm modules and the definition of `easing` as free of side effects, so that bundlers can
+ * drop them where they are not used: esbuild removes these marks with the other comments.
  */
 function markPureCalls(files, name) {
+  edit(files, name, /(?<==)Object\.assign\(\(\.\.\.[\w$]+\)=>/g, (found) => `/* @__PURE__ */${found}`);
   let count = 0;
   edit(files, name, /(?<==)[\w$]+\([\w$]+,\{alphabet:/g, (found) => {
     count++;

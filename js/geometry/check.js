@@ -18,10 +18,17 @@ export { noSurplus, optionalBoolean, options } from "./options.js";
  */
 
 /**
- * An affine map: `[a, b, c, d, e, f]` in SVG order, 16 numbers column-major, a DOMMatrix, or an object with `elements`,
- * 16 numbers column-major (a Matrix4 of three.js).
+ * An affine map: `[a, b, c, d, e, f]` in SVG order, an object with these six members, 16 numbers column-major, a
+ * DOMMatrix, or an object with `elements`, 16 numbers column-major (a Matrix4 of three.js).
  *
- * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array } | { elements: ArrayLike<number> }} MatrixLike
+ * @typedef {ArrayLike<number> | { a: number, b: number, c: number, d: number, e: number, f: number } | { toFloat64Array(): Float64Array } | { elements: ArrayLike<number> }} MatrixLike
+ */
+
+/**
+ * An affine map as a matrix or as a text: functions of the SVG attribute `transform`, such as "translate(50 50)
+ * rotate(30)". The last function is applied first; angles are degrees unless they have a unit of CSS.
+ *
+ * @typedef {MatrixLike | string} TransformLike
  */
 
 /** The largest absolute value of a coordinate; src/geometry/check.rs explains it. @internal */
@@ -205,23 +212,6 @@ export function numbers(value, name) {
 }
 
 /**
- * The coefficients of a 3D affine map, as four columns of 3 numbers.
- *
- * @param {MatrixLike} matrix
- * @returns {number[]}
- */
-export function affine(matrix) {
-  const m = matrixNumbers(matrix);
-  if (m.length === 6) return [m[0], m[1], 0, m[2], m[3], 0, 0, 0, 1, m[4], m[5], 0];
-  if (m[3] !== 0 || m[7] !== 0 || m[11] !== 0 || m[15] !== 1) {
-    throw new RangeError(
-      `matrix: expected an affine map (last row 0 0 0 1), got ${[m[3], m[7], m[11], m[15]].join(" ")}`,
-    );
-  }
-  return [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]];
-}
-
-/**
  * The 6 or 16 numbers of a matrix.
  *
  * @param {MatrixLike} matrix
@@ -233,6 +223,8 @@ export function matrixNumbers(matrix, name = "matrix") {
   const { elements, toFloat64Array } = /** @type {{ elements?: unknown, toFloat64Array?: unknown }} */ (matrix ?? {});
   if (isList(elements)) return matrixOf(elements, `${name}.elements`, [16]);
   if (typeof toFloat64Array === "function") return matrixOf(toFloat64Array.call(matrix), name, [16]);
+  const members = /** @type {Record<string, unknown>} */ (Object(matrix ?? {}));
+  if ("a" in members) return Float64Array.from("abcdef", (key) => finite(members[key], `${name}.${key}`));
   const forms = "6 or 16 numbers, a DOMMatrix or an object with elements";
   throw new TypeError(`${name}: expected ${forms}, got ${describe(matrix)}`);
 }

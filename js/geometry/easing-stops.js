@@ -8,10 +8,10 @@ import { approximate } from "./easing-polyline.js";
  * @import { Timing } from "./easing-css.js"
  */
 
-/** The smallest tolerance, relative to the largest handle, or to 1 if that is larger. */
-const MIN_TOLERANCE = 1e-4;
-/** The part of the tolerance that is left to the distance between the function and its polyline. */
-const POLYLINE_SHARE = 1 / 64;
+/** The smallest tolerance, relative to the largest handle, or to 1 if that is larger. @internal */
+export const MIN_TOLERANCE = 1e-4;
+/** The part of the tolerance that is left to the distance between the function and its polyline. @internal */
+export const POLYLINE_SHARE = 1 / 64;
 /** The largest number of halvings of the parameter range. */
 const MAX_DEPTH = 20;
 /** The largest number of decimal places to which percentages are rounded; outputs have two more. */
@@ -39,7 +39,23 @@ export function fewestStops(timing, tolerance) {
   const relative = tolerance / scale;
   const share = relative * POLYLINE_SHARE;
   subdivide([0, 100 * x1, 100 * x2, 100], [0, y1 / scale, y2 / scale, 1 / scale], MAX_DEPTH, share, run);
-  return rounded(run, approximate(run, relative - 2 * share), relative - share, scale);
+  return stopsOfRun(run, relative, scale, 1);
+}
+
+/**
+ * The fewest stops within a tolerance of a function that a polyline approximates within a part of the tolerance,
+ * `POLYLINE_SHARE`.
+ *
+ * @internal
+ * @param {readonly Stop[]} run percentages and outputs divided by `scale`
+ * @param {number} relative the tolerance divided by `scale`
+ * @param {number} scale
+ * @param {number} end the last output
+ * @returns {Stop[]}
+ */
+export function stopsOfRun(run, relative, scale, end) {
+  const share = relative * POLYLINE_SHARE;
+  return rounded(run, approximate(run, relative - 2 * share), relative - share, scale, end);
 }
 
 /**
@@ -83,9 +99,10 @@ function halves([a, b, c, d]) {
  * @param {readonly Stop[]} stops
  * @param {number} tolerance
  * @param {number} scale
+ * @param {number} end the last output, which stays exact if nothing can be rounded
  * @returns {Stop[]}
  */
-function rounded(run, stops, tolerance, scale) {
+function rounded(run, stops, tolerance, scale, end) {
   for (let decimals = 0, unit = 1; decimals <= MAX_DECIMALS; decimals++, unit *= 10) {
     const result = stops.map(([x, y]) => /** @type {Stop} */ ([round(x, unit), round(y * scale, 100 * unit)]));
     const candidate = result.map(([x, y]) => /** @type {Stop} */ ([x, y / scale]));
@@ -93,7 +110,7 @@ function rounded(run, stops, tolerance, scale) {
     if (isWithin(run, linear(candidate), tolerance) && isWithin(candidate, linear(run), tolerance)) return result;
   }
   const unrounded = stops.slice(0, -1).map(([x, y]) => /** @type {Stop} */ ([x, y * scale]));
-  return [...unrounded, [100, 1]];
+  return [...unrounded, [100, end]];
 }
 
 /**

@@ -2,17 +2,22 @@
 import { describe, finite } from "./check.js";
 import { cubicBezier } from "./easing-bezier.js";
 import { readEasing, writeEasing } from "./easing-css.js";
+import { stopsOfFunction, stopsOfSpring } from "./easing-fit.js";
 import { linear, steps } from "./easing-piecewise.js";
 import { fewestStops } from "./easing-stops.js";
 
-/** @import { Timing } from "./easing-css.js" */
+/**
+ * @import { Timing } from "./easing-css.js"
+ * @import { FitEasingOptions, SpringOptions } from "./easing-fit.js"
+ */
 
 /**
  * What a timing function has besides being called.
  *
  * @typedef {object} EasingMembers
- * @property {string} css the function as CSS text: `cubic-bezier(…)`, `steps(…)`, `linear(…)` or `linear`
- * @property {(tolerance: number) => string} toLinear the function as a CSS `linear()` whose output differs by at most
+ * @property {string} css The function as CSS text: `cubic-bezier(…)`, `steps(…)`, `linear(…)` or `linear`
+ * @property {() => string} toString The text of `css`, so that `${ease}` can be written into a style
+ * @property {(tolerance: number) => string} toLinear The function as a CSS `linear()` whose output differs by at most
  *   `tolerance` for inputs from 0 to 1. For a cubic curve no `linear()` with fewer stops stays within 96 % of the
  *   tolerance, and the outputs at 0 and 1 are exact. `steps()` and `linear()` remain as they are. Throws a RangeError for a
  *   tolerance below 10⁻⁴, or below 10⁻⁴ of a larger y1 or y2, and for more than 32,767 steps
@@ -22,6 +27,25 @@ import { fewestStops } from "./easing-stops.js";
  * A timing function: output progress over input progress.
  *
  * @typedef {((x: number) => number) & EasingMembers} Easing
+ */
+
+/**
+ * The timing function of a spring, and the time until it has settled.
+ *
+ * @typedef {Easing & { duration: number }} SpringEasing `duration`: in milliseconds, for `animation-duration` or
+ *   `element.animate`
+ */
+
+/**
+ * What `easing` is: a function with two others.
+ *
+ * @typedef {object} EasingStatics
+ * @property {(f: (x: number) => number, options?: FitEasingOptions) => Easing} from A CSS `linear()` for any function of
+ *   the progress from 0 to 1, within a tolerance, 0.002 by default. The function is evaluated at 1,025 places, and at more where it
+ *   bends; a jump becomes a steep line. Throws a RangeError where its value is not finite
+ * @property {(options?: SpringOptions) => SpringEasing} spring A CSS `linear()` for a spring with `mass`, `stiffness`,
+ *   `damping` and initial `velocity`, until it stays within the tolerance of 1; `duration` is the time for that, in
+ *   milliseconds. Throws a RangeError for a spring that needs more than 100 oscillations
  */
 
 /**
@@ -47,17 +71,34 @@ import { fewestStops } from "./easing-stops.js";
  *
  * Source: CSS Easing Functions Level 2.
  *
- * @type {{ (x1: number, y1: number, x2: number, y2: number): Easing, (css: string): Easing }}
+ * @type {{ (x1: number, y1: number, x2: number, y2: number): Easing, (css: string): Easing } & EasingStatics}
  */
-export const easing = (/** @type {unknown[]} */ ...args) => {
-  const timing = checkedTiming(args);
+export const easing = /* @__PURE__ */ Object.assign(
+  (/** @type {unknown[]} */ ...args) => easingOf(checkedTiming(args)),
+  {
+    from: (/** @type {(x: number) => number} */ f, /** @type {FitEasingOptions | undefined} */ options) =>
+      easingOf({ stops: stopsOfFunction(f, options) }),
+    spring: (/** @type {SpringOptions | undefined} */ options) => {
+      const { stops, seconds } = stopsOfSpring(options);
+      return Object.assign(easingOf({ stops }), { duration: 1000 * seconds });
+    },
+  },
+);
+
+/**
+ * @param {Timing} timing
+ * @returns {Easing}
+ */
+function easingOf(timing) {
   const evaluate = evaluator(timing);
+  const css = writeEasing(timing);
   return Object.assign((/** @type {number} */ x) => evaluate(finite(x, "x")), {
-    css: writeEasing(timing),
+    css,
+    toString: () => css,
     toLinear: (/** @type {number} */ tolerance) =>
       writeEasing({ stops: fewestStops(timing, finite(tolerance, "tolerance")) }),
   });
-};
+}
 
 /**
  * @param {readonly unknown[]} args

@@ -15,6 +15,20 @@ import { flatten } from "./points.js";
  */
 
 /**
+ * The degree that the length of a list of rows, or of its first row, gives.
+ *
+ * @internal
+ * @param {unknown} net
+ * @param {"u" | "v"} direction
+ * @returns {number} 3 for a flat list
+ */
+export function degreeOfRows(net, direction) {
+  if (!isNested(net)) return 3;
+  const list = direction === "v" ? net : net[0];
+  return isList(list) && list.length >= 2 && list.length <= 65 ? list.length - 1 : 3;
+}
+
+/**
  * The coordinates of a net, checked.
  *
  * @internal

@@ -16,6 +16,11 @@ export function options(value, known) {
   if (typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value)) {
     throw new TypeError(`options: expected an object, got ${describe(value)}${optionForNumber(value, known)}`);
   }
+  const { casteljauType } = /** @type {{ casteljauType?: unknown }} */ (value);
+  if (casteljauType) {
+    const hint = casteljauType === "path" ? "; did you mean Path.combine?" : "";
+    throw new TypeError(`options: expected an object, got ${describe(value)}${hint}`);
+  }
   const names = /** @type {readonly string[]} */ (known);
   for (const key of Object.keys(value)) {
     if (names.includes(key) || /** @type {Record<string, unknown>} */ (value)[key] === undefined) continue;
@@ -75,7 +80,8 @@ export function optionalBoolean(value, name, byDefault = false) {
 function suggestion(key, known) {
   const wanted = key.toLowerCase();
   const lower = known.map((name) => name.toLowerCase());
-  let nearest = lower.findIndex((name) => name.startsWith(wanted) || wanted.startsWith(name));
+  const isPart = (/** @type {string} */ name) => wanted.startsWith(name) || wanted.endsWith(name);
+  let nearest = lower.findIndex((name) => name.startsWith(wanted) || isPart(name));
   if (nearest < 0) {
     const distances = lower.map((name) => editDistance(wanted, name));
     const smallest = Math.min(...distances);

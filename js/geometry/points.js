@@ -165,6 +165,19 @@ export function pointAt(flat, at, dimension) {
 }
 
 /**
+ * All points of a flat array.
+ *
+ * @internal
+ * @template {2 | 3} D
+ * @param {Float64Array} flat
+ * @param {D} dimension
+ * @returns {Point<D>[]}
+ */
+export function pointList(flat, dimension) {
+  return Array.from({ length: flat.length / dimension }, (_, k) => pointAt(flat, k * dimension, dimension));
+}
+
+/**
  * A box from its two corners in a flat array.
  *
  * @internal

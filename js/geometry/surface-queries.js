@@ -4,7 +4,7 @@ import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"
- * @import { Point } from "./points.js"
+ * @import { Box, Point } from "./points.js"
  */
 
 /**
@@ -17,13 +17,13 @@ import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
  * All intermediate points of de Casteljau's algorithm for S(u, v): `rows`, for each row of the net all levels at u;
  * `column`, all levels at v of the curve whose control points are the last points of the rows; `point`, S(u, v).
  *
- * @typedef {{ rows: Float64Array[][], column: Float64Array[], point: Point }} PatchDeCasteljau
+ * @typedef {{ rows: Float64Array[][], column: Float64Array[], point: Point<3> }} PatchDeCasteljau
  */
 
 /**
  * A point of a patch, and its distance from the query point or from the ray's origin.
  *
- * @typedef {{ u: number, v: number, point: Point, distance: number }} PatchPoint
+ * @typedef {{ u: number, v: number, point: Point<3>, distance: number }} PatchPoint
  */
 
 /**
@@ -65,7 +65,7 @@ export function patchWriter(flat, degreeU, degreeV) {
 /**
  * @internal
  * @param {SurfaceWriter} write
- * @returns {{ min: Point, max: Point } | null}
+ * @returns {Box<3> | null}
  */
 export function bounds(write) {
   write(0);

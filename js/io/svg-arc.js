@@ -131,7 +131,7 @@ export function arc(x0, y0, n, x1, y1, tolerance = 0) {
   } else {
     height = Math.sqrt((1 - length) * (1 + length));
   }
-  if (!(4 * Math.max(rx, ry) + largest <= MAX_COORDINATE)) return null;
+  if (!(Math.max(rx, ry) <= MAX_COORDINATE)) return null;
   const [large, sweep] = [n[3] !== 0, n[4] !== 0];
   const side = large === sweep ? 1 : -1;
   /** @type {Pair} */

@@ -4,8 +4,8 @@ import { PackedPathBuilder } from "../wasm/packed-path.js";
 import { arc } from "./svg-arc.js";
 import { PathDataError, Scanner } from "./svg-number.js";
 
-/** The number of arguments of a command, by the code of its letter; −1 for other characters. */
-const ARGUMENT_COUNTS = new Int8Array(128).fill(-1);
+/** The number of arguments of a command, by the code of its letter; −1 for other characters. @internal */
+export const ARGUMENT_COUNTS = new Int8Array(128).fill(-1);
 for (const [letters, count] of /** @type {[string, number][]} */ ([
   ["Z", 0],
   ["HV", 1],
@@ -19,6 +19,9 @@ for (const [letters, count] of /** @type {[string, number][]} */ ([
 
 const [CUBIC, HORIZONTAL, LINE, MOVE] = [67, 72, 76, 77];
 const [QUADRATIC, SMOOTH_CUBIC, SMOOTH_QUADRATIC, VERTICAL] = [81, 83, 84, 86];
+
+/** The value of the CSS property `d` for no path. */
+const NONE = /^[ \t\n\f\r]*none[ \t\n\f\r]*$/;
 
 /** The difference between the codes of a lower-case letter and its upper-case letter. */
 const CASE = 32;
@@ -38,7 +41,7 @@ export function readSvg(d, tolerance) {
   /** @type {{ offset: number, message: string } | null} */
   let error = null;
   try {
-    read(scanner, builder);
+    if (!NONE.test(d)) read(scanner, builder);
   } catch (caught) {
     if (!(caught instanceof PathDataError)) throw caught;
     const { offset, expected } = caught;
@@ -89,7 +92,7 @@ function readGroups(scanner, builder, command, count) {
 }
 
 /** Builds a path from drawing commands. */
-class PathBuilder {
+export class PathBuilder {
   packer = new PackedPathBuilder();
   /** The arguments of the command. */
   args = new Float64Array(7);
@@ -113,7 +116,7 @@ class PathBuilder {
   }
 
   /**
-   * Draws one command with the arguments in `args`. Returns false, and draws nothing, if a coordinate exceeds the limit.
+   * Draws one command with the arguments in `args`. Returns false if a coordinate exceeds the limit.
    *
    * @param {number} command
    * @returns {boolean}
@@ -279,7 +282,9 @@ class PathBuilder {
     if (x !== this.x || y !== this.y) {
       const c = arc(this.x, this.y, this.args, x, y, this.tolerance);
       if (!c) this.#line(x, y);
-      else for (let k = 0; k < c.length; k += 6) this.#cubic(c[k], c[k + 1], c[k + 2], c[k + 3], c[k + 4], c[k + 5]);
+      else
+        for (let k = 0; k < c.length; k += 6)
+          if (!this.#cubic(c[k], c[k + 1], c[k + 2], c[k + 3], c[k + 4], c[k + 5])) return false;
     }
     this.closed = false;
     this.smooth = 0;

@@ -26,12 +26,13 @@ const COMMANDS = ["", "L", "Q", "C"];
 /**
  * Draws a packed path; higher degrees become cubics.
  *
+ * @internal
  * @param {Float64Array} packed
  * @param {PathSink} sink
  * @param {number} tolerance 0 for the default
  * @param {boolean} drawClosingLine whether the last line of a closed subpath is drawn, or left to `close`
  */
-function draw(packed, sink, tolerance, drawClosingLine) {
+export function draw(packed, sink, tolerance, drawClosingLine) {
   for (const { segments, closed, degrees, points, end } of extents(packed)) {
     sink.move(packed[points], packed[points + 1]);
     let at = points + 2;
@@ -195,8 +196,8 @@ class ShortWriter {
    * @param {number} y
    */
   move(x, y) {
-    this.#x = this.#startX = fixed(x, this.precision);
-    this.#y = this.#startY = fixed(y, this.precision);
+    this.#x = this.#startX = shortNumber(x, this.precision);
+    this.#y = this.#startY = shortNumber(y, this.precision);
     this.#write("M", [this.#x, this.#y]);
   }
 
@@ -206,7 +207,7 @@ class ShortWriter {
    * @param {number} at
    */
   curve(degree, list, at) {
-    const words = Array.from(list.subarray(at, at + 2 * degree), (number) => fixed(number, this.precision));
+    const words = Array.from(list.subarray(at, at + 2 * degree), (number) => shortNumber(number, this.precision));
     const [x, y] = [words[2 * degree - 2], words[2 * degree - 1]];
     if (degree === 1 && y === this.#y) this.#write("H", [x]);
     else if (degree === 1 && x === this.#x) this.#write("V", [y]);
@@ -246,18 +247,24 @@ class ShortWriter {
   }
 }
 
-/** @param {number} x */
-function roundTrip(x) {
+/**
+ * A number with the fewest digits that round-trip.
+ *
+ * @internal
+ * @param {number} x
+ */
+export function roundTrip(x) {
   return x === 0 && Object.is(x, -0) ? "-0" : `${x}`;
 }
 
 /**
  * A number with at most `digits` digits after the decimal point, without redundant zeros: "-.5".
  *
+ * @internal
  * @param {number} x
  * @param {number} digits
  */
-function fixed(x, digits) {
+export function shortNumber(x, digits) {
   if (Math.abs(x) >= MIN_EXPONENTIAL) return String(x).replace("+", "");
   let word = x.toFixed(digits);
   if (digits > 0) {

@@ -81,7 +81,12 @@ fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
         cubic: None,
         quadratic: None,
     };
-    let result = read(&mut scanner, &mut reader);
+    let is_blank = [' ', '\t', '\n', '\x0c', '\r'];
+    let result = if d.trim_matches(is_blank) == "none" {
+        Ok(())
+    } else {
+        read(&mut scanner, &mut reader)
+    };
     let path = reader.builder.finished();
     match result {
         Ok(()) => Ok(path),

@@ -114,10 +114,10 @@ fn to_3d(points: &[DVec2]) -> Curve<DVec3> {
 }
 
 /// The segments of a path: the subpath of each, its index on it, and its control points.
-struct SegmentIndex<'a>(Vec<(usize, usize, &'a [DVec2])>);
+pub(crate) struct SegmentIndex<'a>(Vec<(usize, usize, &'a [DVec2])>);
 
 impl<'a> SegmentIndex<'a> {
-    fn new(path: &'a Path) -> Self {
+    pub(crate) fn new(path: &'a Path) -> Self {
         let parts = path.parts().enumerate();
         let segments = parts.flat_map(|(subpath, part)| {
             let numbered = part.segments().enumerate();
@@ -126,7 +126,7 @@ impl<'a> SegmentIndex<'a> {
         Self(segments.collect())
     }
 
-    fn lengths(&self) -> SegmentLengths {
+    pub(crate) fn lengths(&self) -> SegmentLengths {
         let length =
             |&(_, _, points): &(usize, usize, &[DVec2])| segment_length(points, f64::INFINITY);
         SegmentLengths::new(self.0.iter().map(length))

@@ -13,13 +13,13 @@ mod convert;
 mod elements;
 mod evaluate;
 pub(crate) mod intersect;
-mod length;
+pub(crate) mod length;
 mod moments;
 mod nearest;
 mod shapes;
 mod stroke;
 mod trace;
-mod winding;
+pub(crate) mod winding;
 
 pub use crate::io::svg_error::SvgError;
 pub use crate::io::svg_write::SvgOptions;

@@ -80,7 +80,7 @@ impl Path {
 }
 
 /// The number of upward minus downward crossings of a curve with the ray from p to the right.
-fn crossings(points: &[DVec2], p: DVec2) -> i32 {
+pub(crate) fn crossings(points: &[DVec2], p: DVec2) -> i32 {
     match by_box(points, p) {
         Some(count) => count,
         None => Search {

@@ -12,6 +12,8 @@ use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::path::intersect::PathIntersection;
+use crate::path::length::SegmentIndex;
+use crate::path::winding::crossings;
 use crate::path::{Path, PathTime};
 use crate::spline::Spline;
 use glam::{DVec2, DVec3};
@@ -106,6 +108,16 @@ pub fn path_nearest() -> isize {
     })
 }
 
+/// Writes the arc lengths from the start of the path to the end of each segment, after a 0.
+#[wasm_bindgen]
+pub fn path_segment_ends() -> usize {
+    arena::with(|a| {
+        let path = path(a).0;
+        let lengths = SegmentIndex::new(&path).lengths();
+        a.write_numbers(0, lengths.ends())
+    })
+}
+
 /// Writes the subpath and t at an arc length; a tolerance of 0 stands for the default. Returns 0 for an empty path.
 #[wasm_bindgen]
 pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
@@ -163,6 +175,12 @@ pub fn path_intersect(two: bool) -> usize {
 #[wasm_bindgen]
 pub fn path_winding_number(x: f64, y: f64) -> i32 {
     arena::with(|a| path(a).0.winding_number(DVec2::new(x, y)))
+}
+
+/// The crossings of a curve with the ray from a point to the right, see `path_winding_number`.
+#[wasm_bindgen]
+pub fn curve_crossings(count: usize, x: f64, y: f64) -> i32 {
+    arena::with(|a| crossings(&a.points::<DVec2>(0, count), DVec2::new(x, y)))
 }
 
 /// Writes for each subpath the number of its vertices, the vertices and their parameters; returns the number of f64.

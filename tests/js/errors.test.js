@@ -42,9 +42,17 @@ test("points: wrong counts", () => {
   ]);
   const spline = (count, options) => () => new Spline(new Array(count).fill([0, 0]), options);
   for (const count of [0, 1, 2, 3, 5, 6, 8])
-    refused(spline(count), RangeError, /^points: expected a multiple of 3, and one more, .*got \d$/);
+    refused(
+      spline(count),
+      RangeError,
+      /^points: expected a multiple of 3, and one more, .*got \d(; \d points fit degree [12 or]+)?$/,
+    );
   for (const count of [0, 1, 2, 4, 7])
-    refused(spline(count, { closed: true }), RangeError, /^points: expected a multiple of 3 .*got \d$/);
+    refused(
+      spline(count, { closed: true }),
+      RangeError,
+      /^points: expected a multiple of 3 .*got \d(; \d points fit degree [12 or]+)?$/,
+    );
 });
 
 test("points: a million of them", () => {
@@ -222,8 +230,7 @@ test("bases and matrices", () => {
   for (const bad of ["hermit", ""]) refused(() => Curve.basisMatrix(bad), RangeError, /^basis: /);
   for (const bad of [undefined, 1, [1]]) refused(() => Curve.basisMatrix(bad), TypeError, /^basis: /);
   for (const shape of [cubic, seven]) {
-    for (const bad of [undefined, null, 5, "matrix(1 0 0 1 0 0)", {}])
-      refused(() => shape.transform(bad), TypeError, /^matrix: /);
+    for (const bad of [undefined, null, 5, {}]) refused(() => shape.transform(bad), TypeError, /^matrix: /);
     for (const bad of [[], [1, 0, 0, 1, 0], new Array(9).fill(0), detached(6)])
       refused(() => shape.transform(bad), RangeError, /^matrix: expected 6 or 16 numbers, got /);
     refused(() => shape.transform([1, 0, 0, 1, NaN, 0]), RangeError, /^matrix\[4\]: /);

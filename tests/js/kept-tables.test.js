@@ -1,10 +1,10 @@
-// What splines keep between calls: the results are those of the core, and repeated queries ask the core less.
+// What splines and paths keep between calls: the results are those of the core, and repeated queries ask the core less.
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { Path, Spline } from "../../js/index.js";
 import { curvesModule } from "../../js/wasm/curves-module.js";
 import { core } from "../../js/wasm/init.js";
-import { readResult } from "../../js/wasm/transfer.js";
+import { readResult, writeArguments } from "../../js/wasm/transfer.js";
 import { near, pointsOf, refused, untyped } from "./reference.js";
 
 const SEGMENTS = 2000;
@@ -103,9 +103,6 @@ test("nearest: the results of the segments and of the core", () => {
       const point = p.slice(0, spline.dimension);
       const found = spline.nearest(point);
       assert.deepEqual(found, nearestOfAll(spline, point));
-      if (spline.dimension === 3) continue;
-      const { subpath, ...onPath } = /** @type {any} */ (new Path([spline]).nearest(point)); // which keeps nothing
-      assert.deepEqual([subpath, found], [0, onPath]);
     }
   }
 });
@@ -122,7 +119,8 @@ test("nearest: far points, and of two points at the same distance the first", ()
 test("nearest examines only the segments whose boxes may be nearer", () => {
   const spline = waves(false);
   spline.nearest([1000, 80]);
-  assert.ok(called("curve_nearest")[0] < 100, `${called("curve_nearest")}`);
+  const [general, cubic] = called("curve_nearest", "cubic_nearest");
+  assert.ok(general + cubic > 0 && general + cubic < 20, `${general} ${cubic}`);
 });
 
 test("eval: the results of the core, of every degree, inside and outside", () => {
@@ -142,4 +140,113 @@ test("what is kept cannot be changed from outside", () => {
   spline.nearest([0, 0]).point.x = 7;
   assert.deepEqual([spline.eval(2.5), spline.timeAtLength(5), spline.nearest([4, 4])], before);
   near([mixed().length()], [spline.length()], 0);
+});
+
+const three = () => new Path([waves(true), mixed(), waves(false)]);
+/** The answer of the core's function of paths, which keeps nothing. */
+function ofPath(path, name, ...args) {
+  writeArguments(path._packed);
+  return [...readResult(0, core()[name](...args))];
+}
+
+test("paths: lengths and locations are those of the core", () => {
+  for (const path of [
+    three(),
+    new Path([mixed()]),
+    new Path([]),
+    new Path([new Spline([1, 1, 1, 1], { degree: 1 })]),
+  ]) {
+    const length = path.length();
+    assert.deepEqual([length], ofPath(path, "path_length", 0));
+    for (const s of [-1, 0, 1e-300, length / 7, length / 2, 0.999 * length, length, 2 * length]) {
+      const time = path.timeAtLength(s);
+      assert.deepEqual(time ? [time.subpath, time.t] : [], ofPath(path, "path_time_at_length", s, 0), `s = ${s}`);
+    }
+  }
+  const joints = Path.fromSVG("M0 0H4M0 1H3V5");
+  assert.deepEqual(
+    [4, 7, 11].map((s) => joints.timeAtLength(s)),
+    [
+      { subpath: 1, t: 0 },
+      { subpath: 1, t: 1 },
+      { subpath: 1, t: 2 },
+    ],
+  );
+});
+
+test("paths: the nearest point is the first of the nearest points of the subpaths", () => {
+  const path = three();
+  for (const p of pointsOf("0,0 1000,200 -40,2 777.7,12.5 1e149,-1e149 2,12")) {
+    const all = path.subpaths.map((spline, subpath) => ({ subpath, ...nearestOfAll(spline, p) }));
+    const expected = all.reduce((best, other) => (other.distance < best.distance ? other : best));
+    assert.deepEqual(path.nearest(p), expected);
+  }
+  assert.equal(new Path([]).nearest([0, 0]), null);
+});
+
+test("paths: winding numbers are those of the core", () => {
+  const star = Path.polygon(Array.from({ length: 101 }, (_, k) => [Math.cos(40 * k), Math.sin(40 * k)]));
+  const scribbles = new Path([mixed(), mixed().reverse(), waves(true), waves(false)]);
+  for (const path of [star, scribbles, Path.circle([0, 0], 1), Path.fromSVG("M0 0H4M9 9L8 8L9 7"), new Path([])]) {
+    const { min, max } = path.bounds() ?? { min: { x: 0, y: 0 }, max: { x: 1, y: 1 } };
+    const points = path.subpaths.flatMap((spline) => spline.points()).slice(0, 200);
+    for (let i = 0; i <= 20; i++)
+      for (let j = 0; j <= 20; j++)
+        points.push({ x: min.x + ((max.x - min.x) * i) / 20, y: min.y + ((max.y - min.y) * j) / 20 });
+    for (const { x, y } of points) {
+      writeArguments(path._packed);
+      const expected = core().path_winding_number(x, y);
+      assert.equal(path.windingNumber([x, y]), expected, `${x} ${y}`);
+      assert.equal(path.contains([x, y]), expected !== 0);
+    }
+  }
+});
+
+test("paths: after the first call the core is not passed the path", () => {
+  const path = three();
+  const ask = () => [
+    path.length(),
+    path.area(),
+    path.bounds(),
+    path.controlBounds(),
+    path.pointAtLength(99),
+    path.nearest([1, 2]),
+    path.windingNumber([1000, 0]),
+  ];
+  const answers = ask();
+  assert.deepEqual(ask(), answers);
+  calls.clear();
+  for (let k = 0; k < 10; k++) assert.deepEqual(ask(), answers);
+  assert.deepEqual(
+    [...calls.keys()].filter((name) => name.startsWith("path_")),
+    [],
+  );
+  /** @type {any} */ (path.bounds()).min.x = 77;
+  assert.deepEqual(ask(), answers);
+});
+
+test("Path.nearestOf: the first of the nearest paths, within a distance", () => {
+  const paths = Array.from({ length: 200 }, (_, k) => Path.circle([20 * (k % 20), 20 * Math.floor(k / 20)], 9));
+  paths.push(new Path([]));
+  for (const p of pointsOf("0,0 10,10 33,71 399,1 -50,60 200,190.5")) {
+    const all = paths
+      .map((path, index) => ({ index, .../** @type {any} */ (path.nearest(p)) }))
+      .filter(({ point }) => point);
+    const expected = all.reduce((best, other) => (other.distance < best.distance ? other : best));
+    assert.deepEqual(Path.nearestOf(paths, p), expected);
+    assert.deepEqual(Path.nearestOf(paths, p, { maxDistance: expected.distance }), expected);
+    assert.equal(Path.nearestOf(paths, p, { maxDistance: 0.999 * expected.distance }), null);
+  }
+  Path.nearestOf(paths, [33, 71]);
+  calls.clear();
+  Path.nearestOf(paths, [33, 71]);
+  const [general, cubic] = called("curve_nearest", "cubic_nearest");
+  assert.ok(general + cubic < 30, "most paths are not searched");
+  assert.equal(Path.nearestOf([], [0, 0]), null);
+  refused(
+    () => Path.nearestOf(untyped(paths[0]), [0, 0]),
+    TypeError,
+    /^paths: expected an array of paths, got a Path$/,
+  );
+  refused(() => Path.nearestOf(paths, [0, 0], { maxDistance: Number.NaN }), RangeError, /^maxDistance: /);
 });

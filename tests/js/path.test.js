@@ -150,7 +150,13 @@ test("bounds, flattening, empty paths", () => {
   assert.deepEqual(path.bounds(), { min: { x: 100, y: 125 }, max: { x: 400, y: 275 } });
   assert.deepEqual(path.controlBounds(), { min: { x: 100, y: 100 }, max: { x: 400, y: 300 } });
   const [line] = path.flatten(0.1);
-  assert.deepEqual(line, path.subpaths[0].flatten(0.1));
+  assert.deepEqual(line, { ...path.subpaths[0].flatten(0.1), closed: path.subpaths[0].closed });
+  assert.deepEqual(
+    Path.fromSVG("M0 0H1M0 0H1V1Z")
+      .flatten(1)
+      .map(({ closed }) => closed),
+    [false, true],
+  );
   assert.equal(Path.fromSVG(RING).flatten(1).length, 2);
   const empty = new Path([]);
   const answers = [empty.bounds(), empty.controlBounds(), empty.flatten(1), empty.toSVG(), empty.subpaths];

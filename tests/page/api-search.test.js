@@ -11,7 +11,7 @@ const find = searchIndex(JSON.parse(readFileSync(`${root}site/search.json`, "utf
 /** What one of the first three results must be. @type {[string, RegExp][]} */
 const TERMS = [
   ["nearest point", /^api\/(curve|spline|path|surface|patch)\/#nearest$/],
-  ["arc length", /^api\/\w+\/#(length|timeAtLength|pointAtLength)$/],
+  ["arc length", /^api\/\w+\/#(length|lengthAt|timeAtLength|pointAtLength)$/],
   ["winding number", /^api\/path\/#windingNumber$/],
   ["teapot", /^(teapot\/|api\/surface\/#teapot|surfaces\/#)/],
   ["de Casteljau", /^(curves\/#|api\/(curve|patch)\/#deCasteljau$)/],

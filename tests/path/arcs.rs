@@ -223,7 +223,15 @@ fn adversarial_arcs_stay_finite_and_end_where_they_should() {
         let (from, to) = (DVec2::new(n[0], n[1]), DVec2::new(n[5], n[6]));
         for flags in ["00", "01", "10", "11"] {
             let arc = format!("A{} {} {} {flags}{} {}", n[2], n[3], n[4], to.x, to.y);
-            let path = path(&format!("M{} {}{arc}", from.x, from.y));
+            let path = match Path::from_svg(&format!("M{} {}{arc}", from.x, from.y)) {
+                Ok(path) => path,
+                Err(error) => {
+                    assert_eq!(error.expected, "coordinates from -2^500 to 2^500");
+                    let largest = n.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+                    assert!(largest > MAX_COORDINATE / 16.0, "{from} {arc}");
+                    continue;
+                }
+            };
             if from == to {
                 assert!(path.is_empty(), "{from} {arc}");
                 continue;

@@ -93,7 +93,8 @@ let kept;
 /** Scrolls to an element, and again whenever a figure above it changes its height, until the reader scrolls. @param {HTMLElement} element */
 function keepInPlace(element) {
   kept?.abort();
-  const { signal } = (kept = new AbortController());
+  kept = new AbortController();
+  const { signal } = kept;
   const page = document.documentElement;
   let height = 0;
   let top = 0;

@@ -1,4 +1,5 @@
 import { basisNumbers, BASES } from "../basis.js";
+import { affine } from "../affine.js";
 import * as check from "../check.js";
 import { CurveEvaluation } from "./curve-evaluation.js";
 import { boxAt } from "../points.js";
@@ -10,7 +11,7 @@ import { readPolyline, readResult } from "../../wasm/transfer.js";
 
 /**
  * @import { BasisLike, BasisName } from "../basis.js"
- * @import { MatrixLike } from "../check.js"
+ * @import { TransformLike } from "../check.js"
  * @import { Box } from "../points.js"
  * @import { Subdivision } from "../subdivision.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
@@ -102,26 +103,29 @@ export class CoreCurve extends CurveEvaluation {
   }
 
   /**
-   * The same curve with the degree raised by one.
+   * The same curve with a higher degree.
    *
-   * @param {never[]} surplus
+   * @param {number} [times] by how much the degree is raised, by default 1
    * @returns {this}
-   * @throws {RangeError} at degree 64
+   * @throws {RangeError} for a degree above 64
    */
-  elevate(...surplus) {
-    check.noSurplus(surplus, "elevate", 0);
-    return this._read(core().curve_elevate(this.dimension, this._write()));
+  elevate(times = 1) {
+    check.whole(times, "times", 0, 64);
+    /** @type {this} */
+    let curve = this;
+    for (let k = 0; k < times; k++) curve = curve._read(core().curve_elevate(this.dimension, curve._write()));
+    return curve;
   }
 
   /**
    * The curve transformed by an affine map.
    *
-   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
+   * @param {TransformLike} matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @returns {this}
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
-    return this._read(core().points_transform(this.dimension, this._write(check.affine(matrix))));
+    return this._read(core().points_transform(this.dimension, this._write(affine(matrix))));
   }
 
   /**

@@ -1,7 +1,7 @@
 import { curveData } from "../brand.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
-import { flatten, nested, pointAt, samePoints, requireList } from "../points.js";
+import { flatten, nested, pointAt, pointList, samePoints, requireList } from "../points.js";
 import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
@@ -69,6 +69,15 @@ export class CurveValue {
    */
   controlPoints() {
     return this.#flat.slice();
+  }
+
+  /**
+   * The control points P₀ … Pₙ as objects.
+   *
+   * @returns {Point<D>[]}
+   */
+  points() {
+    return pointList(this.#flat, this.#dimension);
   }
 
   /**

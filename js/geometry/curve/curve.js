@@ -7,6 +7,7 @@ import * as queries from "../curve-queries.js";
 import { intersectSplines, readIntersections, readSelfIntersections } from "../intersections.js";
 import { flatten } from "../points.js";
 import { readSpline } from "../spline/spline.js";
+import { curveToThree } from "../../io/three.js";
 import { core } from "../../wasm/init.js";
 import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
 
@@ -19,6 +20,7 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  * @import { Intersection, SelfIntersection } from "../intersections.js"
  * @import { PointArrays } from "../points.js"
  * @import { PathTime } from "../path/path-queries.js"
+ * @import { ThreeCurves } from "../../io/three.js"
  * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
@@ -214,6 +216,18 @@ export class Curve extends CurveMeasures {
    */
   hausdorff(curve) {
     return queries.hausdorff(this._flat, this.#flatOfSameDimension(curve), this.dimension);
+  }
+
+  /**
+   * The curve as a `Curve` of three.js, for `TubeGeometry` and `ExtrudeGeometry`: its points are `Vector2` in the plane and
+   * `Vector3` in space; arc lengths are those of this package, not a table's.
+   *
+   * @template {{ prototype: any }} CurveClass
+   * @param {ThreeCurves<CurveClass>} THREE the namespace of three.js, or an object with `Curve`, `Vector2` and `Vector3`
+   * @returns {CurveClass["prototype"]}
+   */
+  toThree(THREE) {
+    return curveToThree(this, 1, THREE);
   }
 
   /**

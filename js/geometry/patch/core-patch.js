@@ -11,7 +11,7 @@ import { core, unwrapCount, writeArguments, readResult } from "../../wasm/surfac
  * @import { PointLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
  * @import { GridOptions, Mesh } from "../mesh.js"
- * @import { Point } from "../points.js"
+ * @import { Box, Point } from "../points.js"
  * @import { Curvature, PatchPoint, PatchDeCasteljau } from "../surface-queries.js"
  * @import { TessellationOptions } from "../tessellation.js"
  */
@@ -19,7 +19,7 @@ import { core, unwrapCount, writeArguments, readResult } from "../../wasm/surfac
 /**
  * The partial derivatives of a patch.
  *
- * @typedef {{ u: Point, v: Point, uu: Point, uv: Point, vv: Point }} Partials
+ * @typedef {{ u: Point<3>, v: Point<3>, uu: Point<3>, uv: Point<3>, vv: Point<3> }} Partials
  */
 
 /**
@@ -33,7 +33,7 @@ export class CorePatch extends PatchValue {
    *
    * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
-   * @returns {Point}
+   * @returns {Point<3>}
    */
   eval(u, v) {
     core().patch_eval(...this._writeAt(u, v));
@@ -60,7 +60,7 @@ export class CorePatch extends PatchValue {
    *
    * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
-   * @returns {Point}
+   * @returns {Point<3>}
    */
   normal(u, v) {
     core().patch_normal(...this._writeAt(u, v));
@@ -121,11 +121,11 @@ export class CorePatch extends PatchValue {
    * found so far.
    *
    * @param {never[]} surplus
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<3>}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0);
-    return /** @type {{ min: Point, max: Point }} */ (queries.bounds(this.#surfaceWriter()));
+    return /** @type {Box<3>} */ (queries.bounds(this.#surfaceWriter()));
   }
 
   /**

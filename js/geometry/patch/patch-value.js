@@ -1,7 +1,8 @@
 import { basisNumbers } from "../basis.js";
 import { patchData } from "../brand.js";
+import { affine } from "../affine.js";
 import * as check from "../check.js";
-import { netNumbers } from "../net.js";
+import { degreeOfRows, netNumbers } from "../net.js";
 import { nested, samePoints, writePoint } from "../points.js";
 import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
@@ -9,7 +10,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
 /**
  * @import { BasisLike } from "../basis.js"
  * @import { PatchData } from "../brand.js"
- * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { TransformLike, PointLike } from "../check.js"
  * @import { NetLike } from "../net.js"
  */
 
@@ -39,11 +40,15 @@ export class PatchValue {
    *
    * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
    *   degreeV + 1 rows; an array of numbers holds three for each point
-   * @param {{ degreeU?: number, degreeV?: number }} [options] `degreeU`: 3 by default; `degreeV`: 3 by default
+   * @param {{ degreeU?: number, degreeV?: number }} [options] by default what the lengths of the rows give, and 3 for a
+   *   flat list
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net, options) {
-    const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
+    const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
+      "degreeU",
+      "degreeV",
+    ]);
     this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
     this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
     const checked = /** @type {unknown} */ (net);
@@ -133,12 +138,12 @@ export class PatchValue {
   /**
    * The patch transformed by an affine map.
    *
-   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
+   * @param {TransformLike} matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @returns {this}
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
-    writeArguments(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
+    writeArguments(this.#flat, 12).set(affine(matrix), this.#flat.length);
     return this.#withNet(readResult(0, core().points_transform(3, this.#flat.length / 3)));
   }
 

@@ -97,13 +97,17 @@ export function combine(paths, operation, options) {
  * @param {Float64Array} path
  * @param {unknown} other
  * @param {BooleanOperation} operation
- * @param {RegionOptions} [options]
+ * @param {readonly unknown[]} further paths, and at last the options, if there are any
  * @returns {Float64Array} a packed path
  */
-export function combineTwo(path, other, operation, options) {
-  const evenOdd = isEvenOdd(options);
-  writePaths([path, packedOf(other, "other")]);
-  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), 2, evenOdd));
+export function combineWith(path, other, operation, further) {
+  const last = further.length - 1;
+  const hasOptions = last >= 0 && !packedPath(further[last]);
+  const evenOdd = isEvenOdd(hasOptions ? /** @type {RegionOptions} */ (further[last]) : undefined);
+  const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => packedOf(value, `paths[${k + 1}]`));
+  const all = [path, packedOf(other, "other"), ...others];
+  writePaths(all);
+  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
 }
 
 /**

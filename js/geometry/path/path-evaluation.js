@@ -2,7 +2,7 @@ import * as check from "../check.js";
 import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
 import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
 import { PathValue } from "./path-value.js";
-import { packedSplines } from "../../wasm/packed-path.js";
+import { extents, packedSplines } from "../../wasm/packed-path.js";
 
 /**
  * @import { PathExtrema } from "./path-coordinates.js"
@@ -24,7 +24,7 @@ export class PathEvaluation extends PathValue {
    * The point at a location.
    *
    * @param {PathTime} location a subpath and a parameter on it
-   * @returns {Point}
+   * @returns {Point<2>}
    */
   eval(location) {
     const [curve, t] = segmentAt(this, location);
@@ -62,7 +62,8 @@ export class PathEvaluation extends PathValue {
    */
   sample(segmentsPerCurve) {
     check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
-    const total = segmentsPerCurve * this.segmentCount;
+    let total = 0;
+    for (const { segments } of extents(this._packed)) total += segmentsPerCurve * segments;
     if (total > MAX_SAMPLE_SEGMENTS) {
       throw new RangeError(`segments: expected at most ${MAX_SAMPLE_SEGMENTS}, this needs ${total}`);
     }
@@ -74,7 +75,7 @@ export class PathEvaluation extends PathValue {
    *
    * @param {PathTime} location a subpath and a parameter on it
    * @param {number} [k] the order of the derivative, by default 1
-   * @returns {Point}
+   * @returns {Point<2>}
    */
   derivativeAt(location, k = 1) {
     const [curve, t] = segmentAt(this, location);
@@ -85,7 +86,7 @@ export class PathEvaluation extends PathValue {
    * The unit tangent at a location, see `Curve.tangent`; zero if the segment is a point.
    *
    * @param {PathTime} location a subpath and a parameter on it
-   * @returns {Point}
+   * @returns {Point<2>}
    */
   tangent(location) {
     const [curve, t] = segmentAt(this, location);
@@ -96,7 +97,7 @@ export class PathEvaluation extends PathValue {
    * The unit normal at a location: the tangent turned by +90°, (x, y) → (−y, x).
    *
    * @param {PathTime} location a subpath and a parameter on it
-   * @returns {Point}
+   * @returns {Point<2>}
    */
   normal(location) {
     const [curve, t] = segmentAt(this, location);

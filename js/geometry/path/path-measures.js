@@ -1,15 +1,20 @@
 import * as check from "../check.js";
 import { boxAt } from "../points.js";
+import { PathSegmentIndex } from "./path-segment-index.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
+import { SegmentTree } from "../segment-tree.js";
+import { segmentAtLength } from "../spline/arc-length-table.js";
 import { PathEvaluation } from "./path-evaluation.js";
+import { checkedLocation } from "./path-segments.js";
 import { coordinatesOf } from "./path-value.js";
 import { core } from "../../wasm/init.js";
+import { extents } from "../../wasm/packed-path.js";
 import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
 
 /**
  * @import { PointLike } from "../check.js"
  * @import { PathPoint, PathPointAtLength, PathTime } from "./path-queries.js"
- * @import { Point } from "../points.js"
+ * @import { Box } from "../points.js"
  */
 
 /**
@@ -52,26 +57,48 @@ export function isEvenOdd(options) {
   return fillRule === "evenodd";
 }
 
-/** Boxes, lengths, areas, winding numbers and nearest points of a path. */
+/**
+ * Boxes, lengths, areas, winding numbers and nearest points of a path. What repeated queries need is computed at the
+ * second one and kept with the path.
+ */
 export class PathMeasures extends PathEvaluation {
+  /** @type {PathSegmentIndex | undefined} */
+  #segments;
+  /** @type {SegmentTree | undefined} */
+  #tree;
+  /** @type {SegmentTree | undefined} that of the closed subpaths, for winding numbers */
+  #filled;
+  #askedForWinding = false;
+  #askedForNearest = false;
+  /** @type {Float64Array | undefined} the arc lengths from the start of the path to the end of each segment, after a 0 */
+  #ends;
+  /** @type {Box<2> | null | undefined} */
+  #bounds;
+  /** @type {Box<2> | null | undefined} */
+  #controlBounds;
+  /** @type {number | undefined} */
+  #area;
+
   /**
    * The smallest box that contains the path; null for an empty one.
    *
    * @param {never[]} surplus
-   * @returns {{ min: Point, max: Point } | null}
+   * @returns {Box<2> | null}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0);
-    return this._box(true);
+    this.#bounds ??= this._box(true);
+    return copyOfBox(this.#bounds);
   }
 
   /**
    * The box of the control points, which contains the path; null for an empty one.
    *
-   * @returns {{ min: Point, max: Point } | null}
+   * @returns {Box<2> | null}
    */
   controlBounds() {
-    return this._box(false);
+    this.#controlBounds ??= this._box(false);
+    return copyOfBox(this.#controlBounds);
   }
 
   /**
@@ -83,6 +110,7 @@ export class PathMeasures extends PathEvaluation {
    */
   length(tolerance, ...surplus) {
     check.noSurplus(surplus, "length", 1);
+    if (tolerance === undefined) return /** @type {number} */ (this.#segmentEnds().at(-1));
     const maxError = check.optionalTolerance(tolerance);
     writeArguments(this._packed);
     return readResult(0, core().path_length(maxError))[0];
@@ -98,8 +126,18 @@ export class PathMeasures extends PathEvaluation {
   timeAtLength(s, tolerance) {
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
-    writeArguments(this._packed);
-    return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+    if (tolerance !== undefined) {
+      writeArguments(this._packed);
+      return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+    }
+    const ends = this.#segmentEnds();
+    const { count } = this.#index();
+    if (count === 0) return null;
+    if (s <= 0) return { subpath: 0, t: 0 };
+    const k = segmentAtLength(ends, s);
+    if (k === count) return this.#index().location(count - 1, 1);
+    const { subpath, t } = this.#index().location(k, 0);
+    return { subpath, t: t + this._segments(subpath)[t].timeAtLength(s - ends[k]) };
   }
 
   /**
@@ -130,14 +168,33 @@ export class PathMeasures extends PathEvaluation {
   }
 
   /**
+   * The arc length from the start of the path to a location: the lengths of the subpaths before it and of the part of
+   * its own; the inverse of `timeAtLength`.
+   *
+   *     path.lengthAt(path.nearest(point)); // how far along the path the nearest point is
+   *
+   * @param {PathTime} location a subpath and a parameter on it; beyond its ends, the end counts
+   * @returns {number}
+   */
+  lengthAt(location) {
+    const { subpath, t } = checkedLocation(this, location);
+    const before = this.subpaths.slice(0, subpath).reduce((sum, spline) => sum + spline.length(), 0);
+    const spline = this.subpaths[subpath];
+    return before + (t <= 0 ? 0 : spline.subsegment(0, Math.min(t, spline.segmentCount)).length());
+  }
+
+  /**
    * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
    * line.
    *
    * @returns {number}
    */
   area() {
-    writeArguments(this._packed);
-    return core().path_area();
+    if (this.#area === undefined) {
+      writeArguments(this._packed);
+      this.#area = core().path_area();
+    }
+    return this.#area;
   }
 
   /**
@@ -159,7 +216,10 @@ export class PathMeasures extends PathEvaluation {
    * @returns {PathPoint | null}
    */
   nearest(point) {
-    return nearestOnPath(this._packed, coordinatesOf(point));
+    const p = coordinatesOf(point);
+    if (this.#tree || this.#askedForNearest) return this._nearest(p, Infinity);
+    this.#askedForNearest = true;
+    return nearestOnPath(this._packed, p);
   }
 
   /**
@@ -171,6 +231,11 @@ export class PathMeasures extends PathEvaluation {
    */
   windingNumber(point) {
     const [x, y] = coordinatesOf(point);
+    if (this.#filled || this.#askedForWinding) {
+      this.#filled ??= new SegmentTree(new PathSegmentIndex(this._packed, true));
+      return this.#filled.crossings(x, y);
+    }
+    this.#askedForWinding = true;
     writeArguments(this._packed);
     return core().path_winding_number(x, y);
   }
@@ -193,7 +258,8 @@ export class PathMeasures extends PathEvaluation {
    *
    * @param {number} tolerance the largest distance, in the unit of the points
    * @param {never[]} surplus
-   * @returns {{ points: Float64Array, ts: Float64Array }[]}
+   * @returns {{ points: Float64Array, ts: Float64Array, closed: boolean }[]} `closed`: whether the subpath is; then the
+   *   last vertex is the first one again
    */
   flatten(tolerance, ...surplus) {
     check.noSurplus(surplus, "flatten", 1);
@@ -201,14 +267,60 @@ export class PathMeasures extends PathEvaluation {
     writeArguments(this._packed);
     const numbers = readResult(0, core().path_flatten(tolerance));
     releaseMemory();
+    const subpaths = extents(this._packed);
     const polylines = [];
     for (let at = 0; at < numbers.length; ) {
       const points = at + 1;
       const ts = points + 2 * numbers[at];
       at = ts + numbers[at];
-      polylines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at) });
+      const { closed } = subpaths.next().value ?? { closed: false };
+      polylines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at), closed });
     }
     return polylines;
+  }
+
+  /**
+   * The nearest point within a distance.
+   *
+   * @internal
+   * @param {Float64Array} point
+   * @param {number} maxDistance
+   * @returns {PathPoint | null}
+   */
+  _nearest(point, maxDistance) {
+    const nearest = this.#segmentTree()?.nearest(point, maxDistance);
+    if (!nearest) return null;
+    const { t, point: at, distance } = nearest.found;
+    return { ...this.#index().location(nearest.k, t), point: at, distance };
+  }
+
+  /**
+   * The distance of a point from the box of the control points; infinite for an empty path.
+   *
+   * @internal
+   * @param {Float64Array} point
+   * @returns {number}
+   */
+  _boxDistance(point) {
+    return this.#segmentTree()?.distance(point) ?? Infinity;
+  }
+
+  #segmentTree() {
+    if (this.subpathCount > 0) this.#tree ??= new SegmentTree(this.#index());
+    return this.#tree;
+  }
+
+  #index() {
+    this.#segments ??= new PathSegmentIndex(this._packed);
+    return this.#segments;
+  }
+
+  #segmentEnds() {
+    if (!this.#ends) {
+      writeArguments(this._packed);
+      this.#ends = readResult(0, core().path_segment_ends());
+    }
+    return this.#ends;
   }
 
   /**
@@ -220,4 +332,12 @@ export class PathMeasures extends PathEvaluation {
     const numbers = readResult(0, core().path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
+}
+
+/**
+ * @param {Box<2> | null} box
+ * @returns {Box<2> | null}
+ */
+function copyOfBox(box) {
+  return box && { min: { ...box.min }, max: { ...box.max } };
 }

@@ -15,13 +15,13 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
 /**
  * A position on a path with its point and the distance from the query point.
  *
- * @typedef {PathTime & { point: Point, distance: number }} PathPoint
+ * @typedef {PathTime & { point: Point<2>, distance: number }} PathPoint
  */
 
 /**
  * A position on a path with its point, unit tangent and unit normal.
  *
- * @typedef {PathTime & { point: Point, tangent: Point, normal: Point }} PathPointAtLength
+ * @typedef {PathTime & { point: Point<2>, tangent: Point<2>, normal: Point<2> }} PathPointAtLength
  */
 
 /**

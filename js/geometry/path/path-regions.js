@@ -2,19 +2,21 @@ import * as check from "../check.js";
 import { PathMeasures } from "./path-measures.js";
 import * as regions from "./path-boolean.js";
 import * as strokes from "./path-stroke.js";
+import { contoursToThree } from "../../io/three.js";
 
 /**
  * @import { Moments, RegionOptions } from "./path-measures.js"
  * @import { PointLike } from "../check.js"
  * @import { RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js"
  * @import { PathValue } from "./path-value.js"
+ * @import { ThreeShapes } from "../../io/three.js"
  */
 
 /** Operations on the region that a path fills. */
 export class PathRegions extends PathMeasures {
   /**
-   * The union of two regions: the points inside this path, inside the other one, or both. For many paths,
-   * `Path.combine` is much faster than one `union` after the other.
+   * The union of regions: the points inside this path or inside one of the others. One call with many paths, like
+   * `Path.combine`, is much faster than one `union` after the other.
    *
    *     Path.circle([0, 0], 1).union(Path.circle([1, 0], 1));
    *
@@ -25,23 +27,23 @@ export class PathRegions extends PathMeasures {
    * outlines that are closer than that count as one.
    *
    * @param {PathValue} other
-   * @param {RegionOptions} [options]
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
    * @returns {this}
    * @throws {RangeError} for more segments or intersections than the limit
    */
-  union(other, options) {
-    return this._pathOf(regions.combineTwo(this._packed, other, "union", options));
+  union(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "union", further));
   }
 
   /**
-   * The intersection of two regions: the points inside both paths. See `union`.
+   * The intersection of regions: the points inside all paths. See `union`.
    *
    * @param {PathValue} other
-   * @param {RegionOptions} [options]
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
    * @returns {this}
    */
-  intersect(other, options) {
-    return this._pathOf(regions.combineTwo(this._packed, other, "intersect", options));
+  intersect(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "intersect", further));
   }
 
   /**
@@ -56,14 +58,15 @@ export class PathRegions extends PathMeasures {
   }
 
   /**
-   * The symmetric difference of two regions: the points inside exactly one of the paths. See `union`.
+   * The symmetric difference of regions: the points inside exactly one of two paths, or inside an odd number of
+   * paths. See `union`.
    *
    * @param {PathValue} other
-   * @param {RegionOptions} [options]
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
    * @returns {this}
    */
-  exclude(other, options) {
-    return this._pathOf(regions.combineTwo(this._packed, other, "exclude", options));
+  exclude(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "exclude", further));
   }
 
   /**
@@ -184,6 +187,22 @@ export class PathRegions extends PathMeasures {
   roundCorners(radius, ...surplus) {
     check.noSurplus(surplus, "roundCorners", 1);
     return this._pathOf(strokes.roundCorners(this._packed, radius));
+  }
+
+  /**
+   * The region that the path fills as shapes of three.js with their holes, for `ShapeGeometry` and `ExtrudeGeometry`:
+   * one for each outer contour. Segments above degree 3 become cubics.
+   *
+   *     const shapes = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z").toThree(THREE);
+   *     new THREE.ExtrudeGeometry(shapes, { depth: 1 });
+   *
+   * @template {{ new (): any, prototype: any }} ShapeClass
+   * @param {ThreeShapes<ShapeClass>} THREE the namespace of three.js, or an object with `Shape` and `Path`
+   * @param {RegionOptions} [options]
+   * @returns {ShapeClass["prototype"][]}
+   */
+  toThree(THREE, options) {
+    return contoursToThree(this.removeOverlaps(options).subpaths, THREE);
   }
 
   /**

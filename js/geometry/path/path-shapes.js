@@ -210,9 +210,6 @@ class ShapeBuilder {
    * @param {Pair} point the point, in the unit of the points
    */
   arcTo(radiusX, radiusY, degrees, isCounterClockwise, [x, y]) {
-    if (!check.isCoordinate(4 * Math.max(radiusX, radiusY) + Math.abs(x) + Math.abs(y))) {
-      throw new RangeError(`radius: expected an arc with coordinates below 2^500, got ${Math.max(radiusX, radiusY)}`);
-    }
     const numbers = Float64Array.of(radiusX, radiusY, degrees, 0, isCounterClockwise ? 1 : 0);
     const cubics = arc(this.#x, this.#y, numbers, x, y, this.#tolerance);
     if (!cubics) return this.#line(x, y);

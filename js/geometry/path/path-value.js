@@ -1,18 +1,21 @@
 import { pathData } from "../brand.js";
+import { affine } from "../affine.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
 import { samePoints, writePoint } from "../points.js";
 import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
+import { cssOf, pathDataOf } from "../../io/path-data.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { extents, packedSplines } from "../../wasm/packed-path.js";
 
 /**
- * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { TransformLike, PointLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
  * @import { Curve } from "../curve/curve.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
+ * @import { CssOptions, PathSegment } from "../../io/path-data.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
  */
 
@@ -47,8 +50,10 @@ export class PathValue {
       this.#packed = checked.packed;
       return;
     }
-    if (!Array.isArray(splines))
-      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}`);
+    if (!Array.isArray(splines)) {
+      const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
+      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
+    }
     this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
   }
 
@@ -77,6 +82,32 @@ export class PathValue {
   }
 
   /**
+   * The path as segments of path data, as `getPathData` of SVG elements gives them, with absolute commands M, L, Q, C
+   * and Z; segments of higher degree become cubics.
+   *
+   *     Path.fromSVG("M0 0H4").toPathData(); // [{ type: "M", values: [0, 0] }, { type: "L", values: [4, 0] }]
+   *
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, the largest distance of the cubics
+   * @returns {PathSegment[]}
+   */
+  toPathData(options) {
+    return pathDataOf(this.#packed, options);
+  }
+
+  /**
+   * The path as the function `shape()` of CSS, for `clip-path`, `offset-path` and `shape-outside`, in pixels; an empty
+   * path gives "none".
+   *
+   *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
+   *
+   * @param {CssOptions} [options]
+   * @returns {string}
+   */
+  toCSS(options) {
+    return cssOf(this.#packed, options);
+  }
+
+  /**
    * Whether both have the same structure and each control point lies within a distance of its counterpart.
    *
    * @param {PathValue} other the value to compare with
@@ -97,12 +128,12 @@ export class PathValue {
   /**
    * The path transformed by an affine map.
    *
-   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
+   * @param {TransformLike} matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @returns {this}
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
-    const [a, b, , c, d, , , , , e, f] = check.affine(matrix);
+    const [a, b, , c, d, , , , , e, f] = affine(matrix);
     const packed = this.#packed.slice();
     let index = 0;
     for (const { points, end } of extents(packed)) {

@@ -1,3 +1,4 @@
+import { pathData } from "../brand.js";
 import * as check from "../check.js";
 import { requireList } from "../points.js";
 import { PathRegions } from "./path-regions.js";
@@ -5,8 +6,10 @@ import { intersectPathWith, selfIntersectPath } from "../intersections.js";
 import * as regions from "./path-boolean.js";
 import * as shapes from "./path-shapes.js";
 import { packedShape, require2D } from "./packed-shape.js";
-import { CheckedPath } from "./path-value.js";
+import { CheckedPath, coordinatesOf } from "./path-value.js";
 import { splineDataOf } from "../spline/spline-value.js";
+import { PathBuilder } from "./path-builder.js";
+import { readPathData } from "../../io/path-data.js";
 import { readSvg } from "../../io/svg-read.js";
 import { checkTolerance } from "../../io/svg-write.js";
 import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
@@ -17,10 +20,11 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  * @import { BooleanOperation } from "./path-boolean.js"
  * @import { RegionOptions } from "./path-measures.js"
  * @import { ArcOptions, RectOptions } from "./path-shapes.js"
- * @import { PathTime } from "./path-queries.js"
+ * @import { PathPoint, PathTime } from "./path-queries.js"
  * @import { Intersection, PathIntersection } from "../intersections.js"
  * @import { PathValue } from "./path-value.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
+ * @import { PathSegment } from "../../io/path-data.js"
  * @import { SplineJSON } from "../spline/spline-value.js"
  */
 
@@ -44,6 +48,12 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
+ * What `Path.nearestOf` finds: the index of the path, and the nearest point on it.
+ *
+ * @typedef {PathPoint & { index: number }} NearestPath
+ */
+
+/**
  * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
  * empty.
  *
@@ -57,7 +67,7 @@ export class Path extends PathRegions {
    *
    * Arcs are approximated by as few cubics as possible within a tolerance, by default 1e-5 of the larger radius: 8 for
    * a circle. A moveto without a segment is ignored; "M1 1Z" is
-   * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
+   * a closed subpath with one line of length 0. The text "none", as in CSS, gives an empty path. `Z` adds a line to the start unless the current point is already there.
    *
    * @param {string} d SVG path data
    * @param {ArcOptions} [options]
@@ -104,6 +114,38 @@ export class Path extends PathRegions {
       check.noSurplus(surplus, "from", 1, "from([a, b])");
     if (!Array.isArray(shapes)) return pathOf(packedShape(shapes, "shapes"));
     return pathOf(packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`))));
+  }
+
+  /**
+   * The path of segments of path data, as `getPathData` of SVG elements gives them: commands of SVG path data in any
+   * form, with their numbers.
+   *
+   *     Path.fromPathData(document.querySelector("path").getPathData());
+   *
+   * @param {ArrayLike<PathSegment>} segments `type`: the letter of a command; `values`: the numbers of one such command
+   * @param {ArcOptions} [options]
+   * @returns {Path}
+   * @throws {RangeError} for an unknown command, and for a wrong number of values
+   */
+  static fromPathData(segments, options) {
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
+    const packed = readPathData(segments, tolerance);
+    checkTolerance(packed, tolerance);
+    return pathOf(packed);
+  }
+
+  /**
+   * A builder with the methods of a canvas context, for code that draws on one.
+   *
+   *     const builder = Path.builder();
+   *     d3.line().context(builder)(data); // or any other function that draws on a canvas
+   *     const path = builder.build();
+   *
+   * @param {ArcOptions} [options] for `arc`, `arcTo`, `ellipse` and `roundRect`
+   * @returns {PathBuilder}
+   */
+  static builder(options) {
+    return new PathBuilder(check.optionalTolerance(check.options(options, ["tolerance"]).tolerance), pathOf);
   }
 
   /**
@@ -191,6 +233,42 @@ export class Path extends PathRegions {
    */
   static combine(paths, operation, options) {
     return pathOf(regions.combine(paths, operation, options));
+  }
+
+  /**
+   * The path of a list that is nearest to a point, the first one of several, for hit testing: its index, the location on
+   * it, the nearest point and its distance. Null if all are farther than `maxDistance`, and for empty paths.
+   *
+   *     const hit = Path.nearestOf(paths, [event.offsetX, event.offsetY], { maxDistance: 5 });
+   *     if (hit) paths[hit.index]; // is under the pointer
+   *
+   * @param {ArrayLike<Path>} paths
+   * @param {PointLike} point
+   * @param {{ maxDistance?: number }} [options] `maxDistance`: by default there is no limit
+   * @returns {NearestPath | null}
+   */
+  static nearestOf(paths, point, options) {
+    if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${check.describe(paths)}`);
+    const { maxDistance = Infinity } = check.options(options, ["maxDistance"]);
+    if (maxDistance !== Infinity) check.finite(maxDistance, "maxDistance");
+    if (maxDistance < 0) throw new RangeError(`maxDistance: expected a number from 0, got ${maxDistance}`);
+    const p = coordinatesOf(point);
+    const all = Array.from(paths, (path, k) => (path instanceof Path ? path : pathOf(pathData(path, `paths[${k}]`))));
+    const distances = all.map((path) => path._boxDistance(p));
+    let limit = maxDistance;
+    /** @type {NearestPath | null} */
+    let best = null;
+    const search = (/** @type {number} */ index) => {
+      if (!(distances[index] <= limit)) return;
+      const found = all[index]._nearest(p, limit);
+      if (!found || (best && found.distance === limit && index > best.index)) return;
+      best = { index, ...found };
+      limit = found.distance;
+    };
+    const first = distances.indexOf(distances.reduce((least, distance) => Math.min(least, distance), Infinity));
+    if (first >= 0) search(first); // most others are farther than this one
+    for (let index = 0; index < all.length; index++) if (index !== first) search(index);
+    return best;
   }
 
   /**

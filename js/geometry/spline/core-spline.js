@@ -1,4 +1,5 @@
 import { curveData } from "../brand.js";
+import { affine } from "../affine.js";
 import * as check from "../check.js";
 import { modeCode, modeCodes } from "../joints.js";
 import { SplineEvaluation } from "./spline-evaluation.js";
@@ -8,7 +9,7 @@ import { packedSpline } from "../../wasm/packed-path.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
- * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { TransformLike, PointLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
  * @import { Continuity, JointMode } from "../joints.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
@@ -187,13 +188,13 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * The spline transformed by an affine map.
    *
-   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
+   * @param {TransformLike} matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @returns {this}
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
     const { flat, dimension } = this.casteljauData();
-    writeArguments(flat, 12).set(check.affine(matrix), flat.length);
+    writeArguments(flat, 12).set(affine(matrix), flat.length);
     const length = core().points_transform(dimension, flat.length / dimension);
     return this._splineOf({ ...this.casteljauData(), flat: readResult(0, length) });
   }

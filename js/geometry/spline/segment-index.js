@@ -6,24 +6,31 @@
  * @internal
  */
 export class SegmentIndex {
-  /** For each segment the index of its first coordinate, then the index of the last point of the spline. */
-  #starts;
   /** All coordinates; for a closed spline, those of the first point again at the end. */
-  #flat;
+  flat;
+  /** For each segment the index of its first coordinate. */
+  starts;
+  /** For each segment the index after its last coordinate. */
+  ends;
 
   /** @param {SplineData} data */
   constructor({ flat, dimension, degrees, closed }) {
     this.dimension = dimension;
     this.count = degrees.length;
     this.closed = closed;
-    this.#flat = flat;
+    this.flat = flat;
     if (closed) {
-      this.#flat = new Float64Array(flat.length + dimension);
-      this.#flat.set(flat);
-      this.#flat.set(flat.subarray(0, dimension), flat.length);
+      this.flat = new Float64Array(flat.length + dimension);
+      this.flat.set(flat);
+      this.flat.set(flat.subarray(0, dimension), flat.length);
     }
-    this.#starts = new Float64Array(degrees.length + 1);
-    for (let k = 0; k < degrees.length; k++) this.#starts[k + 1] = this.#starts[k] + degrees[k] * dimension;
+    this.starts = new Uint32Array(degrees.length);
+    this.ends = new Uint32Array(degrees.length);
+    for (let k = 0, at = 0; k < degrees.length; k++) {
+      this.starts[k] = at;
+      at += degrees[k] * dimension;
+      this.ends[k] = at + dimension;
+    }
   }
 
   /**
@@ -44,6 +51,6 @@ export class SegmentIndex {
    * @returns {Float64Array}
    */
   pointsFrom(from, to) {
-    return this.#flat.subarray(this.#starts[from], this.#starts[to] + this.dimension);
+    return this.flat.subarray(this.starts[from], this.ends[to - 1]);
   }
 }

@@ -18,6 +18,9 @@ import { readPolyline, readResult, readResultInto, releaseMemory } from "../../w
  * @extends {SplineValue<D, C>}
  */
 export class SplineEvaluation extends SplineValue {
+  /** @type {Float64Array | undefined} the smallest and the largest coordinates, once asked for */
+  #bounds;
+
   /**
    * The point at t, from 0 to the number of segments.
    *
@@ -136,8 +139,11 @@ export class SplineEvaluation extends SplineValue {
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
-    core().spline_bounds(this._write(), true);
-    return boxAt(readResult(0, 6), this.dimension);
+    if (!this.#bounds) {
+      core().spline_bounds(this._write(), true);
+      this.#bounds = readResult(0, 6);
+    }
+    return boxAt(this.#bounds, this.dimension);
   }
 
   /**

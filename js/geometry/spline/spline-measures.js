@@ -2,7 +2,7 @@ import { pointAndDirections } from "../arc-length.js";
 import * as check from "../check.js";
 import { arcLengthsOf, segmentAtLength } from "./arc-length-table.js";
 import { CoreSpline } from "./core-spline.js";
-import { SegmentBoxes } from "./segment-boxes.js";
+import { SegmentTree } from "../segment-tree.js";
 import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { unwrapCount } from "../../wasm/errors.js";
@@ -27,8 +27,8 @@ import { readResult, releaseMemory } from "../../wasm/transfer.js";
 export class SplineMeasures extends CoreSpline {
   /** @type {Float64Array | undefined} */
   #arcLengths;
-  /** @type {SegmentBoxes | undefined} */
-  #boxes;
+  /** @type {SegmentTree | undefined} */
+  #tree;
   /** The smallest tolerance that the core has accepted. */
   #acceptedTolerance = Infinity;
 
@@ -154,8 +154,11 @@ export class SplineMeasures extends CoreSpline {
    * @returns {Nearest<D>}
    */
   nearest(p) {
-    this.#boxes ??= new SegmentBoxes(this._index);
-    return this.#boxes.nearest(this._coordinates(p, "p"), this.dimension);
+    this.#tree ??= new SegmentTree(this._index);
+    const { k, found } = /** @type {{ k: number, found: Nearest<D> }} */ (
+      this.#tree.nearest(this._coordinates(p, "p"))
+    );
+    return { ...found, t: k + found.t };
   }
 
   /**

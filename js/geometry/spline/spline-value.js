@@ -1,7 +1,7 @@
 import { onlySplineData } from "../brand.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
-import { flatten, nested, pointAt, samePoints, writePoint, requireList } from "../points.js";
+import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
 
@@ -92,6 +92,15 @@ export class SplineValue {
    */
   controlPoints() {
     return this.#data.flat.slice();
+  }
+
+  /**
+   * All control points as objects; joints are listed once.
+   *
+   * @returns {Point<D>[]}
+   */
+  points() {
+    return pointList(this.#data.flat, this.dimension);
   }
 
   /**
@@ -286,10 +295,13 @@ function checkedData(points, options) {
   check.whole(degree, "degree", 1, 64);
   const { flat, dimension } = flatten(points, requested, 2);
   const count = flat.length / dimension;
-  const segments = (count - (isClosed ? 0 : 1)) / degree;
+  const rest = isClosed ? 0 : 1;
+  const segments = (count - rest) / degree;
   if (segments < 1 || !Number.isInteger(segments)) {
     const rule = isClosed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
-    throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}`);
+    const others = [1, 2, 3].filter((other) => other !== degree && Number.isInteger((count - rest) / other));
+    const hint = count > rest + 1 && others.length ? `; ${count} points fit degree ${others.join(" or ")}` : "";
+    throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}${hint}`);
   }
   return { flat, dimension, degrees: new Array(segments).fill(degree), closed: isClosed };
 }

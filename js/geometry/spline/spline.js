@@ -7,6 +7,7 @@ import { intersectSplines, selfIntersectSpline } from "../intersections.js";
 import { flatten } from "../points.js";
 import { SplineMeasures } from "./spline-measures.js";
 import { CheckedSplineData, readSplineData, splineDataOf } from "./spline-value.js";
+import { curveToThree } from "../../io/three.js";
 import { core } from "../../wasm/init.js";
 import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfer.js";
 
@@ -20,6 +21,7 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @import { Intersection, SelfIntersection } from "../intersections.js"
  * @import { PointArrays } from "../points.js"
  * @import { PathTime } from "../path/path-queries.js"
+ * @import { ThreeCurves } from "../../io/three.js"
  * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "./core-spline.js"
  * @import { SplineJSON } from "./spline-value.js"
@@ -214,6 +216,18 @@ export class Spline extends SplineMeasures {
    */
   toBSpline() {
     return toBSpline(this.casteljauData());
+  }
+
+  /**
+   * The spline as a `Curve` of three.js, for `TubeGeometry` and `ExtrudeGeometry`: its points are `Vector2` in the plane and
+   * `Vector3` in space; arc lengths are those of this package, not a table's.
+   *
+   * @template {{ prototype: any }} CurveClass
+   * @param {ThreeCurves<CurveClass>} THREE the namespace of three.js, or an object with `Curve`, `Vector2` and `Vector3`
+   * @returns {CurveClass["prototype"]}
+   */
+  toThree(THREE) {
+    return curveToThree(this, this.segmentCount, THREE);
   }
 
   /**

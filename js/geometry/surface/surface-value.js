@@ -1,3 +1,4 @@
+import { affine } from "../affine.js";
 import * as check from "../check.js";
 import { CheckedNetwork, joinedOf } from "./network.js";
 import { flatten, writePoint } from "../points.js";
@@ -6,7 +7,7 @@ import { surfaceText } from "../../io/surface-text.js";
 import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
 
 /**
- * @import { MatrixLike, PointLike, PointsLike } from "../check.js"
+ * @import { TransformLike, PointLike, PointsLike } from "../check.js"
  * @import { Network } from "./network.js"
  * @import { PatchValue } from "../patch/patch-value.js"
  */
@@ -20,6 +21,8 @@ import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.j
 export class SurfaceValue {
   /** @type {Network} */
   #network;
+  /** @type {Uint32Array | undefined} for each patch the start of its indices, and at last their number; once asked for */
+  #starts;
 
   /**
    * The surface of patches of the same degrees, whose control points are given as indices into a list of vertices.
@@ -69,13 +72,7 @@ export class SurfaceValue {
 
   /** For each patch a copy of the vertex indices of its control points. */
   get patches() {
-    let from = 0;
-    return Array.from({ length: this.patchCount }, (_, k) => {
-      const to = from + this.#netLength(k);
-      const indices = this.#network.indices.slice(from, to);
-      from = to;
-      return indices;
-    });
+    return Array.from({ length: this.patchCount }, (_, k) => this.#indicesOf(k).slice());
   }
 
   /** The number of patches. */
@@ -92,7 +89,7 @@ export class SurfaceValue {
   patch(k) {
     check.whole(k, "patch", 0, this.patchCount - 1);
     const { vertices, degrees } = this.#network;
-    const indices = this.patches[k];
+    const indices = this.#indicesOf(k);
     const net = new Float64Array(3 * indices.length);
     indices.forEach((index, i) => net.set(vertices.subarray(3 * index, 3 * index + 3), 3 * i));
     return this._patchOf(net, degrees[2 * k], degrees[2 * k + 1]);
@@ -122,13 +119,13 @@ export class SurfaceValue {
   /**
    * The surface transformed by an affine map.
    *
-   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
+   * @param {TransformLike} matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @returns {this}
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform(matrix) {
     const { vertices } = this.#network;
-    writeArguments(vertices, 12).set(check.affine(matrix), vertices.length);
+    writeArguments(vertices, 12).set(affine(matrix), vertices.length);
     const length = core().points_transform(3, vertices.length / 3);
     return this._surfaceOf({ ...this.#network, vertices: readResult(0, length) });
   }
@@ -198,10 +195,20 @@ export class SurfaceValue {
     return { view, at };
   }
 
-  /** @param {number} k */
-  #netLength(k) {
-    const { degrees } = this.#network;
-    return (degrees[2 * k] + 1) * (degrees[2 * k + 1] + 1);
+  /**
+   * The vertex indices of a patch, not copied.
+   *
+   * @param {number} k
+   */
+  #indicesOf(k) {
+    const { degrees, indices } = this.#network;
+    if (!this.#starts) {
+      this.#starts = new Uint32Array(this.patchCount + 1);
+      for (let i = 0; i < this.patchCount; i++) {
+        this.#starts[i + 1] = this.#starts[i] + (degrees[2 * i] + 1) * (degrees[2 * i + 1] + 1);
+      }
+    }
+    return indices.subarray(this.#starts[k], this.#starts[k + 1]);
   }
 }
 

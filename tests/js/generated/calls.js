@@ -38,6 +38,17 @@ const location = (a, k = a.k, part = a.t) => {
   const subpath = k % (a.path.subpathCount || 1);
   return { subpath, t: part * (a.path.subpaths[subpath]?.segmentCount ?? 1) };
 };
+/** What a path draws on a builder. */
+const drawn = (a) => {
+  const builder = Path.builder();
+  a.path.trace(/** @type {any} */ (builder), { tolerance: a.tolerance });
+  return builder.build();
+};
+/** The point of a curve of three.js at an arc length, and its tangent. */
+const coordinatesOf = (curve, s) => {
+  const u = curve.getUtoTmapping(0, s);
+  return [...curve.getPoint(u).toArray(), ...curve.getTangent(u).toArray()];
+};
 const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
@@ -75,7 +86,7 @@ const CURVE = {
   ...methods(
     "Curve",
     `
-    toJSON; degree; dimension; controlPoints; equals other tolerance; eval t; evalAt ts; sample segments; derivative;
+    toJSON; degree; dimension; controlPoints; points; equals other tolerance; eval t; evalAt ts; sample segments; derivative;
     derivativeAt t k; tangent t; normal t; curvature t; torsion t; frames segments; length tolerance;
     timeAtLength s tolerance; pointAtLength s; equidistantTimes segments; area; split t; halve; subsegment t0 t1;
     reverse; elevate; reduce; deCasteljau t; toBasis basis; flatten tolerance; subdivide tolerance; bounds;
@@ -94,13 +105,14 @@ const CURVE = {
   "Curve.offset": (a) => a.curve.offset(a.distance, { tolerance: a.tolerance }),
   "Curve.trace": (a) => traced((target) => a.curve.trace(target, { tolerance: a.tolerance })),
   "Curve.toSVG": (a) => a.curve.toSVG(svg(a)),
+  "Curve.toThree": (a) => coordinatesOf(a.curve.toThree(THREE), a.s),
 };
 
 const SPLINE = {
   ...methods(
     "Spline",
     `
-    toJSON; controlPoints; dimension; closed; segmentCount; degrees; segments; eval t; evalAt ts; sample segments;
+    toJSON; controlPoints; points; dimension; closed; segmentCount; degrees; segments; eval t; evalAt ts; sample segments;
     derivativeAt t k; tangent t; normal t; curvature t; torsion t; split t; subsegment t0 t1; hull; extrema;
     frames segments; length tolerance; timeAtLength s tolerance; pointAtLength s; equidistantTimes segments; area;
     bounds; controlBounds; continuity joint tolerance; append p; insert t; remove joint; setJoint joint mode; reverse;
@@ -122,6 +134,7 @@ const SPLINE = {
   "Spline.offset": (a) => a.spline.offset(a.distance, { tolerance: a.tolerance, join: a.join }),
   "Spline.trace": (a) => traced((target) => a.spline.trace(target, { tolerance: a.tolerance })),
   "Spline.toSVG": (a) => a.spline.toSVG(svg(a)),
+  "Spline.toThree": (a) => coordinatesOf(a.spline.toThree(THREE), a.s),
 };
 
 const PATH = {
@@ -168,6 +181,17 @@ const PATH = {
   "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
   "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Path.toPath2D": (a) => withPath2D(recorder(), () => a.path.toPath2D({ tolerance: a.tolerance })).calls,
+  "Path.toPathData": (a) => a.path.toPathData({ tolerance: a.tolerance }).map(({ values }) => values),
+  "Path.fromPathData": (a) => Path.fromPathData(a.path.toPathData({ tolerance: a.tolerance })),
+  "Path.builder": (a) => drawn(a),
+  "Path.toCSS": (a) => a.path.toCSS(svg(a)),
+  "Path.toThree": (a) => a.path.toThree(THREE, { fillRule: a.rule }).map(({ holes }) => holes.length),
+  "Path.nearestOf": (a) =>
+    Path.nearestOf(
+      a.path.subpaths.map((spline) => new Path([spline])),
+      a.p,
+    ),
+  "Path.lengthAt": (a) => a.path.lengthAt(location(a)),
   "Path.from": (a) => Path.from([a.path, ...a.path.subpaths]),
   "Path.circle": (a) => Path.circle(a.p, Math.abs(a.radius), { tolerance: a.tolerance }),
   "Path.ellipse": (a) => Path.ellipse(a.p, Math.abs(a.radius), Math.abs(a.other_radius), a.rotation),

@@ -162,6 +162,10 @@ const CHECKS = {
     for (const time of times)
       assert.ok(Math.abs(coordinates(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
   },
+  "Path.fromPathData": (again, { path, tolerance }) =>
+    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance })).toSVG()),
+  "Path.builder": (again, { path, tolerance }) =>
+    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance })).toSVG()),
   "Path.reverse": (reversed, { path }) => assert.ok(reversed.reverse().equals(path)),
   "Path.fromSVG": (path, { text }) => {
     const again = Path.fromSVG(path.toSVG());

@@ -21,9 +21,24 @@ export function generatorPath() {
 /** The lines of some cases. @param {string} path @param {(string | number)[]} request seed, function, first, count */
 export const lines = (path, ...request) => linesOf(path, request.map(String));
 
+/** Functions without a row of their own, and those whose cases they take. @type {Record<string, string>} */
+const SAME_CASES = {
+  "Curve.points": "Curve.controlPoints",
+  "Curve.toThree": "Curve.pointAtLength",
+  "Spline.points": "Spline.controlPoints",
+  "Spline.toThree": "Spline.pointAtLength",
+  "Path.lengthAt": "Path.eval",
+  "Path.nearestOf": "Path.nearest",
+  "Path.toThree": "Path.removeOverlaps",
+  "Path.toCSS": "Path.toSVG",
+  "Path.toPathData": "Path.toPath2D",
+  "Path.fromPathData": "Path.toPath2D",
+  "Path.builder": "Path.toPath2D",
+};
+
 /** The name of a function in the generator's table. */
 export const rowOf = (name) =>
-  name
+  (SAME_CASES[name] ?? name)
     .replace("constructor", "new")
     .replace(/\.equals$/, ".approx_eq")
     .replace(/^easing$/, "Easing.eval")

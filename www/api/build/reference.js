@@ -51,9 +51,10 @@ function makeReference() {
   return { pages, types, elements: elementPages() };
 }
 
-/** What a timing function has besides being called. @param {TypeDoc[]} types @returns {Member[]} */
+/** What `easing` and a timing function have besides being called. @param {TypeDoc[]} types @returns {Member[]} */
 function easingMembers(types) {
-  const fields = types.find(({ name }) => name === "EasingMembers")?.fields ?? [];
+  const named = ["EasingStatics", "EasingMembers"].map((name) => types.find((type) => type.name === name));
+  const fields = named.flatMap((type) => type?.fields ?? []);
   return fields.map(({ name, type, doc }) => {
     const signature = { text: `${name}: ${type}`, parameters: [], result: { type, doc: "" }, throws: [] };
     return { name, kind: "property", summary: doc, details: [], signatures: [signature] };
