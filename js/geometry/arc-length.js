@@ -17,12 +17,15 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
  *
  * @internal
  * @template {2 | 3} D
- * @param {{ eval(t: number): Point<D>, tangent(t: number): Point<D>, normal(t: number): Point<D> }} curve
+ * @param {{ dimension: D, eval(t: number): Point<D>, tangent(t: number): Point<D>, normal(t: number): Point<D> }} curve
  * @param {number} t
  * @returns {PointAtLength<D>}
  */
 export function pointAndDirections(curve, t) {
-  return { t, point: curve.eval(t), tangent: curve.tangent(t), normal: curve.normal(t) };
+  const [point, tangent] = [curve.eval(t), curve.tangent(t)];
+  if (curve.dimension === 3) return { t, point, tangent, normal: curve.normal(t) };
+  const normal = /** @type {Point<D>} */ ({ x: -tangent.y, y: tangent.x });
+  return { t, point, tangent, normal };
 }
 
 /**

@@ -78,7 +78,26 @@ function instantiateSync(wasmModule) {
   if (!wasmModule.bytes) {
     throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
   }
-  return instantiate(wasmModule, new WebAssembly.Module(wasmModule.bytes()));
+  return instantiate(wasmModule, compileSync(wasmModule.bytes()));
+}
+
+/** @param {BufferSource} bytes inlined ones */
+function compileSync(bytes) {
+  try {
+    return new WebAssembly.Module(bytes);
+  } catch (cause) {
+    throw refusal(cause);
+  }
+}
+
+/**
+ * The error for inlined bytes that are not compiled. They are valid, so a policy forbids it.
+ *
+ * @param {unknown} cause
+ */
+function refusal(cause) {
+  const policy = "a Content-Security-Policy needs script-src 'wasm-unsafe-eval'";
+  return new Error(`casteljau: WebAssembly is refused here; ${policy}`, { cause });
 }
 
 /**
@@ -99,7 +118,9 @@ async function compileInlined(wasmModule) {
   if (!wasmModule.bytes) {
     throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
   }
-  const module = await compile(wasmModule.bytes());
+  const module = await compile(wasmModule.bytes()).catch((cause) => {
+    throw refusal(cause);
+  });
   if (!wasmModule.functions) instantiate(wasmModule, module); // a synchronous first call may have instantiated it meanwhile
 }
 

@@ -134,3 +134,21 @@ test("slim carries no wasm", async () => {
   const index = await readFile(new URL("index.js", dist));
   assert.ok(index.length - slim.length > wasm.length);
 });
+
+test("where a policy forbids WebAssembly, the error says what it needs", async () => {
+  const { Module, compile } = WebAssembly;
+  const blocked = new WebAssembly.CompileError("call to WebAssembly.Module() blocked by CSP");
+  const construct = () => {
+    throw blocked;
+  };
+  Object.assign(WebAssembly, { Module: new Proxy(Module, { construct }), compile: () => Promise.reject(blocked) });
+  try {
+    const { Curve, init } = await fresh("index.js");
+    const message =
+      /^casteljau: WebAssembly is refused here; a Content-Security-Policy needs script-src 'wasm-unsafe-eval'$/;
+    assert.throws(() => new Curve(TRIANGLE).eval(0.5), { message, cause: blocked });
+    await assert.rejects(init(), { message, cause: blocked });
+  } finally {
+    Object.assign(WebAssembly, { Module, compile });
+  }
+});

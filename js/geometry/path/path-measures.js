@@ -1,3 +1,4 @@
+import { pointAndDirections } from "../arc-length.js";
 import * as check from "../check.js";
 import { boxAt } from "../points.js";
 import { PathSegmentIndex } from "./path-segment-index.js";
@@ -5,7 +6,7 @@ import { nearestOnPath, readTimes } from "./path-queries.js";
 import { SegmentTree } from "../segment-tree.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
 import { PathEvaluation } from "./path-evaluation.js";
-import { checkedLocation } from "./path-segments.js";
+import { checkedLocation, segmentAt } from "./path-segments.js";
 import { coordinatesOf } from "./path-value.js";
 import { core } from "../../wasm/init.js";
 import { extents } from "../../wasm/packed-path.js";
@@ -150,7 +151,9 @@ export class PathMeasures extends PathEvaluation {
    */
   pointAtLength(s, tolerance) {
     const time = this.timeAtLength(s, tolerance);
-    return time && { ...time, point: this.eval(time), tangent: this.tangent(time), normal: this.normal(time) };
+    if (!time) return null;
+    const [curve, t] = segmentAt(this, time);
+    return { ...pointAndDirections(curve, t), ...time };
   }
 
   /**

@@ -85,7 +85,9 @@ export function circularArc(center, radius, startAngle, endAngle, options) {
   const [start, end] = [check.finite(startAngle, "startAngle"), check.finite(endAngle, "endAngle")];
   const turn = end - start;
   if (!(Math.abs(turn) <= 2 * Math.PI * (1 + Number.EPSILON))) {
-    throw new RangeError(`endAngle: expected at most a full turn (2π) from startAngle (${start}), got ${end}`);
+    throw new RangeError(
+      `endAngle: expected at most a full turn (2π) from startAngle (${start}), got ${end}; angles are in radians`,
+    );
   }
   const at = (/** @type {number} */ angle) => {
     const [cos, sin] = directionOfDegrees(degreesOf(angle));
