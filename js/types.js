@@ -119,7 +119,7 @@ export {};
 
 /**
  * @template {2 | 3} [D=2 | 3]
- * @typedef {import("./geometry/points.js").Box<D>} Box
+ * @typedef {import("./geometry/points.js").Bounds<D>} Bounds
  */
 
 /**

@@ -15,7 +15,7 @@ import { coordinate, finite, isCoordinate, isList, optionalDimension, describe }
  * The corners of a box whose sides are parallel to the axes.
  *
  * @template {2 | 3} [D=2 | 3]
- * @typedef {{ min: Point<D>, max: Point<D> }} Box
+ * @typedef {{ min: Point<D>, max: Point<D> }} Bounds
  */
 
 /**
@@ -184,7 +184,7 @@ export function pointList(flat, dimension) {
  * @template {2 | 3} D
  * @param {Float64Array} flat
  * @param {D} dimension
- * @returns {Box<D>}
+ * @returns {Bounds<D>}
  */
 export function boxAt(flat, dimension) {
   return { min: pointAt(flat, 0, dimension), max: pointAt(flat, dimension, dimension) };

@@ -4,7 +4,7 @@ import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"
- * @import { Box, Point } from "./points.js"
+ * @import { Bounds, Point } from "./points.js"
  */
 
 /**
@@ -65,7 +65,7 @@ export function patchWriter(flat, degreeU, degreeV) {
 /**
  * @internal
  * @param {SurfaceWriter} write
- * @returns {Box<3> | null}
+ * @returns {Bounds<3> | null}
  */
 export function bounds(write) {
   write(0);

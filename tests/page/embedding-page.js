@@ -8,9 +8,13 @@ const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
 /** What makes one of a kind cheap to draw, or complete. */
 const ATTRIBUTES = { "bezier-surface": { model: "patch", segments: "2" } };
 
-/** A page on a server of its own, with a strict policy; its script defines the elements of every bundle in `bundles`. */
-export async function openStrict(t, { bundles = ["/dist/"], body = "", ...options } = {}) {
-  const server = await serve({ "/dist/": `${root}dist`, "/copy/": `${root}dist` }, { "Content-Security-Policy": CSP });
+/**
+ * A page on a server of its own, with a strict policy, to which `policy` adds; its script defines the elements of every
+ * bundle in `bundles`.
+ */
+export async function openStrict(t, { bundles = ["/dist/"], body = "", policy = "", ...options } = {}) {
+  const headers = { "Content-Security-Policy": CSP + policy };
+  const server = await serve({ "/dist/": `${root}dist`, "/copy/": `${root}dist` }, headers);
   const page = await openPage(t, "about:blank", {
     baseURL: server.url,
     viewport: { width: 800, height: 900 },

@@ -92,3 +92,9 @@ test("where what draws cannot be fetched every kind says so, and asks again when
   await saying(0);
   assert.ok(page.problems.splice(0).every((text) => /ERR_FAILED|Failed to load resource/.test(text)));
 });
+
+test("every kind of element works with Trusted Types, if the policy of Lit is allowed", async (t) => {
+  const page = await openStrict(t, { policy: "; require-trusted-types-for 'script'; trusted-types lit-html" });
+  await populate(page);
+  await settled(page);
+});

@@ -138,7 +138,9 @@ fn types() -> Result<()> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         !(name.ends_with("-bytes.js") || name.ends_with(".wasm"))
     });
-    inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
+    inputs.extend(
+        ["tsconfig.json", "package-lock.json", "xtask/types.js"].map(|name| root.join(name)),
+    );
     let outputs = [
         root.join("dist/types/index.d.ts"),
         root.join("dist/types/core.d.ts"),
@@ -160,7 +162,8 @@ fn types() -> Result<()> {
                 "node_modules/typescript/bin/tsc",
                 "--project",
                 "tsconfig.json",
-            ]))
+            ]))?;
+            shell::run(&mut shell::node(&["xtask/types.js"]))
         },
     )
 }

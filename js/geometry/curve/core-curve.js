@@ -12,7 +12,7 @@ import { readPolyline, readResult } from "../../wasm/transfer.js";
 /**
  * @import { BasisLike, BasisName } from "../basis.js"
  * @import { TransformLike } from "../check.js"
- * @import { Box } from "../points.js"
+ * @import { Bounds } from "../points.js"
  * @import { Subdivision } from "../subdivision.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
  */
@@ -173,7 +173,7 @@ export class CoreCurve extends CurveEvaluation {
    * The smallest box that contains the curve.
    *
    * @param {never[]} surplus
-   * @returns {Box<D>}
+   * @returns {Bounds<D>}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
@@ -183,7 +183,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The box of the control points, which contains the curve.
    *
-   * @returns {Box<D>}
+   * @returns {Bounds<D>}
    */
   controlBounds() {
     return this._box(false);
@@ -226,7 +226,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * @internal
    * @param {boolean} exact
-   * @returns {Box<D>}
+   * @returns {Bounds<D>}
    */
   _box(exact) {
     core().curve_bounds(this.dimension, this._write(), exact);

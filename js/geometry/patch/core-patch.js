@@ -11,7 +11,7 @@ import { core, unwrapCount, writeArguments, readResult } from "../../wasm/surfac
  * @import { PointLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
  * @import { GridOptions, Mesh } from "../mesh.js"
- * @import { Box, Point } from "../points.js"
+ * @import { Bounds, Point } from "../points.js"
  * @import { Curvature, PatchPoint, PatchDeCasteljau } from "../surface-queries.js"
  * @import { TessellationOptions } from "../tessellation.js"
  */
@@ -121,11 +121,11 @@ export class CorePatch extends PatchValue {
    * found so far.
    *
    * @param {never[]} surplus
-   * @returns {Box<3>}
+   * @returns {Bounds<3>}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0);
-    return /** @type {Box<3>} */ (queries.bounds(this.#surfaceWriter()));
+    return /** @type {Bounds<3>} */ (queries.bounds(this.#surfaceWriter()));
   }
 
   /**

@@ -15,7 +15,7 @@ import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.j
 /**
  * @import { PointLike } from "../check.js"
  * @import { PathPoint, PathPointAtLength, PathTime } from "./path-queries.js"
- * @import { Box } from "../points.js"
+ * @import { Bounds } from "../points.js"
  */
 
 /**
@@ -73,9 +73,9 @@ export class PathMeasures extends PathEvaluation {
   #askedForNearest = false;
   /** @type {Float64Array | undefined} the arc lengths from the start of the path to the end of each segment, after a 0 */
   #ends;
-  /** @type {Box<2> | null | undefined} */
+  /** @type {Bounds<2> | null | undefined} */
   #bounds;
-  /** @type {Box<2> | null | undefined} */
+  /** @type {Bounds<2> | null | undefined} */
   #controlBounds;
   /** @type {number | undefined} */
   #area;
@@ -84,22 +84,22 @@ export class PathMeasures extends PathEvaluation {
    * The smallest box that contains the path; null for an empty one.
    *
    * @param {never[]} surplus
-   * @returns {Box<2> | null}
+   * @returns {Bounds<2> | null}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0);
     this.#bounds ??= this._box(true);
-    return copyOfBox(this.#bounds);
+    return copyOfBounds(this.#bounds);
   }
 
   /**
    * The box of the control points, which contains the path; null for an empty one.
    *
-   * @returns {Box<2> | null}
+   * @returns {Bounds<2> | null}
    */
   controlBounds() {
     this.#controlBounds ??= this._box(false);
-    return copyOfBox(this.#controlBounds);
+    return copyOfBounds(this.#controlBounds);
   }
 
   /**
@@ -338,9 +338,9 @@ export class PathMeasures extends PathEvaluation {
 }
 
 /**
- * @param {Box<2> | null} box
- * @returns {Box<2> | null}
+ * @param {Bounds<2> | null} box
+ * @returns {Bounds<2> | null}
  */
-function copyOfBox(box) {
+function copyOfBounds(box) {
   return box && { min: { ...box.min }, max: { ...box.max } };
 }

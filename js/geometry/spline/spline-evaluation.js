@@ -6,7 +6,7 @@ import { readPolyline, readResult, readResultInto, releaseMemory } from "../../w
 
 /**
  * @import { CoreCurve } from "../curve/core-curve.js"
- * @import { Box, Point } from "../points.js"
+ * @import { Bounds, Point } from "../points.js"
  */
 
 /**
@@ -135,7 +135,7 @@ export class SplineEvaluation extends SplineValue {
    * The smallest box that contains the spline.
    *
    * @param {never[]} surplus
-   * @returns {Box<D>}
+   * @returns {Bounds<D>}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
@@ -149,7 +149,7 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The box of the control points.
    *
-   * @returns {Box<D>}
+   * @returns {Bounds<D>}
    */
   controlBounds() {
     core().spline_bounds(this._write(), false);

@@ -15,7 +15,7 @@ import { core, unwrapCount, readResult } from "../../wasm/surfaces-transfer.js";
  * @import { FlatPiece } from "../flat-pieces.js"
  * @import { GridOptions, Mesh } from "../mesh.js"
  * @import { CorePatch } from "../patch/core-patch.js"
- * @import { Box } from "../points.js"
+ * @import { Bounds } from "../points.js"
  * @import { SurfacePoint } from "../surface-queries.js"
  * @import { TessellationOptions } from "../tessellation.js"
  * @import { Topology } from "../topology.js"
@@ -46,7 +46,7 @@ export class CoreSurface extends SurfaceValue {
    * `Patch.bounds` applies to each patch.
    *
    * @param {never[]} surplus
-   * @returns {Box<3> | null}
+   * @returns {Bounds<3> | null}
    */
   bounds(...surplus) {
     check.noSurplus(surplus, "bounds", 0);
