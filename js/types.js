@@ -39,7 +39,6 @@ export {};
 /** @typedef {import("./geometry/path/path-queries.js").PathPointAtLength} PathPointAtLength */
 /** @typedef {import("./geometry/path/path-coordinates.js").PathExtrema} PathExtrema */
 /** @typedef {import("./geometry/path/path-shapes.js").ArcOptions} ArcOptions */
-/** @typedef {import("./geometry/path/path-shapes.js").CornerOptions} CornerOptions */
 /** @typedef {import("./geometry/path/path-shapes.js").RectOptions} RectOptions */
 /** @typedef {import("./geometry/path/path.js").NearestPath} NearestPath */
 /** @typedef {import("./geometry/path/path.js").Shape} Shape */

@@ -19,15 +19,14 @@ import { PackedPathBuilder, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
- * The corners of a rectangle.
+ * The corners of a rectangle, and how their arcs are approximated.
  *
- * @typedef {object} CornerOptions
+ * @typedef {object} RectOptions
  * @property {number | ArrayLike<number>} [radii] the radius of all corners, or the four radii in the order of the corners on the
  *   path: (x, y), (x + width, y), (x + width, y + height), (x, y + height). As in CSS, all are reduced by one factor if two do
  *   not fit on a side
+ * @property {number} [tolerance] the largest distance of the cubics from the arcs, as in `ArcOptions`
  */
-
-/** @typedef {ArcOptions & CornerOptions} RectOptions */
 
 /**
  * @internal
