@@ -23,6 +23,8 @@ declare module "paper/dist/paper-core.js" {
   }
   class Point {
     constructor(x: number, y: number);
+    readonly x: number;
+    readonly y: number;
     subtract(point: Point): Point;
   }
   class Curve {
@@ -39,12 +41,20 @@ declare module "paper/dist/paper-core.js" {
     unite(path: CompoundPath, options: { insert: boolean }): CompoundPath;
     remove(): boolean;
   }
+  class Path {
+    constructor(pathData: string);
+    readonly length: number;
+    getPointAt(offset: number): Point;
+    getNearestLocation(point: number[]): { distance: number };
+    contains(point: number[]): boolean;
+  }
   const paper: {
     setup(size: Size): void;
     Size: typeof Size;
     Point: typeof Point;
     Curve: typeof Curve;
     CompoundPath: typeof CompoundPath;
+    Path: typeof Path;
   };
   export default paper;
 }

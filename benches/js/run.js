@@ -20,7 +20,7 @@ import { comparisons, growths } from "./table.js";
 import { withVerdict } from "./targets.js";
 
 /** The files whose rows compare this package with a peer. */
-const FILES = ["curve", "easing", "intersect", "length", "nearest", "offset", "path", "regions", "teapot"];
+const FILES = ["again", "curve", "easing", "intersect", "length", "nearest", "offset", "path", "regions", "teapot"];
 
 const args = process.argv.slice(2);
 const quick = args.includes("--quick");

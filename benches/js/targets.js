@@ -19,6 +19,11 @@ export const TARGETS = {
   nearest: { minRatio: 8 },
   easing: { minRatio: 1 },
 
+  "again-point-at-length": { max: 2_000 }, // ns
+  "again-nearest": { max: 4_000 },
+  "again-contains": { max: 2_000 },
+  "again-nearest-of": { max: 100_000 },
+
   "path-paper": { minRatio: 8 },
   "path-properties": { minRatio: 20 },
 
