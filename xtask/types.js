@@ -8,6 +8,8 @@ for (const name of await readdir(folder, { recursive: true })) {
   if (!name.endsWith(".d.ts")) continue;
   const path = join(folder, name);
   const text = await readFile(path, "utf8");
-  const edited = text.replace(/,? ?\.\.\.surplus: never\[\]/g, "").replace(/^\s*\* @param \{never\[\]\} surplus\n/gm, "");
+  const edited = text
+    .replace(/,? ?\.\.\.surplus: never\[\]/g, "")
+    .replace(/^\s*\* @param \{never\[\]\} surplus\n/gm, "");
   if (edited !== text) await writeFile(path, edited);
 }

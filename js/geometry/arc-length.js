@@ -24,7 +24,7 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
 export function pointAndDirections(curve, t) {
   const [point, tangent] = [curve.eval(t), curve.tangent(t)];
   if (curve.dimension === 3) return { t, point, tangent, normal: curve.normal(t) };
-  const normal = /** @type {Point<D>} */ ({ x: -tangent.y, y: tangent.x });
+  const normal = /** @type {Point<D>} */ ({ x: 0 - tangent.y, y: tangent.x });
   return { t, point, tangent, normal };
 }
 

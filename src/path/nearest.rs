@@ -61,7 +61,7 @@ impl Path {
                 if Bounds::from_points(points).outside(p).length_squared() * ROUNDING > max {
                     continue;
                 }
-                let Nearest { t, point, distance } = nearest_of(points, p);
+                let Nearest { t, point, distance } = nearest_on_segment(points, p);
                 if best.is_none_or(|best| distance < best.distance) {
                     max = max.min(distance * distance);
                     let t = k as f64 + t;
@@ -76,10 +76,56 @@ impl Path {
         }
         Ok(best)
     }
+
+    /// The path of several that is nearest to p, for hit testing: its index and its nearest point. The first of equally
+    /// near ones; `None` if all are farther than `max_distance`, and for empty paths.
+    ///
+    /// Paths whose control-point box is farther away than the best point so far are skipped.
+    ///
+    /// ```
+    /// use casteljau::{Path, glam::dvec2};
+    ///
+    /// let paths = [0.0, 5.0].map(|x| Path::rect(dvec2(x, 0.0), dvec2(3.0, 3.0)).expect("finite"));
+    /// let hit = Path::nearest_of(&paths, dvec2(4.5, 1.0), 1.0)?.expect("near");
+    /// assert_eq!((hit.0, hit.1.distance), (1, 0.5));
+    /// assert_eq!(Path::nearest_of(&paths, dvec2(40.0, 1.0), 1.0)?, None);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity in p, [`Error::Range`] for a distance that is negative or NaN.
+    pub fn nearest_of<'a>(
+        paths: impl IntoIterator<Item = &'a Self>,
+        p: DVec2,
+        max_distance: f64,
+    ) -> Result<Option<(usize, PathPoint)>, Error> {
+        check_points("p", &[p])?;
+        if max_distance.is_nan() || max_distance < 0.0 {
+            return Err(Error::Range {
+                what: "max_distance",
+                expected: "a number from 0",
+                got: max_distance,
+            });
+        }
+        let mut best: Option<(usize, PathPoint)> = None;
+        for (index, path) in paths.into_iter().enumerate() {
+            let limit = best.map_or(max_distance, |(_, found)| found.distance);
+            let is_near = |bounds: Bounds<DVec2>| bounds.distance(p) * ROUNDING <= limit;
+            if !path.control_bounds().is_some_and(is_near) {
+                continue;
+            }
+            let is_nearer = |distance: f64| distance < limit || best.is_none() && distance == limit;
+            best = match path.nearest(p)? {
+                Some(found) if is_nearer(found.distance) => Some((index, found)),
+                _ => best,
+            };
+        }
+        Ok(best)
+    }
 }
 
 /// The nearest point of one segment; without the feature `fast` it is computed in space, which reuses the code of all curves.
-fn nearest_of(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
+fn nearest_on_segment(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
     if cfg!(feature = "fast") {
         return nearest_on(points, p);
     }

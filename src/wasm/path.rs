@@ -180,7 +180,7 @@ pub fn path_winding_number(x: f64, y: f64) -> i32 {
 /// The crossings of a curve with the ray from a point to the right, see `path_winding_number`.
 #[wasm_bindgen]
 pub fn curve_crossings(count: usize, x: f64, y: f64) -> i32 {
-    arena::with(|a| crossings(&a.points::<DVec2>(0, count), DVec2::new(x, y)))
+    arena::with(|a| crossings(a.points(0, count), DVec2::new(x, y)))
 }
 
 /// Writes for each subpath the number of its vertices, the vertices and their parameters; returns the number of f64.

@@ -12,7 +12,7 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 35] = [
+const WITHIN_OTHERS: [&str; 36] = [
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads
@@ -26,6 +26,7 @@ const WITHIN_OTHERS: [&str; 35] = [
     "Spline::extrema",             // tests/spline/queries.rs
     "Spline::times_at_coordinate", // tests/spline/queries.rs
     "Path::point_at_length",       // Path::time_at_length, and those that follow
+    "Path::nearest_of",            // tests/path/sizes.rs
     "Path::eval",
     "Path::eval_at",
     "Path::derivative_at",

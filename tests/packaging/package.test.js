@@ -40,7 +40,8 @@ test("declarations do not show the parameters that refuse surplus arguments", as
   const folder = join(fixture.installed, "dist/types");
   const names = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith(".d.ts"));
   assert.ok(names.length > 50);
-  for (const name of names) assert.doesNotMatch(await readFile(join(folder, name), "utf8"), /\bsurplus: never\[\]/, name);
+  for (const name of names)
+    assert.doesNotMatch(await readFile(join(folder, name), "utf8"), /\bsurplus: never\[\]/, name);
 });
 
 /**

@@ -5,7 +5,7 @@ use crate::support::paths::{RandomPlane, closed, path, polygons, random_splines,
 use crate::support::{Rng, near, real};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
-use casteljau::path::{PathIntersection, PathTime};
+use casteljau::path::{PathIntersection, PathPoint, PathTime};
 use casteljau::{Curve, Path, Spline};
 
 /// The moments of polygons, by triangles from the origin to each side.
@@ -273,4 +273,36 @@ fn paths_intersect_where_their_splines_do() {
         let ordered = |m: &PathIntersection| (m.subpath, m.t) < (m.other_subpath, m.u);
         assert!(selves.iter().all(ordered));
     }
+}
+
+#[test]
+fn the_nearest_of_several_paths() {
+    let centers = (0..60).map(|k| DVec2::new(real(k % 10), real(k / 10)) * 20.0);
+    let mut paths: Vec<Path> = centers
+        .map(|center| Path::circle(center, 9.0).expect("a circle"))
+        .collect();
+    paths.insert(0, Path::default());
+    for p in [(0.0, 0.0), (10.0, 10.0), (33.0, 71.0), (-50.0, 60.0)].map(DVec2::from) {
+        let all = paths.iter().enumerate().filter_map(|(index, path)| {
+            let found = path.nearest(p).expect("finite")?;
+            Some((index, found))
+        });
+        let first = |best: (usize, PathPoint), other: (usize, PathPoint)| {
+            if other.1.distance < best.1.distance {
+                other
+            } else {
+                best
+            }
+        };
+        let expected = all.reduce(first).expect("a path");
+        let found = |limit: f64| Path::nearest_of(&paths, p, limit).expect("finite");
+        assert_eq!(found(f64::INFINITY), Some(expected));
+        assert_eq!(found(expected.1.distance), Some(expected));
+        assert_eq!(found(0.999 * expected.1.distance), None);
+    }
+    assert_eq!(Path::nearest_of([], DVec2::ZERO, 1.0), Ok(None));
+    for limit in [-1.0, f64::NAN] {
+        assert!(Path::nearest_of(&paths, DVec2::ZERO, limit).is_err());
+    }
+    assert!(Path::nearest_of(&paths, DVec2::NAN, 1.0).is_err());
 }
