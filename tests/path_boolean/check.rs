@@ -51,11 +51,22 @@ pub(crate) fn size(a: &Path, b: &Path) -> f64 {
 /// What is wrong with the results of a pair: winding numbers at points that are farther from the outlines than ε,
 /// areas, and the structure of the results.
 pub(crate) fn faults(a: &Path, b: &Path, rule: FillRule, random: &mut Rng) -> Vec<String> {
+    faults_beyond(EPSILON, a, b, rule, random)
+}
+
+/// [`faults`] with another ε.
+pub(crate) fn faults_beyond(
+    epsilon: f64,
+    a: &Path,
+    b: &Path,
+    rule: FillRule,
+    random: &mut Rng,
+) -> Vec<String> {
     let results = OPERATIONS.map(|(_, apply, _)| apply(a, b, rule));
     let (own, other) = (Outline::new(a), Outline::new(b));
     let outlines = results.each_ref().map(Outline::new);
     let mut faults: Vec<String> = results.iter().filter_map(structure_fault).collect();
-    for p in sample_points([&own, &other], size(a, b), random) {
+    for p in sample_points([&own, &other], size(a, b), epsilon, random) {
         let [inside_a, inside_b] = [&own, &other].map(|o| is_inside(o.winding(p), rule));
         for ((name, _, expected), outline) in OPERATIONS.iter().zip(&outlines) {
             let expected = i32::from(expected(inside_a, inside_b));
@@ -76,19 +87,19 @@ pub(crate) fn is_inside(winding: i32, rule: FillRule) -> bool {
 }
 
 /// Random points farther from both outlines than ε.
-fn sample_points(outlines: [&Outline; 2], size: f64, random: &mut Rng) -> Vec<DVec2> {
+fn sample_points(outlines: [&Outline; 2], size: f64, epsilon: f64, random: &mut Rng) -> Vec<DVec2> {
     let samples = outlines.map(|outline| outline.samples(16)).concat();
     let centre = samples.iter().sum::<DVec2>() / samples.len() as f64;
     let mut point = |k: usize| {
         if k.is_multiple_of(4) {
             return centre + random.spot(size);
         }
-        let far = size * random.magnitude(-8.6, -1.0);
+        let far = size * random.magnitude(epsilon.log10() + 0.4, -1.0);
         random.pick(&samples) + random.direction() * far
     };
     let mut points: Vec<DVec2> = (0..POINTS).map(&mut point).collect();
     points.retain(|&p| {
-        let clear = 2.0 * EPSILON * size;
+        let clear = 2.0 * epsilon * size;
         !outlines.iter().any(|outline| outline.is_near(p, clear))
     });
     points

@@ -1,11 +1,11 @@
 //! What results promise: bits of what is not touched, starting points, scaling, symmetry, few segments.
 
-use crate::path_boolean::check::{OPERATIONS, path, valid};
+use crate::path_boolean::check::{OPERATIONS, faults_beyond, path, valid};
 use crate::path_boolean::families::FAMILIES;
 use crate::support::{Rng, paths};
 use casteljau::Path;
 use casteljau::glam::{DAffine2, DVec2};
-use casteljau::path::FillRule;
+use casteljau::path::{FillRule, PathBuilder};
 
 const RULE: FillRule = FillRule::NonZero;
 
@@ -82,4 +82,61 @@ fn unions_are_symmetric_and_their_own_regions() {
             );
         }
     }
+}
+
+/// Outlines whose details are 10⁻⁶ of the size, where rounding makes every attempt at a planar map contradict itself:
+/// polygons within 10⁻⁶ of the size replace them.
+#[test]
+fn outlines_whose_map_contradicts_itself_become_polygons() {
+    let a = lists(&[
+        &[
+            (-0.25988807931765523, -0.6418478245814827),
+            (0.01028011939888629, -0.07333533711048466),
+            (0.097687883859868, 0.06627358059096974),
+            (0.05835508014199729, -0.07189714039126116),
+            (-0.05169842567801842, -0.33672356897131905),
+            (-0.1764527675234717, -0.5770817740633456),
+            (-0.25988807931765523, -0.6418478245814827),
+        ],
+        &[
+            (-0.25988807931765523, -0.6418478245814827),
+            (-0.34332339111183874, -0.7066138750996198),
+            (71512.25896079636, 61031.99217517648),
+            (26804.913211901607, 22819.816704441142),
+            (16.90132624395799, -142.2395757171635),
+            (53.9720298490699, -193.62650656113527),
+            (9.430642287900309, -186.82230960415615),
+        ],
+        &[
+            (9.430642287900309, -186.82230960415615),
+            (9.430597746512747, -186.82230279995917),
+            (9.376712421662328, -187.06515000709308),
+            (9.48148976593245, -186.77456100050802),
+            (9.58053571041687, -186.41063064644905),
+            (9.603680566581755, -186.12435753833756),
+            (-0.25988807931765523, -0.6418478245814827),
+        ],
+    ]);
+    let b = lists(&[&[
+        (0.2999494558194822, -0.7313501907876014),
+        (-0.4104222111265489, -0.6252700946864438),
+        (-0.21587126962412162, -0.4459343231889944),
+        (0.8836022803267636, -0.19334287629525315),
+    ]]);
+    let rule = FillRule::EvenOdd;
+    let segments = valid(a.exclude(&b, rule)).segment_count();
+    assert!(segments > 1000, "{segments} segments: not polygons");
+    let faults = faults_beyond(1e-6, &a, &b, rule, &mut Rng(5));
+    assert!(faults.is_empty(), "{faults:?}");
+}
+
+/// A path of one subpath with the given control points of its segments.
+fn lists(segments: &[&[(f64, f64)]]) -> Path {
+    let mut builder = PathBuilder::new();
+    builder.move_to(segments[0][0].into());
+    for points in segments {
+        let points: Vec<DVec2> = points[1..].iter().map(|&p| p.into()).collect();
+        builder.curve_to(&points);
+    }
+    builder.build().expect("finite points")
 }

@@ -16,9 +16,8 @@ use crate::path::winding::FillRule;
 use glam::DVec2;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
-/// other, because features are of about this size, the next is tried. If all of them do, the last is used, which is the
-/// first again.
-const TOLERANCES: [f64; 6] = [0.2, 0.02, 0.1, 1e-3, 1e-5, 0.2];
+/// other, because features are of about this size, the next is tried.
+const TOLERANCES: [f64; 5] = [0.2, 0.02, 0.1, 1e-3, 1e-5];
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {
@@ -36,27 +35,25 @@ struct Attempt {
 }
 
 impl Arrangement {
+    /// The division by the segments of the paths; if that contradicts itself with every tolerance, the one by polygons
+    /// with corners on a grid.
+    ///
     /// # Errors
-    /// [`Error::TooMany`] as [`contacts`] and [`Segments::new`].
+    /// [`Error::TooMany`] as [`contacts`], [`Segments::new`] and [`Segments::on_grid`].
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
         let segments = Segments::new(paths)?;
-        let boxes: Vec<Bounds<DVec2>> = segments
-            .list
-            .iter()
-            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
-            .collect();
-        let tree = BoxTree::new(&boxes);
-        let contacts = contacts(&segments, &tree)?;
-        let mut k = 0;
-        let attempt = loop {
-            let tolerance = TOLERANCES[k] * segments.epsilon;
-            let attempt = Attempt::new(&segments, &tree, &contacts, tolerance);
-            k += 1;
-            if k == TOLERANCES.len() || attempt.is_consistent(&segments) {
-                break attempt;
-            }
-        };
-        Ok(attempt.with(segments))
+        if let Some(attempt) = Attempt::consistent(&segments)? {
+            return Ok(attempt.with(segments));
+        }
+        let polygons = segments.on_grid()?;
+        match Attempt::consistent(&polygons)? {
+            Some(attempt) => Ok(attempt.with(polygons)),
+            None => Err(Error::too_many(
+                "attempts to divide the plane",
+                2 * TOLERANCES.len(),
+                2 * TOLERANCES.len() + 1,
+            )),
+        }
     }
 
     /// Calls `enter` for each face with its winding numbers.
@@ -83,6 +80,21 @@ impl Arrangement {
 }
 
 impl Attempt {
+    /// The first attempt that does not contradict itself.
+    fn consistent(segments: &Segments) -> Result<Option<Self>, Error> {
+        let boxes: Vec<Bounds<DVec2>> = segments
+            .list
+            .iter()
+            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
+            .collect();
+        let tree = BoxTree::new(&boxes);
+        let contacts = contacts(segments, &tree)?;
+        Ok(TOLERANCES
+            .iter()
+            .map(|part| Self::new(segments, &tree, &contacts, part * segments.epsilon))
+            .find(|attempt| attempt.is_consistent(segments)))
+    }
+
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
         let arcs = Arcs::new(segments, contacts, tolerance);
         let edges = Edges::new(segments, &arcs, 2.0 * tolerance);

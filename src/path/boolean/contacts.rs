@@ -51,8 +51,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
     for index in 0..segments.list.len() {
         self_contacts(segments, index, &mut found);
     }
-    let mut work = WorkLimit::new(FURTHER_STEPS);
-    work.raise_limit(STEPS_PER_ITEM, segments.list.len());
+    let mut work = steps_for(segments.list.len());
     tree.pairs_within(&mut work, |a, b, work| {
         let before = found.len();
         let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
@@ -72,6 +71,13 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
     }
     Error::unless_within("steps of the search for contacts", &work)?;
     Ok(found)
+}
+
+/// The steps that a search among a number of items may take, without those for what it finds.
+pub(super) fn steps_for(items: usize) -> WorkLimit {
+    let mut work = WorkLimit::new(FURTHER_STEPS);
+    work.raise_limit(STEPS_PER_ITEM, items);
+    work
 }
 
 /// Adds the contacts of crossings with further segments that pass within epsilon of them.

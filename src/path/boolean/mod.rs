@@ -2,7 +2,8 @@
 //!
 //! The outlines of all paths divide the plane into faces. [`contacts`] finds where segments meet, [`arcs`] cuts them
 //! there, [`edges`] takes arcs together that coincide, [`order`] sorts the edges around each vertex, and [`faces`]
-//! follows the boundaries of the faces. Winding numbers are carried from face to face ([`windings`]); then the
+//! follows the boundaries of the faces. If rounding makes them contradict each other, polygons replace the outlines
+//! ([`grid`]). Winding numbers are carried from face to face ([`windings`]); then the
 //! boundary between faces inside and faces outside is the result ([`contours`], [`outline`]).
 
 mod arcs;
@@ -12,6 +13,7 @@ mod contours;
 mod cutting;
 mod edges;
 mod faces;
+mod grid;
 mod operations;
 mod order;
 mod outline;

@@ -103,7 +103,8 @@ impl Segments {
         Ok(segments)
     }
 
-    fn push_subpath<'a>(
+    /// Appends a subpath, without segments that are a point.
+    pub(super) fn push_subpath<'a>(
         &mut self,
         curves: impl Iterator<Item = &'a [DVec2]>,
         path: usize,
@@ -154,9 +155,14 @@ impl Segments {
         });
     }
 
-    fn distance_of_one(&self) -> f64 {
+    /// The box of all control points; `None` without segments.
+    pub(super) fn bounds(&self) -> Option<Bounds<DVec2>> {
         let boxes = self.list.iter().map(|segment| segment.bounds);
-        let Some(all) = boxes.reduce(Bounds::union) else {
+        boxes.reduce(Bounds::union)
+    }
+
+    fn distance_of_one(&self) -> f64 {
+        let Some(all) = self.bounds() else {
             return 0.0;
         };
         let largest = all.min.abs().max(all.max.abs()).max_element();
