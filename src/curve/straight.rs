@@ -2,7 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::roots::roots_inside;
-use crate::geometry::point::Point;
+use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::float::ulp;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
@@ -15,28 +15,39 @@ const LARGEST_PART: f64 = 1e-10;
 /// A difference of at most this part of the largest one, times the degree, counts as zero.
 const NO_SLOPE: f64 = 1e-15;
 
+/// The line from the first of some points to the one that differs most from it in a coordinate.
+pub(crate) struct Chord<P> {
+    /// The unit vector along the line; zero if all points are equal.
+    pub(crate) direction: P,
+    /// The distance of these two points.
+    pub(crate) length: f64,
+    /// The largest distance of a point from the line.
+    pub(crate) width: f64,
+}
+
+impl<P: Point> Chord<P> {
+    /// Expects at least one point.
+    pub(crate) fn of(points: &[P]) -> Self {
+        let from_start = || points.iter().map(|&p| p - points[0]);
+        let farther = |far: P, v: P| if v.max_abs() > far.max_abs() { v } else { far };
+        let far = from_start().fold(P::default(), farther);
+        let direction = far.normalize_or_zero();
+        let across = from_start().map(|v| direction.cross(v).size());
+        Self {
+            direction,
+            length: far.length(),
+            width: across.fold(0.0, f64::max),
+        }
+    }
+}
+
 impl Curve<DVec2> {
     /// The unit vector along a straight curve, from its start to the farthest control point; `None` if the curve bends
     /// or is a point.
     pub(crate) fn straight_direction(&self) -> Option<DVec2> {
-        let start = self.start() * 0.5;
-        let from_start = |p: &DVec2| *p * 0.5 - start;
-        let far = self
-            .points
-            .iter()
-            .map(from_start)
-            .fold(DVec2::ZERO, |far, v| {
-                if Point::max_abs(v) > Point::max_abs(far) {
-                    v
-                } else {
-                    far
-                }
-            });
-        let direction = Point::normalize_or_zero(far);
-        let noise = (ULPS * ulp(0.5 * self.max_abs())).min(LARGEST_PART * Point::length(far));
-        let across = |p: &DVec2| direction.perp_dot(from_start(p)).abs();
-        let straight = direction != DVec2::ZERO && self.points.iter().all(|p| across(p) <= noise);
-        straight.then_some(direction)
+        let chord = Chord::of(&self.points);
+        let noise = (ULPS * ulp(self.max_abs())).min(LARGEST_PART * chord.length);
+        (chord.length > 0.0 && chord.width <= noise).then_some(chord.direction)
     }
 
     /// The parameters inside (0, 1) at which the derivative along a direction is zero, in ascending order.

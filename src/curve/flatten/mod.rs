@@ -14,6 +14,7 @@ mod high_degree;
 mod vertex_limit;
 
 use super::Curve;
+use super::straight::Chord;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
@@ -198,25 +199,14 @@ impl<P: Point> Curve<P> {
         let noise = (STRAIGHT_ULPS * ulp(self.max_abs())).min(0.5 * tolerance);
         let tolerance = tolerance - noise;
         let (start, end) = (self.start(), self.end());
-        let farthest = |p: P, q: P| {
-            if (q - start).max_abs() > (p - start).max_abs() {
-                q
-            } else {
-                p
-            }
-        };
-        let direction =
-            (self.points.iter().fold(end, |p, &q| farthest(p, q)) - start).normalize_or_zero();
-        let across = |p: P| ((p - start) - direction * (p - start).dot(direction)).max_abs();
-        if self.points.iter().any(|&p| across(p) > noise) {
+        let chord = Chord::of(&self.points);
+        if chord.width > noise {
             return None;
         }
         // Along the line only the coordinate that varies most is needed.
         let axis = (0..P::DIMENSION).max_by(|&a, &b| {
-            direction
-                .coordinate(a)
-                .abs()
-                .total_cmp(&direction.coordinate(b).abs())
+            let size = |axis| chord.direction.coordinate(axis).abs();
+            size(a).total_cmp(&size(b))
         })?;
         // Each reversal that is left out lies within the tolerance of an end of its chord.
         let mut turns = self.extrema_on(axis).to_vec();

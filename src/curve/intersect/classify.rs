@@ -3,7 +3,6 @@
 use super::super::Curve;
 use super::contact_interval::ContactInterval;
 use super::intersection::IntersectionKind;
-use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::tolerances::MIN_OVERLAP;
 use crate::bernstein::evaluate::evaluate;
@@ -200,9 +199,11 @@ impl NormalizedPair {
     /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.
     fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
-            let points = &self.curves[k];
-            let tangent = Curve::from_slice(points).tangent(t);
-            (tangent, 1.0 / Point::length(taylor(points, t)[1]))
+            let tangent = Curve::from_slice(&self.curves[k]).tangent(t);
+            (
+                tangent,
+                1.0 / Point::length(self.with_derivatives(k).derivatives(t)[0]),
+            )
         });
         let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;

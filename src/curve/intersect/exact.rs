@@ -2,7 +2,6 @@
 //! separates, and handles pairs of lines.
 
 use super::intersection::IntersectionKind;
-use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
 use super::tolerances::{LARGEST_GAP, MIN_OVERLAP, NO_HEIGHT};
 use crate::bernstein::evaluate::evaluate;
@@ -249,6 +248,7 @@ impl NormalizedPair {
     /// The side of the second curve on which the first one is, at some distance from an intersection; 0 if the curve
     /// ends before the distance exceeds rounding.
     fn side(&self, ClassifiedPoint { t, u, .. }: ClassifiedPoint, mut step: f64) -> f64 {
+        let of_b = self.with_derivatives(1);
         loop {
             step *= 2.0;
             let at = t + step;
@@ -256,7 +256,7 @@ impl NormalizedPair {
                 return 0.0;
             }
             let (_, u) = self.project_onto_b(at, u);
-            let [b, direction, _] = taylor(&self.curves[1], u);
+            let [b, direction, _] = of_b.jet(u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
             let height = Point::normalize_or_zero(direction).perp_dot(gap);
             if height.abs() > CLEAR_HEIGHT * NO_HEIGHT * self.slack {

@@ -4,6 +4,7 @@ use super::pair::NormalizedPair;
 use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
+use crate::curve::with_derivatives::{CurveWithDerivatives, LAST_STEP};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
@@ -15,12 +16,6 @@ const TANGENCY_STEPS: usize = 60;
 
 /// From a good starting point, Newton's method for crossings ends much sooner.
 const CROSSING_STEPS: usize = 20;
-
-/// The search for a nearest point may halve its steps.
-const NEAREST_STEPS: usize = 40;
-
-/// A smaller step changes nothing: some roundings of a parameter.
-const LAST_STEP: f64 = 1e-15;
 
 /// Directions closer than this are equal up to rounding.
 const PARALLEL: f64 = 4.0 * f64::EPSILON;
@@ -36,23 +31,6 @@ const BOX_SAMPLES: usize = 8;
 /// converged.
 const NEARLY_PARALLEL: f64 = 1e-7;
 
-/// The point and the first two derivatives.
-pub(crate) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
-    let n = (points.len() - 1) as f64;
-    let slopes = differences(points);
-    let second_derivatives = differences(&slopes);
-    let second = match second_derivatives.len() {
-        0 => DVec2::ZERO,
-        _ => evaluate(&second_derivatives, t),
-    };
-    let slope = evaluate(&slopes, t);
-    [evaluate(points, t), slope * n, second * (n * (n - 1.0))]
-}
-
-fn differences(points: &[DVec2]) -> Points<DVec2> {
-    points.windows(2).map(|p| p[1] - p[0]).collect()
-}
-
 impl NormalizedPair {
     /// The distance between A(t) and B(u) in the maximum norm.
     pub(crate) fn apart(&self, t: f64, u: f64) -> f64 {
@@ -66,8 +44,8 @@ impl NormalizedPair {
 
     /// The distance of A(t) from the tangent of B at u.
     pub(crate) fn height(&self, t: f64, u: f64) -> f64 {
-        let [a, da, _] = taylor(&self.curves[0], t);
-        let [b, db, _] = taylor(&self.curves[1], u);
+        let [of_a, of_b] = self.both();
+        let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
         let direction = if db == DVec2::ZERO { da } else { db };
         match Point::normalize_or_zero(direction) {
             DVec2::ZERO => Point::length(a - b),
@@ -104,37 +82,19 @@ impl NormalizedPair {
         Curve::from_points(piece).control_bounds()
     }
 
-    /// The parameter on one curve that is nearest to a point, found from a nearby parameter. Steps that increase the
-    /// distance are halved.
+    /// A curve of the pair with its derivatives.
+    pub(crate) fn with_derivatives(&self, curve: usize) -> CurveWithDerivatives<'_, DVec2> {
+        CurveWithDerivatives::new(&self.curves[curve])
+    }
+
+    /// Both curves with their derivatives.
+    fn both(&self) -> [CurveWithDerivatives<'_, DVec2>; 2] {
+        [self.with_derivatives(0), self.with_derivatives(1)]
+    }
+
+    /// The parameter on one curve that is nearest to a point, found from a nearby parameter.
     pub(crate) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
-        let (mut best, mut min) = (near, f64::INFINITY);
-        let mut t = near;
-        for _ in 0..NEAREST_STEPS {
-            let [p, d, dd] = taylor(&self.curves[curve], t);
-            let gap = p - point;
-            let distance = gap.length_squared();
-            if distance >= min {
-                if (t - best).abs() <= LAST_STEP {
-                    break;
-                }
-                t = 0.5 * (t + best);
-                continue;
-            }
-            (best, min) = (t, distance);
-            // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, otherwise a step along the tangent.
-            let second = d.length_squared() + gap.dot(dd);
-            let slope = if second > 0.5 * d.length_squared() {
-                second
-            } else {
-                d.length_squared()
-            };
-            let next = t - gap.dot(d) / slope;
-            if !next.is_finite() {
-                break;
-            }
-            t = next.clamp(0.0, 1.0);
-        }
-        best
+        self.with_derivatives(curve).foot(point, near)
     }
 
     /// The parameters of A(t) and of the nearest point on the second curve.
@@ -149,9 +109,9 @@ impl NormalizedPair {
 
     /// The crossing to which Newton's method converges from here.
     pub(crate) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+        let [of_a, of_b] = self.both();
         for _ in 0..CROSSING_STEPS {
-            let [a, da, _] = taylor(&self.curves[0], t);
-            let [b, db, _] = taylor(&self.curves[1], u);
+            let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
             let determinant = da.perp_dot(db);
             let (dt, du) = (
                 (b - a).perp_dot(db) / determinant,
@@ -171,9 +131,9 @@ impl NormalizedPair {
     /// The tangency near the given parameters, where both curves have the same direction and are nearest to each other:
     /// A′ × B′ = 0 and (A − B) · A′ = 0.
     pub(crate) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+        let [of_a, of_b] = self.both();
         for _ in 0..TANGENCY_STEPS {
-            let [a, da, dda] = taylor(&self.curves[0], t);
-            let [b, db, ddb] = taylor(&self.curves[1], u);
+            let ([a, da, dda], [b, db, ddb]) = (of_a.jet(t), of_b.jet(u));
             let (cross, ahead) = (da.perp_dot(db), (a - b).dot(da));
             if cross.abs() <= PARALLEL * Point::length(da) * Point::length(db)
                 && ahead.abs() <= self.slack * Point::length(da)
@@ -195,7 +155,7 @@ impl NormalizedPair {
             }
         }
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
-        let (da, db) = (taylor(&self.curves[0], t)[1], taylor(&self.curves[1], u)[1]);
+        let ([da, _], [db, _]) = (of_a.derivatives(t), of_b.derivatives(u));
         let is_parallel =
             da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::length(da) * Point::length(db);
         (inside && is_parallel && self.coincide((t, u))).then_some((t, u))

@@ -5,6 +5,7 @@ use super::intersection::SelfIntersection;
 use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::stationary::{derivative_zeros, is_monotone_along_chord};
 use crate::bernstein::de_casteljau::keep_between;
+use crate::curve::straight::Chord;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
@@ -37,7 +38,7 @@ impl Curve<DVec2> {
         let Some(pair) = NormalizedPair::new(&self.points, &self.points) else {
             return Vec::new();
         };
-        if is_straight(&pair) {
+        if Chord::of(&pair.curves[0]).width <= pair.slack {
             return Vec::new();
         }
         let mut locations: Vec<_> = if self.degree() == 3 {
@@ -55,18 +56,6 @@ impl Curve<DVec2> {
             })
             .collect()
     }
-}
-
-fn is_straight(pair: &NormalizedPair) -> bool {
-    let points = &pair.curves[0];
-    let longest = points
-        .iter()
-        .map(|p| *p - points[0])
-        .max_by(|p, q| p.length_squared().total_cmp(&q.length_squared()));
-    let along = Point::normalize_or_zero(longest.unwrap_or(DVec2::ZERO));
-    points
-        .iter()
-        .all(|p| along.perp_dot(*p - points[0]).abs() <= pair.slack)
 }
 
 /// The parameters of the double point of a cubic.

@@ -3,6 +3,7 @@
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::extrema::extrema_of;
+use crate::curve::straight::Chord;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use crate::numeric::sort::sort_by;
@@ -75,15 +76,13 @@ pub(crate) fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
     if points.len() == 2 {
         return Some(Scalars::new());
     }
-    let away = points.iter().map(|&p| p - points[0]);
-    let longest = away.max_by(|p, q| p.length_squared().total_cmp(&q.length_squared()))?;
-    let width = points
-        .iter()
-        .map(|&p| longest.perp_dot(p - points[0]).abs());
+    let chord = Chord::of(points);
     let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
-    let limit = STRAIGHT * largest * Point::length(longest);
-    width.fold(0.0, f64::max).le(&limit).then(|| {
-        let along: Scalars = points.iter().map(|p| longest.dot(*p - points[0])).collect();
+    (chord.width <= STRAIGHT * largest).then(|| {
+        let along: Scalars = points
+            .iter()
+            .map(|p| chord.direction.dot(*p - points[0]))
+            .collect();
         extrema_of(&along).into_iter().collect()
     })
 }

@@ -5,6 +5,7 @@ use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::elevate::elevate_once;
+use crate::curve::straight::Chord;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
@@ -65,22 +66,11 @@ impl<P: Point> Curve<P> {
 /// Replaces a straight curve by the segment between its extreme points, whatever its parametrization.
 fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     let start = points[0];
-    let longest = |longest_so_far: P, &p: &P| {
-        if (p - start).length() > longest_so_far.length() {
-            p - start
-        } else {
-            longest_so_far
-        }
-    };
-    let along = points
-        .iter()
-        .fold(P::default(), longest)
-        .normalize_or_zero();
-    let project = |p: P| (p - start).dot(along);
-    let off = |&p: &P| (p - start - along * project(p)).length();
-    if points.len() == 2 || points.iter().map(off).fold(0.0, f64::max) > 8.0 * rounding {
+    let chord = Chord::of(&points);
+    if points.len() == 2 || chord.width > 8.0 * rounding {
         return points;
     }
+    let project = |p: P| (p - start).dot(chord.direction);
     let curve = Curve::from_points(points);
     let turns = crate::curve::extrema::extrema_of(
         &curve

@@ -3,6 +3,7 @@
 use super::arcs::{Arc, Arcs};
 use super::segments::Segments;
 use crate::bernstein::evaluate::evaluate;
+use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
@@ -11,12 +12,6 @@ use glam::DVec2;
 
 /// The number of parts of an arc at whose ends its distance from another arc is measured.
 const SAMPLES: usize = 8;
-
-/// The maximum number of steps of the search for the nearest point.
-const NEAREST_STEPS: usize = 24;
-
-/// A smaller step changes nothing: some roundings of a parameter.
-const LAST_STEP: f64 = 1e-15;
 
 /// An arc of an edge, and whether it runs in the direction of the edge.
 #[derive(Clone, Copy, Debug)]
@@ -133,32 +128,21 @@ fn coincide(
 
 /// Whether samples of `a` are within the tolerance of `b`, in the same order on both.
 fn is_near(a: &[DVec2], b: &[DVec2], forward: bool, tolerance: f64) -> bool {
+    let b = CurveWithDerivatives::new(b);
     let mut last = if forward { 0.0 } else { 1.0 };
     [4, 1, 2, 3, 5, 6, 7].iter().all(|&k| {
         let s = ratio(k, SAMPLES);
-        let u = nearest(b, evaluate(a, s));
+        let u = nearest(&b, evaluate(a, s));
         let in_order = k == 4 || k == 1 || (u >= last) == forward || u == last;
         last = u;
-        in_order && Point::length(evaluate(a, s) - evaluate(b, u)) <= tolerance
+        in_order && Point::length(evaluate(a, s) - b.at(u)) <= tolerance
     })
 }
 
-/// The parameter of the point of a curve that is nearest to a point next to the curve: the best of some samples,
-/// refined by Newton's method.
-fn nearest(points: &[DVec2], p: DVec2) -> f64 {
-    let n = (points.len() - 1) as f64;
-    let slopes: Points<DVec2> = points.windows(2).map(|q| (q[1] - q[0]) * n).collect();
-    let distance = |u: &f64| (evaluate(points, *u) - p).length_squared();
+/// The parameter of the point of a curve that is nearest to a point next to it: from the best of some samples.
+fn nearest(curve: &CurveWithDerivatives<DVec2>, p: DVec2) -> f64 {
+    let distance = |u: &f64| (curve.at(*u) - p).length_squared();
     let samples = (0..=SAMPLES).map(|k| ratio(k, SAMPLES));
     let best = samples.min_by(|u, v| distance(u).total_cmp(&distance(v)));
-    let mut u = best.unwrap_or(0.0);
-    for _ in 0..NEAREST_STEPS {
-        let (gap, slope) = (evaluate(points, u) - p, evaluate(&slopes, u));
-        let next = (u - gap.dot(slope) / slope.dot(slope)).clamp(0.0, 1.0);
-        if !next.is_finite() || (next - u).abs() <= LAST_STEP {
-            break;
-        }
-        u = next;
-    }
-    u
+    curve.foot(p, best.unwrap_or(0.0))
 }
