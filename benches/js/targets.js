@@ -74,11 +74,13 @@ export const TARGETS = {
   "length-0.001-kurbo": { minRatio: 1 },
 
   "offset-0.1-kurbo": { minRatio: 1.2 },
-  "flatten-0.1-kurbo": { minRatio: 0.9 },
-  "flatten-0.01-kurbo": { minRatio: 0.9 },
+  "flatten-0.1-kurbo": { minRatio: 1.5 },
+  "flatten-0.01-kurbo": { minRatio: 2 },
+  "flatten-0.1-lyon_geom": { minRatio: 0.6 },
+  "flatten-0.01-lyon_geom": { minRatio: 1 },
   "nearest-kurbo": { minRatio: 3 },
-  "flatten-0.1-kurbo-segments": { minRatio: 1 },
-  "flatten-0.01-kurbo-segments": { minRatio: 1 },
+  "flatten-0.1-kurbo-segments": { minRatio: 0.8 },
+  "flatten-0.01-kurbo-segments": { minRatio: 0.8 },
 };
 
 /**

@@ -21,6 +21,7 @@ pub mod numeric {
 
 /// One curve.
 pub mod curve {
+    pub mod chord_rates;
     pub mod sample_plane_cubic;
 
     /// Arc length.

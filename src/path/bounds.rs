@@ -2,7 +2,7 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -61,13 +61,16 @@ impl Path {
         mut vertex: impl FnMut(PathTime, DVec2),
     ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segment_points().map(Curve::from_slice), tolerance)?;
-        let mut left = VertexLimit::new(MAX_VERTICES);
+        check_vertices(
+            || self.segment_points().map(Curve::from_slice),
+            tolerance,
+            MAX_VERTICES,
+        )?;
         for (subpath, part) in self.parts().enumerate() {
             for (k, points) in part.segments().enumerate() {
                 let time = |t| PathTime::new(subpath, as_f64(k) + t);
                 let curve = Curve::from_slice(points);
-                curve.walk_after(k > 0, tolerance, &mut left, |t, p| vertex(time(t), p))?;
+                curve.walk(k > 0, tolerance, |t, p| vertex(time(t), p));
             }
         }
         Ok(())

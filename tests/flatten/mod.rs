@@ -18,42 +18,40 @@ fn keeps_the_tolerance_on_all_curves() {
     on_all(0..support::cases(20_000, 500_000), |i| Case::new(i).check());
 }
 
-/// The rule is max(fewest + 1, 1.1 · fewest). The fewest chords come from a greedy search along the curve, not from a
-/// proof, and slightly shorter chords may reach an inflection at an unfavourable point: 1 % of the curves may exceed
-/// the rule.
+/// The fewest chords come from a greedy search along the curve, not from a proof. Where a curve nearly reverses, a part
+/// takes a few chords for each halving of the distance from that point.
 #[test]
 fn takes_few_chords() {
     let curves = support::cases(2_000, 25_000);
-    let beyond = AtomicUsize::new(0);
+    let (all, all_few) = (AtomicUsize::new(0), AtomicUsize::new(0));
     on_all(0..curves, |i| {
         let case = Case::new(7 * i + 3);
-        let ours = case.flatten().0.len() - 1;
         // Straight curves need a vertex at each turning point; at a tolerance of a few ulps rounding decides.
-        let exempt = matches!(case.kind, Kind::Collinear | Kind::FewUlps);
-        if !exempt && ours > 2 && takes_more_than_the_rule(&case, ours) {
-            beyond.fetch_add(1, Relaxed);
+        if !matches!(case.kind, Kind::Collinear | Kind::FewUlps) {
+            let [ours, few] = chords_and_fewest(&case);
+            all.fetch_add(ours, Relaxed);
+            all_few.fetch_add(few, Relaxed);
         }
     });
-    let beyond = beyond.into_inner();
-    assert!(100 * beyond <= curves, "{beyond} of {curves} curves");
+    let (all, few) = (all.into_inner(), all_few.into_inner());
+    assert!(real(all) <= 1.27 * real(few), "{all} chords, fewest {few}");
 }
 
-/// Whether a polyline has more chords than the rule allows; fails if it has far more.
-fn takes_more_than_the_rule(case: &Case, ours: usize) -> bool {
+/// The number of chords and the fewest; fails if they are far apart.
+fn chords_and_fewest(case: &Case) -> [usize; 2] {
+    let ours = case.flatten().0.len() - 1;
     let reference = Reference::new(&case.points);
     let few = fewest(&reference, reference.length(case.tolerance));
-    let max = real(few + 4).max(1.2 * real(few));
+    let max = 1.5 * real(few) + 40.0;
     assert!(real(ours) <= max, "{ours}, not {few} chords: {case:?}");
-    real(ours) > real(few + 1).max(1.1 * real(few))
+    [ours, few]
 }
 
 /// Nearly straight curves of high degree, for which long chords were missed or cubics were used in vain.
 #[test]
 fn nearly_straight_curves_take_few_chords() {
     for number in [40_554, 93_474, 96_491, 120_340] {
-        let case = Case::new(number);
-        let ours = case.flatten().0.len() - 1;
-        takes_more_than_the_rule(&case, ours);
+        chords_and_fewest(&Case::new(number));
     }
 }
 

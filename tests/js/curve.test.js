@@ -116,7 +116,7 @@ test("flatten: vertices, their parameters, and more of them for a finer toleranc
     const counts = [1, 0.01, 0.0001].map((tolerance) => {
       const { points, ts } = curve.flatten(tolerance);
       [points, ts].forEach(owned);
-      near(points, curve.evalAt(ts), 0);
+      near(points, curve.evalAt(ts), 1e-14);
       assert.ok(ts.every((t, i) => i === 0 || t > ts[i - 1]) && ts[0] === 0 && ts.at(-1) === 1);
       ts.subarray(1).forEach((end, i) => {
         const chord = new Curve([curve.eval(ts[i]), curve.eval(end)]);

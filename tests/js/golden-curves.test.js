@@ -162,7 +162,7 @@ const KINDS = {
   offset,
   flatten({ input, expect }) {
     const { points } = new Curve(input.points).flatten(input.tolerance);
-    assert.ok(points.length / 2 - 1 <= Math.max(expect.greedy_min_segments + 1, 1.1 * expect.greedy_min_segments));
+    assert.ok(points.length / 2 - 1 <= 1.5 * expect.greedy_min_segments + 4);
   },
   svgpath: svg,
   solve_t({ input, expect, tol }) {

@@ -70,7 +70,7 @@ fn results_and_options_have_the_names_of_javascript() {
     assert_eq!(there_and_back(curve.bounds()), bounds);
     there_and_back(curve.nearest(DVec2::new(3.0, 0.5)).unwrap());
     there_and_back(curve.intersections(&Curve::line(DVec2::ZERO, DVec2::ONE)));
-    there_and_back(curve.flatten(0.1).unwrap());
+    there_and_back(curve.flatten(0.3).unwrap());
     there_and_back(curve.reduce());
     let (t_end, u_end) = (0.5, 1.0);
     let overlap = there_and_back(IntersectionKind::Overlap { t_end, u_end });

@@ -1,36 +1,33 @@
 //! Flattening: approximation of a curve by a polyline.
 //!
 //! Flattening replaces a curve by chords. The tolerance is the maximum distance of any point of the curve from the
-//! polyline; the number of chords is about √(size / tolerance). The algorithm takes, from each vertex, a chord that is
-//! nearly as long as the tolerance allows. The maximum distance of the curve segment from its chord is known in closed
-//! form up to degree 3 (see `cubic_deviation`) and has a close bound above (see `high_degree`), so a guessed step is
-//! corrected once or twice and then accepted. Uneven curvature, inflections, cusps and reversals need no special cases.
+//! polyline; the number of chords is about √(size / tolerance). Bounds on the derivatives in a part of the curve say how
+//! many equal steps keep the tolerance there, so that few chords have to be measured: see [`cubic`] up to degree 3, and
+//! [`steps`] above. Where the bounds are far above what the curvature needs, as next to a cusp, the curve is halved.
 
-mod as_cubics;
-mod chords;
-mod cubic_deviation;
-mod deviation;
-mod high_degree;
-mod vertex_limit;
+mod cubic;
+mod steps;
 
 use super::Curve;
+use super::nearest::as_cubic;
 use super::straight::Chord;
 use crate::geometry::check::check_tolerance;
-use crate::geometry::error::Error;
+use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::float::ulp;
-use crate::numeric::list::Points;
-use as_cubics::as_cubics;
-use chords::walk_chords;
-use cubic_deviation::CubicDeviation;
+use cubic::{CubicParts, visit_parts};
 use glam::DVec3;
-use high_degree::PieceDeviation;
-use vertex_limit::check_vertices_within;
-pub(crate) use vertex_limit::{MAX_VERTICES, VertexLimit, check_vertices};
+use std::borrow::Borrow;
+use steps::{Planner, Steps};
 
-/// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate. A curve that deviates by
-/// twice as much is certainly not straight.
+/// The largest number of vertices that flattening returns.
+pub(crate) const MAX_VERTICES: usize = 1 << 24;
+
+/// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate.
 const STRAIGHT_ULPS: f64 = 8.0;
+
+/// A curve counts as straight if its control points are within this part of the tolerance of a line.
+const NEARLY_STRAIGHT: f64 = 0.25;
 
 /// Outside this range of coordinates, squares of products leave the range of f64, and a scaled copy of the curve is
 /// used.
@@ -53,156 +50,155 @@ pub struct Polyline<P> {
 impl<P: Point> Polyline<P> {
     /// Appends the vertices of a curve whose parameters start at `from`. The start is left out if the polyline has
     /// vertices, the last of which is then the start.
-    pub(crate) fn append(
-        &mut self,
-        curve: &Curve<P>,
-        from: f64,
-        tolerance: f64,
-        limit: &mut VertexLimit,
-    ) -> Result<(), Error> {
+    pub(crate) fn append(&mut self, curve: &Curve<P>, from: f64, tolerance: f64) {
         let joined = !self.ts.is_empty();
-        curve.walk_after(joined, tolerance, limit, |t, point| {
+        curve.walk(joined, tolerance, |t, point| {
             self.ts.push(from + t);
             self.points.push(point);
-        })
+        });
     }
 }
 
 impl<P: Point> Curve<P> {
     /// A polyline whose distance from every point of the curve is at most `tolerance`, in the unit of the input.
     ///
-    /// The number of chords is at most one more, or a tenth more, than the minimum by longest-chord search. The first
-    /// and the last vertex are the end points. Where a straight curve reverses there is a vertex (unless another vertex
-    /// lies within the tolerance). A curve that is a point gives that point twice. Source of the distance: the cubic
-    /// relative to its chord is s(1−s) times a linear function; see Filip, Magedson and Markot, "Surface algorithms
-    /// using bounds on derivatives", CAGD 3 (1986), for bounds of this kind.
+    /// The number of chords is about a quarter more than the minimum by longest-chord search; where a curve nearly
+    /// reverses, it may be some tens more. The first and the last vertex are the end points. Where a straight curve
+    /// reverses there is a vertex (unless another vertex lies within the tolerance). A curve that is a point gives that
+    /// point twice. Source of the bound: h²/8 · max |B″| for a step h (Wang, "The subdivision method for finding the
+    /// intersection between two Bézier curves or surfaces", 1984), here for the part of B″ across the chord.
     ///
     /// # Errors
     /// [`Error::Range`] for a tolerance that is not above 0, [`Error::Tolerance`] for one below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] if more than 2²⁴ vertices are expected (an estimate, accurate to some per cent).
+    /// coordinate, [`Error::TooMany`] for more than 2²⁴ vertices.
     ///
-    /// Cost: up to degree 3 about 50 ns for each vertex. Above degree 3, n² steps for each segment that a cubic
-    /// replaces, and n² for each vertex; if the tolerance is so coarse that replacement by cubics does not pay, about
-    /// 20 n² steps for each vertex.
+    /// Cost: up to degree 3 about 200 ns, and 2 ns for each vertex. Above degree 3, n² steps for each vertex and for
+    /// each part of the curve.
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
-        self.polyline(tolerance, &mut VertexLimit::new(MAX_VERTICES))
+        let mut line = Polyline::default();
+        line.append(self, 0.0, tolerance);
+        Ok(line)
     }
 
     /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them.
     ///
     /// # Errors
-    /// Same as `flatten`. All but [`Error::TooMany`] come before the first vertex; that one may come after some vertices,
-    /// where the forecast of their number was too low.
+    /// Same as `flatten`, before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        self.walk_after(
-            false,
-            tolerance,
-            &mut VertexLimit::new(MAX_VERTICES),
-            vertex,
-        )
+        self.walk(false, tolerance, vertex);
+        Ok(())
     }
 
     /// Returns an error before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| std::iter::once(self.clone()), tolerance)
+        check_vertices(|| std::iter::once(self), tolerance, MAX_VERTICES)
     }
 
-    /// Same as [`flatten`](Self::flatten) with the caller's limit on the number of vertices, for a tolerance that is
-    /// already checked.
-    pub(crate) fn flatten_within(
-        &self,
-        tolerance: f64,
-        limit: &mut VertexLimit,
-    ) -> Result<Polyline<P>, Error> {
-        check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit.max)?;
-        self.polyline(tolerance, limit)
-    }
-
-    fn polyline(&self, tolerance: f64, limit: &mut VertexLimit) -> Result<Polyline<P>, Error> {
-        let mut line = Polyline::default();
-        line.append(self, 0.0, tolerance, limit)?;
-        Ok(line)
-    }
-
-    /// Passes on the vertices, without the start if the curve is joined to another one, whose last vertex it is.
-    pub(crate) fn walk_after(
-        &self,
-        joined: bool,
-        tolerance: f64,
-        limit: &mut VertexLimit,
-        mut vertex: impl FnMut(f64, P),
-    ) -> Result<(), Error> {
+    /// Passes on the vertices for a tolerance that is checked; without the start if the curve is joined to another one,
+    /// whose last vertex it is.
+    pub(crate) fn walk(&self, joined: bool, tolerance: f64, mut vertex: impl FnMut(f64, P)) {
         if !joined {
-            limit.spend()?;
+            vertex(0.0, self.start());
         }
-        self.walk(tolerance, limit, |t, point| {
-            if !(joined && t == 0.0) {
-                vertex(t, point);
+        if self.points.len() > 2 {
+            self.walk_inside(tolerance, &mut vertex);
+        }
+        vertex(1.0, self.end());
+    }
+
+    /// Passes on the vertices inside (0, 1).
+    fn walk_inside(&self, tolerance: f64, vertex: &mut impl FnMut(f64, P)) {
+        let size = self.max_abs();
+        let scale = if PLAIN_RANGE.contains(&size) {
+            1.0
+        } else {
+            1.0 / size
+        };
+        let straight = (STRAIGHT_ULPS * ulp(size)).max(NEARLY_STRAIGHT * tolerance);
+        if !(scale == 1.0 && self.bends_by(straight))
+            && let Some(turns) = self.turns_of_straight(tolerance)
+        {
+            return turns.into_iter().for_each(|t| vertex(t, self.eval(t)));
+        }
+        // A part of the tolerance is for the rounding of vertices.
+        let tolerance = tolerance - 2.0 * ulp(size);
+        if let Some(points) = as_cubic(&self.points) {
+            return visit_parts(points, [0.0, 1.0], scale, tolerance, &mut |parts,
+                                                                           [
+                from,
+                length,
+            ]| {
+                if length == 1.0 {
+                    return parts.walk(vertex);
+                }
+                if from > 0.0 {
+                    vertex(from, self.eval(from));
+                }
+                parts.walk(&mut |t, _| vertex(from + length * t, self.eval(from + length * t)));
+            });
+        }
+        self.each_step(scale, tolerance, |steps| {
+            let mut k = 1.0;
+            while k <= steps.count {
+                let t = steps.from + steps.length * (k / steps.count);
+                if t < 1.0 {
+                    vertex(t, self.eval(t));
+                }
+                k += 1.0;
             }
+        });
+    }
+
+    /// The number of chords of a curve that is not straight, except for those that end at the boundaries of parts of a
+    /// cubic.
+    fn chord_count(&self, tolerance: f64) -> f64 {
+        let scale = 1.0 / self.max_abs();
+        let mut sum = 0.0;
+        if let Some(points) = as_cubic(&self.points) {
+            let mut add = |parts: &CubicParts<P>, _| sum += parts.chord_count();
+            visit_parts(points, [0.0, 1.0], scale, tolerance, &mut add);
+            return sum;
+        }
+        self.each_step(scale, tolerance, |steps| sum += steps.count);
+        sum
+    }
+
+    /// Passes on the parts of a curve of any degree and the steps in them. Plane points are converted to space, so that
+    /// the code is compiled once.
+    fn each_step(&self, scale: f64, tolerance: f64, mut visit: impl FnMut(Steps)) {
+        let mut points = [DVec3::ZERO; MAX_DEGREE + 1];
+        for (to, &p) in points.iter_mut().zip(&self.points) {
+            *to = ((p - self.start()) * scale).to_3d();
+        }
+        let mut planner = Planner::new(self.degree(), tolerance * scale, &mut visit);
+        planner.plan(&points, [0.0, 1.0], 0);
+    }
+
+    /// A quick test that the control points are not within a distance w of a common line: its angle with the line
+    /// through the end points would be at most 2w / |chord|.
+    fn bends_by(&self, w: f64) -> bool {
+        let start = self.start();
+        let chord = self.end() - start;
+        self.points.iter().any(|&p| {
+            let gap = p - start;
+            chord.cross(gap).size_squared() > 8.0 * w * w * (chord.dot(chord) + gap.dot(gap))
         })
     }
 
-    /// Passes on the vertices; the start, which a joined curve has already, is not counted.
-    fn walk(
-        &self,
-        tolerance: f64,
-        limit: &mut VertexLimit,
-        mut vertex: impl FnMut(f64, P),
-    ) -> Result<(), Error> {
-        vertex(0.0, self.start());
-        if self.points.len() == 2 {
-            limit.spend()?;
-            vertex(1.0, self.end());
-            return Ok(());
-        }
-        let size = self.max_abs();
-        let plain = PLAIN_RANGE.contains(&size);
-        if !(plain && self.deviates_by(2.0 * STRAIGHT_ULPS * ulp(size)))
-            && let Some(ts) = self.turns_of_straight(tolerance)
-        {
-            for t in ts {
-                limit.spend()?;
-                vertex(t, self.eval(t));
-            }
-            limit.spend()?;
-            vertex(1.0, self.end());
-            return Ok(());
-        }
-        let mut inside = |t: f64| vertex(t, if t == 1.0 { self.end() } else { self.eval(t) });
-        // Reserve a part of the tolerance for the rounding of vertices.
-        let budget = tolerance - 2.0 * ulp(size);
-        if plain {
-            walk_points(&self.points, budget, limit, &mut inside)
-        } else {
-            let scaled: Points<P> = self.points.iter().map(|&p| p / size).collect();
-            walk_points(&scaled, budget / size, limit, &mut inside)
-        }
-    }
-
-    /// Whether some control point is farther than a distance from the line through the end points. This is a quick test
-    /// that a curve is not straight; it may fail to detect it if the end points are close.
-    fn deviates_by(&self, distance: f64) -> bool {
-        let start = self.start();
-        let chord = self.end() - start;
-        let min = distance * distance * chord.dot(chord);
-        self.points
-            .iter()
-            .any(|&p| chord.cross(p - start).size_squared() > min)
-    }
-
-    /// The parameters at which a straight curve reverses, or `None` for a curve that is not straight.
+    /// The parameters at which a straight curve reverses by more than the tolerance, or `None` for a curve that is not
+    /// straight.
     fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
-        // Rounding is subtracted from the tolerance.
-        let noise = (STRAIGHT_ULPS * ulp(self.max_abs())).min(0.5 * tolerance);
-        let tolerance = tolerance - noise;
-        let (start, end) = (self.start(), self.end());
+        let limit = (STRAIGHT_ULPS * ulp(self.max_abs())).max(NEARLY_STRAIGHT * tolerance);
         let chord = Chord::of(&self.points);
-        if chord.width > noise {
+        if chord.width > limit.min(0.5 * tolerance) {
             return None;
         }
+        // The curve and its chords are on both sides of the line.
+        let tolerance = tolerance - (2.0 * chord.width).min(0.5 * tolerance);
+        let (start, end) = (self.start(), self.end());
         // Along the line only the coordinate that varies most is needed.
         let axis = (0..P::DIMENSION).max_by(|&a, &b| {
             let size = |axis| chord.direction.coordinate(axis).abs();
@@ -226,32 +222,22 @@ impl<P: Point> Curve<P> {
     }
 }
 
-fn walk_points<P: Point>(
-    points: &[P],
+/// Returns an error if flattening all curves gives more vertices than the limit.
+pub(crate) fn check_vertices<P: Point, C: Borrow<Curve<P>>, I: Iterator<Item = C>>(
+    curves: impl Fn() -> I,
     tolerance: f64,
-    limit: &mut VertexLimit,
-    vertex: &mut impl FnMut(f64),
+    limit: usize,
 ) -> Result<(), Error> {
-    if points.len() <= 4 {
-        return walk_chords(&mut CubicDeviation::new(points, tolerance), limit, vertex);
-    }
-    // Relative to the start, the deviations of a curve that is far smaller than its coordinates keep their digits.
-    let relative = |&p: &P| (p - points[0]).to_3d();
-    let points: Points<DVec3> = points.iter().map(relative).collect();
-    let Some((cubics, tolerance)) = as_cubics(&points, tolerance)? else {
-        return walk_chords(&mut PieceDeviation::new(points, tolerance), limit, vertex);
+    // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
+    // large overestimate.
+    let enough = |curve: C| match curve.borrow().degree() {
+        1 => 1.0,
+        n => n as f64 * (curve.borrow().max_abs() / tolerance).sqrt() + 8.0,
     };
-    for cubic in cubics {
-        let (from, length) = (cubic.from, cubic.to - cubic.from);
-        let mut inside = |s: f64| {
-            vertex(if s == 1.0 {
-                cubic.to
-            } else {
-                from + length * s
-            })
-        };
-        let mut deviation = CubicDeviation::new(&cubic.points, tolerance);
-        walk_chords(&mut deviation, limit, &mut inside)?;
+    let max = limit as f64;
+    let count = |curve: C| curve.borrow().chord_count(tolerance);
+    if curves().map(enough).sum::<f64>() <= max || curves().map(count).sum::<f64>() < max {
+        return Ok(());
     }
-    Ok(())
+    Err(Error::too_many("vertices", limit, limit.saturating_add(1)))
 }

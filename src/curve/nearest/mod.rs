@@ -125,7 +125,7 @@ fn on_segment<P: Point>(a: P, b: P) -> f64 {
 
 /// A curve of degree 2 or 3 as a cubic.
 #[inline]
-fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
+pub(crate) fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
     match *points {
         [a, b, c] => Some([a, b.lerp(a, 1.0 / 3.0), b.lerp(c, 1.0 / 3.0), c]),
         [a, b, c, d] => Some([a, b, c, d]),
