@@ -19,6 +19,7 @@ export {};
 /** @typedef {import("./geometry/spline/spline-value.js").SplineJSON} SplineJSON */
 /** @typedef {import("./geometry/interpolate.js").InterpolateOptions} InterpolateOptions */
 /** @typedef {import("./geometry/spline/spline.js").FitOptions} FitOptions */
+/** @typedef {import("./geometry/spline/spline.js").SimplifyOptions} SimplifyOptions */
 /** @typedef {import("./geometry/bspline.js").BSplineOptions} BSplineOptions */
 /** @typedef {import("./geometry/bspline.js").BSpline} BSpline */
 /** @typedef {import("./geometry/joints.js").JointMode} JointMode */

@@ -17,6 +17,7 @@ pub(crate) mod length;
 mod moments;
 mod nearest;
 mod shapes;
+mod simplify;
 mod stroke;
 mod trace;
 pub(crate) mod winding;

@@ -231,7 +231,7 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// 2 atan2(|u − v|, |u + v|) for unit vectors, which is accurate for small and for large angles.
-fn angle_between<P: Point>(u: P, v: P) -> f64 {
+pub(crate) fn angle_between<P: Point>(u: P, v: P) -> f64 {
     let (u, v) = (u.normalize_or_zero(), v.normalize_or_zero());
     2.0 * (u - v).length().atan2((u + v).length())
 }

@@ -197,7 +197,7 @@ impl<P: Point> FitSamples<P> {
     fn keeps(&self, cubic: &[P; 4], from: usize, to: usize, samples: &[(usize, f64)]) -> bool {
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((from, 0.0), known.next().unwrap_or((to, 1.0)));
-        let mut last: (f64, f64) = (0.0, 0.0);
+        let mut last: (f64, f64) = (0.0, (self.joints[from] - self.points[from]).length());
         for index in from + 1..=to {
             while index > right.0 {
                 (left, right) = (right, known.next().unwrap_or((to, 1.0)));

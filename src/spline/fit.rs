@@ -1,18 +1,19 @@
 //! Curve fitting: a spline through a sequence of sampled points.
 
 use super::Spline;
-use super::corners::corners;
+use super::corners::{angle_between, corners};
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::polyline::SampledPolyline;
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
-use crate::geometry::point::Point;
+use crate::geometry::point::{CrossProduct, Point};
+use crate::numeric::sort::sort_by;
 use std::f64::consts::PI;
 
 /// The default of the corner angle: 36°.
-const DEFAULT_CORNER_ANGLE: f64 = PI / 5.0;
+pub(crate) const DEFAULT_CORNER_ANGLE: f64 = PI / 5.0;
 
 /// Joints are moved by at least and at most these parts of the tolerance.
 const MIN_SHIFT: f64 = 0.05;
@@ -66,11 +67,17 @@ impl<P: Point> Spline<P> {
             let ends = if closed { 1 } else { 2 };
             return Ok(Self::from_parts(vec![kept[0]; ends], &[1], closed));
         }
-        Ok(CurveFitter::new(&kept, tolerance, corner_angle, closed).fitted())
+        let fitter = CurveFitter::new(&kept, tolerance, corner_angle, closed);
+        let criteria = FitCriteria {
+            // Reserve a part of the tolerance for the rounding of the result.
+            tolerance: fitter.tolerance * (1.0 - ROUNDING_SHARE),
+            between: false,
+        };
+        Ok(fitter.fitted(criteria, None))
     }
 }
 
-fn check_corner_angle(angle: f64) -> Result<(), Error> {
+pub(crate) fn check_corner_angle(angle: f64) -> Result<(), Error> {
     if angle > 0.0 && angle <= PI {
         return Ok(());
     }
@@ -82,7 +89,7 @@ fn check_corner_angle(angle: f64) -> Result<(), Error> {
 }
 
 /// The input points, translated to the origin and scaled to a size of about 1.
-struct CurveFitter<'a, P: Point> {
+pub(crate) struct CurveFitter<'a, P: Point> {
     input: &'a [P],
     normalized: Normalized<P>,
     polyline: SampledPolyline<P>,
@@ -92,7 +99,8 @@ struct CurveFitter<'a, P: Point> {
 }
 
 impl<'a, P: Point> CurveFitter<'a, P> {
-    fn new(input: &'a [P], tolerance: f64, corner_angle: f64, closed: bool) -> Self {
+    /// Expects at least two points; those of a closed polyline end with the first one.
+    pub(crate) fn new(input: &'a [P], tolerance: f64, corner_angle: f64, closed: bool) -> Self {
         let normalized = Normalized::around(input[0], input);
         let polyline = SampledPolyline::new(normalized.points(input), closed);
         let tolerance = tolerance * normalized.scale;
@@ -105,27 +113,70 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         }
     }
 
-    fn fitted(self) -> Spline<P> {
-        let smoothed = self.smoothed();
+    /// The indices of the corners, in increasing order.
+    pub(crate) fn corners(&self) -> &[usize] {
+        &self.corners
+    }
+
+    pub(crate) fn add_corners(&mut self, indices: Vec<usize>) {
+        self.corners.extend(indices);
+        sort_by(&mut self.corners, |a, b| a.cmp(b));
+        self.corners.dedup();
+    }
+
+    /// The angle by which the polyline turns at a point, over arms of at least some tolerances.
+    pub(crate) fn turn_at(&self, k: usize, arm: f64) -> f64 {
+        let period = self.polyline.period();
+        let here = self.polyline.point(k);
+        let is_far = |p: &P| (*p - here).length() >= arm * self.tolerance;
+        let [before, after] = [false, true].map(|ahead| {
+            let (room, at) = match (self.polyline.is_closed(), ahead) {
+                (true, _) => (period - 1, k + period),
+                (false, true) => (period - 1 - k, k),
+                (false, false) => (k, k),
+            };
+            let point = |steps: usize| {
+                let index = if ahead { at + steps } else { at - steps };
+                self.polyline.point(index)
+            };
+            (1..=room)
+                .map(point)
+                .find(is_far)
+                .unwrap_or_else(|| point(room))
+        });
+        angle_between(here - before, after - here)
+    }
+
+    /// A spline within a distance of the polyline, with the given tangents before and after each point or smoothed ones.
+    pub(crate) fn within(self, distance: f64, tangents: Option<Vec<[P; 2]>>) -> Spline<P> {
+        let criteria = FitCriteria {
+            tolerance: distance * self.normalized.scale,
+            between: true,
+        };
+        self.fitted(criteria, tangents)
+    }
+
+    fn fitted(self, criteria: FitCriteria, tangents: Option<Vec<[P; 2]>>) -> Spline<P> {
         let points = &self.polyline.points;
         let last = points.len() - 1;
         let mut stops = vec![0];
         stops.extend(self.corners.iter().filter(|&&k| k > 0));
         stops.push(last);
-        let joints: Vec<P> = (0..=last).map(|k| self.joint(k, &smoothed)).collect();
-        let tangents: Vec<[P; 2]> = (0..=last)
-            .map(|k| smoothed[k % self.polyline.period()].tangents)
-            .collect();
+        let (joints, tangents) = match tangents {
+            Some(tangents) => (points.clone(), tangents),
+            None => {
+                let smoothed = self.smoothed();
+                let at = |k: usize| smoothed[k % self.polyline.period()].tangents;
+                let joints = (0..=last).map(|k| self.joint(k, &smoothed)).collect();
+                (joints, (0..=last).map(at).collect())
+            }
+        };
         let samples = FitSamples {
             lengths: chord_lengths(&joints),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
             points: points.clone(),
             joints: joints.clone(),
-            criteria: FitCriteria {
-                // Reserve a part of the tolerance for the rounding of the result.
-                tolerance: self.tolerance * (1.0 - ROUNDING_SHARE),
-                between: false,
-            },
+            criteria,
         };
         let cubics = samples.cover_all(&tangents, &stops);
         assemble(&self.normalized, &cubics, self.polyline.is_closed(), |k| {
@@ -202,19 +253,42 @@ struct SmoothedPoint<P> {
 /// The part of the tolerance that is reserved for rounding.
 pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
 
-/// The spline of fitted cubics, scaled back, with the given joints.
-pub(crate) fn assemble<P: Point>(
+/// A cubic whose handles are within this part of its length of its chord is a line.
+const STRAIGHT: f64 = 1e-9;
+
+/// The spline of fitted cubics, scaled back, with the given joints. Cubics that are straight become lines.
+fn assemble<P: Point>(
     normalized: &Normalized<P>,
     cubics: &[(usize, [P; 2])],
     closed: bool,
     joint: impl Fn(usize) -> P,
 ) -> Spline<P> {
     let mut points = vec![joint(0)];
-    for &(to, [p1, p2]) in cubics {
-        points.extend([normalized.back(p1), normalized.back(p2), joint(to)]);
+    let mut degrees = Vec::with_capacity(cubics.len());
+    for &(to, handles) in cubics {
+        let [p1, p2] = handles.map(|p| normalized.back(p));
+        let (from, end) = (points[points.len() - 1], joint(to));
+        if is_line([from, p1, p2, end]) {
+            degrees.push(1);
+        } else {
+            points.extend([p1, p2]);
+            degrees.push(3);
+        }
+        points.push(end);
     }
     if closed {
         points.pop();
     }
-    Spline::from_parts(points, &vec![3; cubics.len()], closed)
+    Spline::from_parts(points, &degrees, closed)
+}
+
+/// Whether a cubic is straight and does not pass its ends.
+fn is_line<P: Point>([a, b, c, d]: [P; 4]) -> bool {
+    let chord = d - a;
+    let square = chord.dot(chord);
+    square > 0.0
+        && [b, c].into_iter().all(|p| {
+            let gap = p - a;
+            (0.0..=square).contains(&gap.dot(chord)) && chord.cross(gap).size() <= STRAIGHT * square
+        })
 }

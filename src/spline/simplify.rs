@@ -1,12 +1,11 @@
 //! Simplification: approximation of a spline by fewer segments.
 
 use super::Spline;
-use super::cubics::{FitCriteria, FitSamples, chord_lengths};
-use super::fit::{ROUNDING_SHARE, assemble};
+use super::corners::angle_between;
+use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, ROUNDING_SHARE, check_corner_angle};
 use crate::curve::flatten::{Polyline, check_vertices};
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
-use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::work_limit::WorkLimit;
@@ -21,17 +20,22 @@ const MAX_VERTICES_PER_SEGMENT: usize = 1 << 12;
 /// The maximum number of cubics that replace a segment of a higher degree whose polyline would have too many vertices.
 const MAX_CUBICS_PER_SEGMENT: usize = 1 << 12;
 
-/// Tangents that differ by more than this, as the distance of unit vectors (3°), make a corner.
-const CORNER: f64 = 0.05;
+/// Tangents that differ by less than this, as the distance of unit vectors (3°), are those of a smooth joint.
+const SMOOTH: f64 = 0.05;
+
+/// The length of the arms over which a joint must turn to be a corner, in tolerances.
+const ARM: f64 = 8.0;
 
 impl<P: Point> Spline<P> {
-    /// A spline of fewer cubics such that each point of one spline lies within `tolerance` of the other one.
+    /// A spline of fewer lines and cubics such that each point of one spline lies within `tolerance` of the other one.
     ///
-    /// Corners (joints where the tangent turns by more than 3°) and ends are kept; the other joints are smooth. The
-    /// spline is replaced by a polyline within 1/32 of the tolerance. For each cubic the distance at each vertex is
-    /// checked, and the distance of the cubic from its chords between the feet of the vertices must be within the rest
-    /// of the tolerance. If the result does not have fewer segments and no segment is above degree 3, the spline is
-    /// returned unchanged. A spline that is a point is returned unchanged too.
+    /// Corners and ends are kept; the other joints are smooth, or lie where the turn cannot be removed within the
+    /// tolerance. A corner turns by more than 36° over arms of 8, 16 or 32 tolerances, as in [`fit`](Self::fit); see
+    /// [`simplify_with`](Self::simplify_with) for another angle. The spline is replaced by a polyline within 1/32 of the
+    /// tolerance. For each cubic the distance at each vertex is checked, and the distance of the cubic from its chords
+    /// between the feet of the vertices must be within the rest of the tolerance. If the result does not have fewer
+    /// segments and no segment is above degree 3, the spline is returned unchanged. A spline that is a point is returned
+    /// unchanged too.
     ///
     /// The work grows slightly faster than the number of vertices of the polyline. If more than 4096 vertices per
     /// segment were needed (tolerances below about 10⁻⁷ of the size of a segment), the number of segments is not
@@ -41,44 +45,53 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`flatten`](Self::flatten) for the tolerance; [`Error::TooMany`] if more than 4096 of those cubics per
     /// segment are needed.
+    ///
+    /// ```
+    /// use casteljau::{Spline, glam::DVec2};
+    ///
+    /// let corner = |k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 120.0) * 100.0;
+    /// let polygon = Spline::new(&(0..120).map(corner).collect::<Vec<_>>(), 1, true)?;
+    /// assert!(polygon.simplify(0.5)?.segment_count() <= 6);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
     pub fn simplify(&self, tolerance: f64) -> Result<Self, Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
-        let plain = self.degrees().iter().all(|&degree| degree <= 3);
-        let (kept, tangents, corners) = match self.vertices(share) {
-            Err(Error::TooMany { .. }) if plain => return Ok(self.clone()),
-            Err(Error::TooMany { .. }) => return self.in_cubics(tolerance),
-            vertices => vertices?,
-        };
-        if kept.len() < 2 {
-            return Ok(self.clone());
-        }
-        let normalized = Normalized::around(kept[0], &kept);
-        let points: Vec<P> = normalized.points(&kept);
-        let fit_samples = FitSamples {
-            lengths: chord_lengths(&points),
-            tangents: tangents.iter().map(|pair| pair[1]).collect(),
-            joints: points.clone(),
-            points,
-            criteria: FitCriteria {
-                tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * normalized.scale,
-                between: true,
-            },
-        };
-        let cubics = fit_samples.cover_all(&tangents, &corners);
-        if plain && cubics.len() >= self.segment_count() {
-            return Ok(self.clone());
-        }
-        Ok(assemble(&normalized, &cubics, self.closed, |k| kept[k]))
+        self.simplify_with(tolerance, DEFAULT_CORNER_ANGLE)
     }
 
-    /// The distinct vertices of a polyline, the tangents before and after each vertex, and the indices of corners and
-    /// ends.
-    #[allow(clippy::type_complexity, reason = "three parallel lists")]
-    fn vertices(&self, share: f64) -> Result<(Vec<P>, Vec<[P; 2]>, Vec<usize>), Error> {
-        let mut kept: Vec<P> = Vec::new();
-        let mut tangents: Vec<[P; 2]> = Vec::new();
-        let mut corners = vec![0];
+    /// [`simplify`](Self::simplify) with the smallest turn that is kept as a corner, in radians, above 0 and at most π.
+    ///
+    /// # Errors
+    /// As [`simplify`](Self::simplify); [`Error::Range`] for the angle.
+    pub fn simplify_with(&self, tolerance: f64, corner_angle: f64) -> Result<Self, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        check_corner_angle(corner_angle)?;
+        let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
+        let plain = self.degrees().iter().all(|&degree| degree <= 3);
+        let source = match self.vertices(share) {
+            Err(Error::TooMany { .. }) if plain => return Ok(self.clone()),
+            Err(Error::TooMany { .. }) => return self.in_cubics(tolerance),
+            source => source?,
+        };
+        if source.points.len() < 2 {
+            return Ok(self.clone());
+        }
+        let spline = source.simplified(
+            (tolerance * (1.0 - ROUNDING_SHARE) - share, tolerance),
+            corner_angle,
+            self.closed,
+        );
+        if plain && spline.segment_count() >= self.segment_count() {
+            return Ok(self.clone());
+        }
+        Ok(spline)
+    }
+
+    /// The distinct vertices of a polyline, and the tangents before and after each vertex.
+    fn vertices(&self, share: f64) -> Result<Vertices<P>, Error> {
+        let mut source = Vertices {
+            points: Vec::new(),
+            tangents: Vec::new(),
+        };
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
         check_vertices(|| self.segments(), share, limit)?;
         for curve in self.segments() {
@@ -86,21 +99,61 @@ impl<P: Point> Spline<P> {
             line.append(&curve, 0.0, share);
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
-                if kept.last() != Some(&p) {
-                    kept.push(p);
-                    tangents.push([tangent; 2]);
+                if source.points.last() != Some(&p) {
+                    source.points.push(p);
+                    source.tangents.push([tangent; 2]);
                 } else if k == 0 && tangent != P::default() {
-                    let index = tangents.len() - 1;
-                    tangents[index][1] = tangent;
-                    if index > 0 && (tangent - tangents[index][0]).length() > CORNER {
-                        corners.push(index);
-                    }
+                    let index = source.tangents.len() - 1;
+                    source.tangents[index][1] = tangent;
                 }
             }
         }
-        corners.push(kept.len() - 1);
-        corners.dedup();
-        Ok((kept, tangents, corners))
+        Ok(source)
+    }
+}
+
+/// A polyline next to a spline, with the tangents of the spline before and after each vertex.
+struct Vertices<P> {
+    points: Vec<P>,
+    tangents: Vec<[P; 2]>,
+}
+
+impl<P: Point> Vertices<P> {
+    /// The spline fitted to the polyline within a distance; the tolerance is the scale of corners.
+    fn simplified(
+        mut self,
+        (distance, tolerance): (f64, f64),
+        corner_angle: f64,
+        closed: bool,
+    ) -> Spline<P> {
+        let last = self.points.len() - 1;
+        let closed = closed && last > 1;
+        if closed {
+            // The first and the last vertex are one.
+            let around = [self.tangents[last][0], self.tangents[0][1]];
+            (self.tangents[0], self.tangents[last]) = (around, around);
+        }
+        let mut fitter = CurveFitter::new(&self.points, tolerance, corner_angle, closed);
+        let turns = self
+            .tangents
+            .iter()
+            .map(|[before, after]| angle_between(*before, *after));
+        let inner = if closed { 0..last } else { 1..last };
+        let sharp = turns.enumerate().filter(|&(k, turn)| {
+            inner.contains(&k) && turn > corner_angle && fitter.turn_at(k, ARM) > corner_angle
+        });
+        let sharp: Vec<usize> = sharp.map(|(k, _)| k).collect();
+        fitter.add_corners(sharp);
+        let is_corner = |k: usize| fitter.corners().binary_search(&(k % last)).is_ok();
+        let mut is_smooth = true;
+        for (k, pair) in self.tangents.iter_mut().enumerate() {
+            let [before, after] = *pair;
+            if !is_corner(k) && before != after {
+                is_smooth &= (after - before).length() <= SMOOTH;
+                *pair = [(before + after).normalize_or_zero(); 2];
+            }
+        }
+        fitter.within(distance, is_smooth.then_some(self.tangents))
     }
 }
 

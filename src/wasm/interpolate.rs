@@ -66,8 +66,11 @@ pub fn spline_fit(
     })
 }
 
-/// Writes the simplified spline.
+/// Writes the simplified spline; a corner angle of 0 stands for the default.
 #[wasm_bindgen]
-pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
-    changed(dimension, |_, spline, _| spline.simplify(tolerance))
+pub fn spline_simplify(dimension: usize, tolerance: f64, corner_angle: f64) -> isize {
+    changed(dimension, |_, spline, _| match optional(corner_angle) {
+        Some(angle) => spline.simplify_with(tolerance, angle),
+        None => spline.simplify(tolerance),
+    })
 }

@@ -12,7 +12,7 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 36] = [
+const WITHIN_OTHERS: [&str; 38] = [
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads
@@ -49,6 +49,8 @@ const WITHIN_OTHERS: [&str; 36] = [
     "Surface::eval", // tests/surface/bicubic.rs
     "Spline::flatten_with",
     "Path::flatten_with",
+    "Spline::simplify_with", // tests/spline/simplify.rs
+    "Path::simplify_with",
 ];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {

@@ -138,7 +138,7 @@ groups! {
     paths_queries {
         Path one (paths accessors): new subpath_count segment_count is_empty subpaths segments;
         Path one (paths): subpath approx_eq bounds control_bounds length time_at_length equidistant_times;
-        Path one (paths): area moments flatten transform reverse nearest winding_number contains;
+        Path one (paths): area moments flatten simplify transform reverse nearest winding_number contains;
         Path one (paths): intersections self_intersections;
         Path one (drawing): elements;
         Path of (drawing): trace to_svg;

@@ -160,6 +160,13 @@ pub(crate) fn flatten(path: Path, tolerance: f64) -> Checked {
     Ok(())
 }
 
+pub(crate) fn simplify(path: Path, tolerance: f64) -> Checked {
+    let simple = answer!(path.simplify(tolerance), "tolerance");
+    let expected = path.subpaths().map(|spline| spline.simplify(tolerance));
+    let expected = expected.collect::<Result<Vec<_>, _>>()?;
+    same(splines(&simple), expected, "the subpaths")
+}
+
 pub(crate) fn transform(path: Path, map: DAffine2) -> Checked {
     let image = answer!(path.transform(&map), "image");
     let images = path.subpaths().map(|spline| spline.transform(&map));

@@ -114,7 +114,7 @@ test("contradictory options", () => {
 /** Methods without arguments, and methods with one. @type {[any, string, string][]} */
 const METHODS = [
   [cubic, "reduce extrema selfIntersections area", "flatten intersections pointAtLength subdivide"],
-  [seven, "extrema selfIntersections area", "flatten intersections length pointAtLength simplify insert"],
+  [seven, "extrema selfIntersections area", "flatten intersections length pointAtLength insert"],
   [path, "bounds extrema selfIntersections", "flatten intersections length roundCorners"],
   [patch, "elevate bounds area flatness", ""],
   [surface, "bounds area volume toText", "subdivide"],

@@ -9,6 +9,7 @@ mod joints;
 mod measure;
 mod move_point;
 mod queries;
+mod simplify;
 
 use crate::support::{Rng, Space, random_points};
 use casteljau::glam::DVec3;

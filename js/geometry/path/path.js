@@ -25,6 +25,7 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  * @import { PathValue } from "./path-value.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { PathSegment } from "../../io/path-data.js"
+ * @import { SimplifyOptions } from "../spline/spline.js"
  * @import { SplineJSON } from "../spline/spline-value.js"
  */
 
@@ -285,6 +286,22 @@ export class Path extends PathRegions {
    */
   static faces(paths, options) {
     return regions.faces(paths, options).map(({ packed, inside }) => ({ path: pathOf(packed), inside }));
+  }
+
+  /**
+   * A path of fewer lines and cubics: each subpath is simplified as by `Spline.simplify`, so the Hausdorff distance of a
+   * subpath from its original is at most the tolerance.
+   *
+   *     Path.fromSVG(traced).simplify(0.5).toSVG({ precision: 2 });
+   *
+   * @param {number} tolerance the largest distance, in the unit of the path
+   * @param {SimplifyOptions} [options]
+   * @returns {this}
+   */
+  simplify(tolerance, options) {
+    check.positive(tolerance, "tolerance");
+    const splines = this.subpaths.map((spline) => spline.simplify(tolerance, options));
+    return this._pathOf(Path.from(splines)._packed);
   }
 
   /**

@@ -36,6 +36,13 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @property {number} [cornerAngle] the smallest turn, in radians, that is a corner: π/5 by default, at most π
  */
 
+/**
+ * Options of `simplify`.
+ *
+ * @typedef {object} SimplifyOptions
+ * @property {number} [cornerAngle] the smallest turn, in radians, that is a corner: π/5 by default, at most π
+ */
+
 /** @type {readonly ("round" | "miter" | "bevel")[]} in the order of the core */
 const JOINS = ["round", "miter", "bevel"];
 
@@ -170,22 +177,24 @@ export class Spline extends SplineMeasures {
   }
 
   /**
-   * A spline with fewer cubic segments whose Hausdorff distance from this one is at most the tolerance. Corners are
-   * kept. If the number of segments cannot be reduced and no degree is above 3, the spline is returned unchanged;
-   * segments of higher degrees become cubics, as many as the tolerance requires.
+   * A spline of fewer lines and cubics whose Hausdorff distance from this one is at most the tolerance. Turns by more
+   * than `cornerAngle` over arms of 8, 16 or 32 tolerances stay corners, the other joints are smooth, or lie where the
+   * turn cannot be removed within the tolerance. If the number of segments cannot be reduced and no degree is above 3,
+   * the spline is returned unchanged; segments of higher degrees become cubics, as many as the tolerance requires.
    *
    * If more than 4096 vertices per segment would be needed (tolerances below about 1e-7 of its size), segments of
    * degree up to 3 are returned unchanged, and higher degrees as cubics with the same tangents, at most 4096 for each
    * segment (else a RangeError).
    *
    * @param {number} tolerance the largest distance, in the unit of the points
-   * @param {never[]} surplus
+   * @param {SimplifyOptions} [options]
    * @returns {this}
    */
-  simplify(tolerance, ...surplus) {
-    check.noSurplus(surplus, "simplify", 1);
+  simplify(tolerance, options) {
+    const { cornerAngle } = check.options(options, ["cornerAngle"]);
     check.positive(tolerance, "tolerance");
-    return this._read(core().spline_simplify(this._write(), tolerance));
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
+    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0));
   }
 
   /**

@@ -5,7 +5,7 @@ use super::contacts::{Contact, contacts};
 use super::edges::Edges;
 use super::faces::Faces;
 use super::order::Order;
-use super::segments::{Role, Segments};
+use super::segments::{Role, Segment, Segments};
 use super::union_find::UnionFind;
 use super::windings::{Windings, visit_faces};
 use crate::geometry::bounds::Bounds;
@@ -46,13 +46,16 @@ impl Arrangement {
             return Ok(attempt.with(segments));
         }
         let polygons = segments.on_grid()?;
-        match Attempt::consistent(&polygons)? {
-            Some(attempt) => Ok(attempt.with(polygons)),
-            None => Err(Error::too_many(
+        let attempt = Attempt::of_arcs(&polygons, &tree_of(&polygons), Arcs::whole(&polygons), 0.0);
+        if attempt.is_consistent(&polygons) {
+            Ok(attempt.with(polygons))
+        } else {
+            let attempts = TOLERANCES.len() + 1;
+            Err(Error::too_many(
                 "attempts to divide the plane",
-                2 * TOLERANCES.len(),
-                2 * TOLERANCES.len() + 1,
-            )),
+                attempts,
+                attempts + 1,
+            ))
         }
     }
 
@@ -82,12 +85,7 @@ impl Arrangement {
 impl Attempt {
     /// The first attempt that does not contradict itself.
     fn consistent(segments: &Segments) -> Result<Option<Self>, Error> {
-        let boxes: Vec<Bounds<DVec2>> = segments
-            .list
-            .iter()
-            .map(|segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon)))
-            .collect();
-        let tree = BoxTree::new(&boxes);
+        let tree = tree_of(segments);
         let contacts = contacts(segments, &tree)?;
         Ok(TOLERANCES
             .iter()
@@ -97,7 +95,12 @@ impl Attempt {
 
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
         let arcs = Arcs::new(segments, contacts, tolerance);
-        let edges = Edges::new(segments, &arcs, 2.0 * tolerance);
+        Self::of_arcs(segments, tree, arcs, 2.0 * tolerance)
+    }
+
+    /// The faces between arcs; those within a distance of each other become one edge.
+    fn of_arcs(segments: &Segments, tree: &BoxTree, arcs: Arcs, distance: f64) -> Self {
+        let edges = Edges::new(segments, &arcs, distance);
         let order = Order::new(&arcs, &edges);
         let faces = Faces::new(segments, tree, &arcs, &edges, &order);
         Self { arcs, edges, faces }
@@ -117,4 +120,11 @@ impl Attempt {
             faces,
         }
     }
+}
+
+/// The tree of the boxes of the segments, enlarged by epsilon.
+fn tree_of(segments: &Segments) -> BoxTree {
+    let enlarged = |segment: &Segment| segment.bounds.enlarged(DVec2::splat(segments.epsilon));
+    let boxes: Vec<Bounds<DVec2>> = segments.list.iter().map(enlarged).collect();
+    BoxTree::new(&boxes)
 }

@@ -15,7 +15,7 @@ use glam::DVec2;
 
 /// The steps that the search for contacts may take: for each segment and for each contact that is found, and in addition
 /// for any number of them. A step is a comparison of two boxes, about 5 ns.
-const STEPS_PER_ITEM: usize = 1 << 13;
+pub(super) const STEPS_PER_ITEM: usize = 1 << 13;
 const FURTHER_STEPS: usize = 1 << 30;
 
 /// The steps of the comparison of two segments whose boxes overlap: whether one is beside the other, the examination of

@@ -5,47 +5,54 @@
 //! only. In units of the grid all differences of coordinates are integers of at most 25 bits, so the side of a line on
 //! which a point lies is exact. Source: Halperin and Packer, "Iterated snap rounding", Computational Geometry 23 (2002).
 
-use super::contacts::steps_for;
+use super::contacts::{STEPS_PER_ITEM, steps_for};
 use super::segments::{Segment, Segments};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::box_tree::BoxTree;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, unit_scale};
+use crate::numeric::float::{as_f64, ratio, unit_scale};
 use crate::numeric::sort::sort_by;
 use glam::DVec2;
 
-/// The width of all outlines is between 2²³ and 2²⁴ cells.
+/// The larger side of the box around all outlines has 2²³ to 2²⁴ cells, or fewer where cells would be smaller than this
+/// part of the largest coordinate: no corners are within ε of each other.
 const CELLS: f64 = (1 << 23) as f64;
+const SMALLEST_CELL: f64 = 1.0 / (1_u64 << 43) as f64;
 
-/// The largest distance of a polygon from its outline before its corners are rounded, in cells.
-const DEVIATION: f64 = 8.0;
+/// The smallest and the largest distance of a polygon from its outline before its corners are rounded, in cells: 2⁻²⁰ and
+/// 2⁻¹⁵ of the larger side. It is larger than the smallest one if there would be more chords than this number.
+const DEVIATIONS: [f64; 2] = [8.0, 256.0];
+const MANY_CHORDS: f64 = 2048.0;
 
 /// The largest number of chords of all outlines together.
 const MAX_CHORDS: usize = 1 << 22;
 
-/// Each pass cuts lines into shorter ones. In the second one only few are left, next to the cuts of the first.
-const MAX_PASSES: usize = 64;
+/// Each pass cuts lines into shorter ones. Mostly four or five are enough; nearly parallel lines may need hundreds.
+const MAX_PASSES: usize = 1024;
 
 /// A line from corner to corner, in units of the grid, and the segment that it is a part of.
 #[derive(Clone, Copy)]
 struct Line {
     ends: [DVec2; 2],
     segment: usize,
+    /// Whether the last pass made it.
+    is_new: bool,
 }
 
 impl Segments {
-    /// Polygons within about 10⁻⁶ of the size of the segments, whose lines meet in common corners only.
+    /// Polygons within about 2⁻¹⁵ of the size of the segments, whose lines meet in common corners only.
     ///
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²² chords, too many pairs of lines that may cross, or more than 64 passes.
+    /// [`Error::TooMany`] for more than 2²² chords, too many pairs of lines that may cross, or more than 1024 passes.
     pub(super) fn on_grid(&self) -> Result<Self, Error> {
-        let size = self
-            .bounds()
-            .map_or(0.0, |all| (all.max - all.min).max_element());
-        let cells = CELLS * unit_scale(size);
-        let lines = noded(self.chords(cells)?)?;
+        let Some(all) = self.bounds() else {
+            return Err(Error::too_many("passes of the division on a grid", 0, 1)); // no segments, no contradiction
+        };
+        let size = (all.max - all.min).max_element();
+        let cells = (CELLS * unit_scale(size)).min(1.0 / SMALLEST_CELL);
+        let lines = noded(self.chords(all, cells)?)?;
         let mut polygons = Self {
             list: Vec::with_capacity(lines.len()),
             joints: Vec::with_capacity(lines.len()),
@@ -56,7 +63,7 @@ impl Segments {
         };
         let ends: Vec<[DVec2; 2]> = lines
             .iter()
-            .map(|line| line.ends.map(|p| p / cells))
+            .map(|line| line.ends.map(|p| all.min + p / cells))
             .collect();
         let mut from = 0;
         for subpath in self.list.chunk_by(|_, next| !next.is_first) {
@@ -75,10 +82,18 @@ impl Segments {
 
     /// The chords of the segments between rounded corners. Equal steps of √(n(n−1)/8 · |Δ²P| / tolerance) are sufficient
     /// (Wang, "The subdivision method for finding the intersection between two Bézier curves or surfaces", 1984).
-    fn chords(&self, cells: f64) -> Result<Vec<Line>, Error> {
+    fn chords(&self, all: Bounds<DVec2>, cells: f64) -> Result<Vec<Line>, Error> {
+        let last = ((all.max - all.min) * cells).floor();
+        let [finest, coarsest] = DEVIATIONS;
+        let counts = self
+            .list
+            .iter()
+            .map(|curve| chord_count(curve, cells / finest));
+        let many = counts.map(as_f64).sum::<f64>() / MANY_CHORDS;
+        let deviation = (finest * many * many).clamp(finest, coarsest);
         let mut lines = Vec::new();
         for (segment, curve) in self.list.iter().enumerate() {
-            let steps = chord_count(curve, cells);
+            let steps = chord_count(curve, cells / deviation);
             let needed = lines.len().saturating_add(steps);
             if needed > MAX_CHORDS {
                 return Err(Error::too_many(
@@ -87,7 +102,10 @@ impl Segments {
                     needed,
                 ));
             }
-            let corner = |k| (evaluate(&curve.points, ratio(k, steps)) * cells).round();
+            let corner = |k| {
+                let p = evaluate(&curve.points, ratio(k, steps)) - all.min;
+                (p * cells).round().min(last).max(DVec2::ZERO)
+            };
             let mut from = corner(0);
             for k in 1..=steps {
                 let to = corner(k);
@@ -95,6 +113,7 @@ impl Segments {
                     lines.push(Line {
                         ends: [from, to],
                         segment,
+                        is_new: true,
                     });
                 }
                 from = to;
@@ -109,50 +128,53 @@ impl Segments {
     clippy::cast_sign_loss,
     reason = "a square root, at least 1; a count that is too large is refused"
 )]
-fn chord_count(curve: &Segment, cells: f64) -> usize {
+fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
     let second = |p: &[DVec2]| Point::length((p[2] - p[1]) - (p[1] - p[0]));
     let largest = curve.points.windows(3).map(second).fold(0.0, f64::max);
     let n = (curve.points.len() - 1) as f64;
-    let steps = (n * (n - 1.0) * 0.125 * largest * cells / DEVIATION).sqrt();
+    let steps = (n * (n - 1.0) * 0.125 * largest * per_deviation).sqrt();
     steps.ceil().max(1.0) as usize
 }
 
 /// The lines, cut until they meet in common corners only.
 fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
+    let mut work = steps_for(lines.len());
+    // After the first pass only lines that were cut are compared, with all.
     for _ in 0..MAX_PASSES {
         let boxes: Vec<Bounds<DVec2>> = lines
             .iter()
             .map(|line| Bounds::from_points(&line.ends))
             .collect();
+        let new: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].is_new).collect();
+        let boxes_of_new: Vec<Bounds<DVec2>> = new.iter().map(|&k| boxes[k]).collect();
         let mut cuts = Vec::new();
-        let mut work = steps_for(lines.len());
-        BoxTree::new(&boxes).pairs_within(&mut work, |i, j, work| {
-            let before = cuts.len();
-            cut_pair(&lines, [i, j], &mut cuts);
-            work.raise_limit(1, cuts.len() - before);
+        BoxTree::new(&boxes).pairs_with(&BoxTree::new(&boxes_of_new), &mut work, |i, j| {
+            cut_pair(&lines, [i, new[j]], &mut cuts);
         });
         Error::unless_within("steps of the division on a grid", &work)?;
         if cuts.is_empty() {
             return Ok(lines);
         }
+        work.raise_limit(STEPS_PER_ITEM, cuts.len());
         lines = cut(&lines, cuts);
         if lines.len() > MAX_CHORDS {
+            let needed = lines.len();
             return Err(Error::too_many(
                 "chords of the outlines",
                 MAX_CHORDS,
-                lines.len(),
+                needed,
             ));
         }
     }
-    Err(Error::too_many(
-        "passes of the division on a grid",
-        MAX_PASSES,
-        MAX_PASSES + 1,
-    ))
+    let passes = "passes of the division on a grid";
+    Err(Error::too_many(passes, MAX_PASSES, MAX_PASSES + 1))
 }
 
 /// Adds the corners at which two lines are cut: ends of the other one in whose cell a line runs, and their crossing.
 fn cut_pair(lines: &[Line], pair: [usize; 2], cuts: &mut Vec<(usize, DVec2)>) {
+    if pair[0] == pair[1] {
+        return;
+    }
     let [a, b] = pair.map(|k| lines[k].ends);
     let mut add = |k: usize, p: DVec2| {
         if !lines[k].ends.contains(&p) {
@@ -199,12 +221,14 @@ fn cut(lines: &[Line], mut cuts: Vec<(usize, DVec2)>) -> Vec<Line> {
         let count = rest.iter().take_while(|cut| cut.0 == k).count();
         let (own, others) = rest.split_at(count);
         rest = others;
+        let is_new = !own.is_empty();
         let [mut from, end] = line.ends;
         for to in own.iter().map(|cut| cut.1).chain([end]) {
             if to != from {
                 parts.push(Line {
                     ends: [from, to],
                     segment: line.segment,
+                    is_new,
                 });
             }
             from = to;
@@ -227,7 +251,12 @@ mod tests {
         let polygons = segments.on_grid().expect("few chords");
         let size = segments.bounds().expect("segments");
         let cells = CELLS * unit_scale((size.max - size.min).max_element());
-        let whole = |p: DVec2| (p * cells).to_array().map(|x| x as i128);
+        let whole = |p: DVec2| {
+            ((p - size.min) * cells)
+                .round()
+                .to_array()
+                .map(|x| x as i128)
+        };
         let ends = |segment: &Segment| [segment.start(), segment.end()].map(whole);
         polygons.list.iter().map(ends).collect()
     }

@@ -57,8 +57,8 @@ impl Path {
     /// coordinate if that is more. The boundary is within ε of the true one. Outlines that run along each other within
     /// 0.4 ε count as one, so coinciding and touching outlines need no special care; parts thinner than that may
     /// disappear. If rounding makes the winding numbers of the parts of the plane contradict each other, polygons
-    /// replace all outlines: lines between points of a grid, within 10⁻⁶ of the larger side of the true boundary. This
-    /// is known only of curves of degree 6 with details of 10⁻⁶ of the size.
+    /// replace all outlines: lines between points of a grid, within 2⁻¹⁵ of the larger side of the true boundary, and
+    /// within 2⁻²⁰ if few lines are enough. This is known only of curves of degree 6 with details of 10⁻⁵ of the size.
     ///
     /// Pairs of segments are found with a tree of boxes: for n segments with k intersections the time is about
     /// (n + k) log (n + k), some microseconds for each. The union of many paths takes one call of

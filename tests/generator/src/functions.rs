@@ -69,7 +69,7 @@ const TABLE: &[&str] = &[
     "Spline Path: flatten (self, tolerance: flatten tolerance)",
     "Spline: intersections (self: self2, other: spline2)",
     "Spline: intersections_with_curve (self: self2, curve: curve2)",
-    "Spline: simplify (self, tolerance: coarse tolerance)",
+    "Spline Path: simplify (self, tolerance: coarse tolerance)",
     "Spline: offset (self: self2, distance: length, tolerance: optional tolerance, join)",
     "Spline: chain (self, map: extreme map, t: spline t, p: point)",
     "Path Patch: new (self)",

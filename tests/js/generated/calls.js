@@ -142,7 +142,7 @@ const PATH = {
     "Path",
     `
     toJSON; subpathCount; bounds; controlBounds; length tolerance; timeAtLength s tolerance; equidistantTimes segments;
-    area; moments; nearest p; windingNumber p; flatten tolerance; intersections other; selfIntersections; reverse;
+    area; moments; nearest p; windingNumber p; flatten tolerance; simplify tolerance; intersections other; selfIntersections; reverse;
     sample segments; pointAtLength s tolerance; extrema
   `,
   ),
