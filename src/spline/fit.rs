@@ -12,6 +12,56 @@ use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::sort::sort_by;
 use std::f64::consts::PI;
 
+/// Options of [`Spline::fit`].
+///
+/// ```
+/// use casteljau::spline::FitOptions;
+///
+/// let options = FitOptions::new(0.5).corner_angle(0.3).closed(true);
+/// assert_eq!(options.tolerance, 0.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+#[non_exhaustive]
+pub struct FitOptions {
+    /// The largest distance of a point from the spline, in the unit of the points.
+    pub tolerance: f64,
+    /// The smallest turn that is kept as a corner, in radians, above 0 and at most π: π/5 (36°) by default.
+    pub corner_angle: f64,
+    /// Whether the spline continues from the last point to the first: false by default.
+    pub closed: bool,
+}
+
+impl FitOptions {
+    /// The options with a tolerance and otherwise the defaults.
+    pub const fn new(tolerance: f64) -> Self {
+        Self {
+            tolerance,
+            corner_angle: DEFAULT_CORNER_ANGLE,
+            closed: false,
+        }
+    }
+
+    /// The options with another corner angle.
+    #[must_use]
+    pub const fn corner_angle(self, corner_angle: f64) -> Self {
+        Self {
+            corner_angle,
+            ..self
+        }
+    }
+
+    /// The options for a closed spline or an open one.
+    #[must_use]
+    pub const fn closed(self, closed: bool) -> Self {
+        Self { closed, ..self }
+    }
+}
+
 /// The default of the corner angle: 36°.
 pub(crate) const DEFAULT_CORNER_ANGLE: f64 = PI / 5.0;
 
@@ -22,14 +72,13 @@ const MAX_SHIFT: f64 = 0.9;
 impl<P: Point> Spline<P> {
     /// A spline of few cubics fitted to points in order, for example a freehand stroke or a dense polyline.
     ///
-    /// Every point lies within `tolerance` of the spline. The spline passes the points in order, except for noise: each
+    /// Every point lies within the tolerance of the spline. The spline passes the points in order, except for noise: each
     /// point lies at most three tolerances from the part of the spline that follows the previous points. The distance
     /// between the points is not bounded, but the handles are at most 1.5 times as long as the chord length of their
     /// points. An open spline starts at the first point and ends at the last. The other joints are input points, or lie
     /// within the tolerance of one where the points have noise.
     ///
-    /// `corner_angle`, in radians, above 0 and at most π, is the smallest turn that is kept as a corner; the default is
-    /// π/5 (36°). Turns are measured over arms of 8, 16 and 32 tolerances, so noise within the tolerance adds no
+    /// Turns by more than the corner angle are kept as corners. They are measured over arms of 8, 16 and 32 tolerances, so noise within the tolerance adds no
     /// corners, and a bend that a smooth curve follows within the tolerance is not a corner. Where neighbouring points are
     /// more than 8 tolerances apart, a turn counts if it is more than twice the turns next to it or above 75°. The other
     /// joints are smooth. Tangents come from parabolas fitted to neighbouring points.
@@ -41,12 +90,12 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// [`Error::Count`] for fewer than 2 points, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`] and
     /// [`Error::Tolerance`] as [`Curve::flatten`](crate::Curve::flatten), [`Error::Range`] for the corner angle.
-    pub fn fit(
-        points: &[P],
-        tolerance: f64,
-        corner_angle: Option<f64>,
-        closed: bool,
-    ) -> Result<Self, Error> {
+    pub fn fit(points: &[P], options: &FitOptions) -> Result<Self, Error> {
+        let FitOptions {
+            tolerance,
+            corner_angle,
+            closed,
+        } = *options;
         if points.len() < 2 {
             return Err(Error::Count {
                 what: "points",
@@ -56,7 +105,6 @@ impl<P: Point> Spline<P> {
         }
         check_points("points", points)?;
         check_tolerance(tolerance, max_abs(points))?;
-        let corner_angle = corner_angle.unwrap_or(DEFAULT_CORNER_ANGLE);
         check_corner_angle(corner_angle)?;
         let mut kept = points.to_vec();
         kept.dedup();

@@ -34,9 +34,11 @@ mod split;
 
 pub use bspline::BSpline;
 pub use continuity::Continuity;
+pub use fit::FitOptions;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;
 pub use offset::OffsetJoin;
+pub use simplify::SimplifyOptions;
 
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, images, max_abs};

@@ -26,6 +26,40 @@ const SMOOTH: f64 = 0.05;
 /// The length of the arms over which a joint must turn to be a corner, in tolerances.
 const ARM: f64 = 8.0;
 
+/// Options of [`Spline::simplify_with`] and [`Path::simplify_with`](crate::Path::simplify_with).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+#[non_exhaustive]
+pub struct SimplifyOptions {
+    /// The largest distance between the original and the result, in the unit of the points.
+    pub tolerance: f64,
+    /// The smallest turn that is kept as a corner, in radians, above 0 and at most π: π/5 (36°) by default.
+    pub corner_angle: f64,
+}
+
+impl SimplifyOptions {
+    /// The options with a tolerance and otherwise the defaults.
+    pub const fn new(tolerance: f64) -> Self {
+        Self {
+            tolerance,
+            corner_angle: DEFAULT_CORNER_ANGLE,
+        }
+    }
+
+    /// The options with another corner angle.
+    #[must_use]
+    pub const fn corner_angle(self, corner_angle: f64) -> Self {
+        Self {
+            corner_angle,
+            ..self
+        }
+    }
+}
+
 impl<P: Point> Spline<P> {
     /// A spline of fewer lines and cubics such that each point of one spline lies within `tolerance` of the other one.
     ///
@@ -55,14 +89,18 @@ impl<P: Point> Spline<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn simplify(&self, tolerance: f64) -> Result<Self, Error> {
-        self.simplify_with(tolerance, DEFAULT_CORNER_ANGLE)
+        self.simplify_with(&SimplifyOptions::new(tolerance))
     }
 
-    /// [`simplify`](Self::simplify) with the smallest turn that is kept as a corner, in radians, above 0 and at most π.
+    /// [`simplify`](Self::simplify) with all options.
     ///
     /// # Errors
     /// As [`simplify`](Self::simplify); [`Error::Range`] for the angle.
-    pub fn simplify_with(&self, tolerance: f64, corner_angle: f64) -> Result<Self, Error> {
+    pub fn simplify_with(&self, options: &SimplifyOptions) -> Result<Self, Error> {
+        let SimplifyOptions {
+            tolerance,
+            corner_angle,
+        } = *options;
         check_tolerance(tolerance, self.max_abs())?;
         check_corner_angle(corner_angle)?;
         let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));

@@ -4,7 +4,7 @@ use super::arena;
 use super::optional;
 use super::spline::{changed, write};
 use crate::curve::Curve;
-use crate::spline::Spline;
+use crate::spline::{FitOptions, SimplifyOptions, Spline};
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -61,7 +61,9 @@ pub fn spline_fit(
 ) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let spline = Spline::fit(&points, tolerance, optional(corner_angle), closed)?;
+        let mut options = FitOptions::new(tolerance).closed(closed);
+        options.corner_angle = optional(corner_angle).unwrap_or(options.corner_angle);
+        let spline = Spline::fit(&points, &options)?;
         Ok(write(a, &spline, dimension))
     })
 }
@@ -69,8 +71,7 @@ pub fn spline_fit(
 /// Writes the simplified spline; a corner angle of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_simplify(dimension: usize, tolerance: f64, corner_angle: f64) -> isize {
-    changed(dimension, |_, spline, _| match optional(corner_angle) {
-        Some(angle) => spline.simplify_with(tolerance, angle),
-        None => spline.simplify(tolerance),
-    })
+    let mut options = SimplifyOptions::new(tolerance);
+    options.corner_angle = optional(corner_angle).unwrap_or(options.corner_angle);
+    changed(dimension, |_, spline, _| spline.simplify_with(&options))
 }

@@ -7,7 +7,7 @@ use casteljau::glam::{DMat4, DVec2, DVec3};
 use casteljau::mesh::{Detail, TessellationOptions, View, Weld, Wire, WireframeOptions};
 use casteljau::models::{Height, Up};
 use casteljau::path::PathBuilder;
-use casteljau::spline::Interpolation;
+use casteljau::spline::{FitOptions, Interpolation};
 use casteljau::{
     Curve, Easing, Error, Grid, MAX_COORDINATE, Patch, Path, Point, Spline, Surface, TeapotOptions,
 };
@@ -150,8 +150,14 @@ fn curves_and_splines<P: Space>() {
         }
         let kind = Interpolation::CatmullRom { alpha: value };
         spline("alpha", Spline::interpolate(&points, kind, false));
-        spline("tolerance", Spline::fit(&points, value, None, false));
-        spline("corner", Spline::fit(&points, 1e-3, Some(value), true));
+        spline("tolerance", Spline::fit(&points, &FitOptions::new(value)));
+        spline(
+            "corner",
+            Spline::fit(
+                &points,
+                &FitOptions::new(1e-3).corner_angle(value).closed(true),
+            ),
+        );
         for basis in [
             Basis::Hermite,
             Basis::CatmullRom,

@@ -49,7 +49,7 @@ const WITHIN_OTHERS: [&str; 38] = [
     "Surface::eval", // tests/surface/bicubic.rs
     "Spline::flatten_with",
     "Path::flatten_with",
-    "Spline::simplify_with", // tests/spline/simplify.rs
+    "Spline::simplify_with", // tests/offset/simplify.rs
     "Path::simplify_with",
 ];
 

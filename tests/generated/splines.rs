@@ -7,7 +7,7 @@ use crate::lines::compares;
 use crate::shared::*;
 use casteljau::Spline;
 use casteljau::glam::DVec3;
-use casteljau::spline::{Interpolation, JointMode};
+use casteljau::spline::{FitOptions, Interpolation, JointMode};
 use casteljau_generator::SplineData;
 
 pub(crate) fn new<P: Space>(points: Vec<P>, degree: usize, closed: bool) -> Checked {
@@ -145,7 +145,9 @@ pub(crate) fn fit<P: Space>(
     corner_angle: Option<f64>,
     closed: bool,
 ) -> Checked {
-    let make = || Spline::fit(&points, tolerance, corner_angle, closed);
+    let mut options = FitOptions::new(tolerance).closed(closed);
+    options.corner_angle = corner_angle.unwrap_or(options.corner_angle);
+    let make = || Spline::fit(&points, &options);
     let spline = answer!(make(), "tolerance|corner_angle");
     let room = tolerance + 16.0 * slack(size(), 3);
     for (k, &p) in points.iter().enumerate() {

@@ -4,6 +4,7 @@ use crate::offset::reference::{dense, farthest};
 use crate::support::{Rng, bezier, real, refused, spline};
 use casteljau::Spline;
 use casteljau::glam::DVec2;
+use casteljau::spline::FitOptions;
 use std::f64::consts::{PI, TAU};
 
 /// Points along a closed polygon, `count` on each edge.
@@ -80,7 +81,8 @@ fn polygons_keep_exactly_their_corners() {
                 for seed in 0..seeds {
                     let what = format!("shape {shape}, {count}, ±{noise}, {tolerance}, {seed}");
                     let points = with_noise(&mut rng, &along(polygon, count), noise);
-                    let fitted = Spline::fit(&points, tolerance, None, true).expect("finite");
+                    let fitted = Spline::fit(&points, &FitOptions::new(tolerance).closed(true))
+                        .expect("finite");
                     let found = corners(&fitted);
                     assert_eq!(found.len(), polygon.len(), "{what}");
                     for &corner in polygon {
@@ -100,7 +102,7 @@ fn polygons_keep_exactly_their_corners() {
 #[test]
 fn a_sparse_square_or_star_has_corners_and_a_sparse_circle_has_none() {
     let count = |polygon: &[DVec2]| {
-        let fitted = Spline::fit(polygon, 1.0, None, true).expect("finite");
+        let fitted = Spline::fit(polygon, &FitOptions::new(1.0).closed(true)).expect("finite");
         corners(&fitted).len()
     };
     // Only the outer turns of the star are above 75°, and the inner ones are not twice as large as those beside them.
@@ -122,12 +124,12 @@ fn noise_on_smooth_strokes_is_no_corner() {
         };
         let exact: Vec<DVec2> = (0..5000).map(spiral).collect();
         let rounded: Vec<DVec2> = exact.iter().map(|p| p.round()).collect();
-        let needed = Spline::fit(&exact, 1.0, None, false).expect("finite");
+        let needed = Spline::fit(&exact, &FitOptions::new(1.0)).expect("finite");
         for seed in 0..4 {
             let jittered = with_noise(&mut rng, &exact, 0.5);
             for (points, kind) in [(&rounded, "rounded"), (&jittered, "jittered")] {
                 for tolerance in [0.5, 0.75, 1.0, 2.0, 4.0] {
-                    let fitted = Spline::fit(points, tolerance, None, false).expect("finite");
+                    let fitted = Spline::fit(points, &FitOptions::new(tolerance)).expect("finite");
                     let what = format!("{turns} turns {kind}, {tolerance}, {seed}");
                     assert_eq!(corners(&fitted).len(), 0, "{what}");
                     is_within(&fitted, points, tolerance);
@@ -154,7 +156,7 @@ fn noise_on_smooth_strokes_is_no_hook() {
         for tolerance in [1.0, 2.0] {
             for _ in 0..10 {
                 let points = with_noise(&mut rng, &exact, 0.5);
-                let fitted = Spline::fit(&points, tolerance, None, false).expect("finite");
+                let fitted = Spline::fit(&points, &FitOptions::new(tolerance)).expect("finite");
                 let turn = sharpest_turn(&fitted, 2.0).to_degrees();
                 assert!(turn < 45.0, "{count}, {tolerance}: {turn}°");
                 is_within(&fitted, &points, tolerance);
@@ -170,7 +172,8 @@ fn circles_with_noise_close_smoothly() {
         for _ in 0..8 {
             let points = with_noise(&mut rng, &regular(count), 0.5);
             for tolerance in [0.5, 1.0, 2.0] {
-                let fitted = Spline::fit(&points, tolerance, None, true).expect("finite");
+                let fitted =
+                    Spline::fit(&points, &FitOptions::new(tolerance).closed(true)).expect("finite");
                 assert_eq!(corners(&fitted).len(), 0, "{count}, {tolerance}");
                 is_within(&fitted, &points, tolerance);
             }
@@ -189,7 +192,9 @@ fn the_corner_angle_selects_corners() {
         points.extend((1..=100).map(|k| start + direction * (3.0 * real(k))));
     }
     let count = |angle: Option<f64>| {
-        let fitted = Spline::fit(&points, 1.0, angle, false).expect("finite");
+        let options = FitOptions::new(1.0);
+        let options = angle.map_or(options, |angle| options.corner_angle(angle));
+        let fitted = Spline::fit(&points, &options).expect("finite");
         is_within(&fitted, &points, 1.0);
         corners(&fitted).len()
     };
@@ -197,7 +202,7 @@ fn the_corner_angle_selects_corners() {
     assert_eq!((angles, count(None)), ([3, 2, 1, 0], 2));
     for angle in [0.0, -1.0, 3.2, f64::NAN, f64::INFINITY] {
         refused(
-            Spline::fit(&points, 1.0, Some(angle), false),
+            Spline::fit(&points, &FitOptions::new(1.0).corner_angle(angle)),
             "Range corner_angle",
         );
     }

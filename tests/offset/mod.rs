@@ -4,6 +4,7 @@ mod corners;
 mod lower;
 mod narrow;
 mod reference;
+mod simplify;
 mod splines;
 mod strokes;
 mod work;

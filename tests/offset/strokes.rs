@@ -6,6 +6,7 @@ use crate::support::measure::from_polyline;
 use crate::support::{Rng, near, real, spline, xy};
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::spline::FitOptions;
 
 /// A smooth spline of random cubics, with a corner occasionally.
 fn known(rng: &mut Rng, segments: usize, corners: bool) -> (Spline<DVec2>, Vec<DVec2>) {
@@ -29,7 +30,7 @@ fn known(rng: &mut Rng, segments: usize, corners: bool) -> (Spline<DVec2>, Vec<D
 }
 
 fn fit(points: &[DVec2], tolerance: f64) -> Spline<DVec2> {
-    Spline::fit(points, tolerance, None, false).expect("finite")
+    Spline::fit(points, &FitOptions::new(tolerance)).expect("finite")
 }
 
 #[test]
@@ -63,7 +64,7 @@ fn points_lie_within_the_tolerance_and_corners_are_found() {
 fn degenerate_points() {
     let p = DVec2::new(3.0, 4.0);
     assert_eq!(fit(&[p, p, p], 0.1).control_points(), [p, p]);
-    assert!(Spline::fit(&[p], 0.1, None, false).is_err());
+    assert!(Spline::fit(&[p], &FitOptions::new(0.1)).is_err());
     let line: Vec<DVec2> = (0..1000).map(|k| p * real(k)).collect();
     assert_eq!(fit(&line, 0.01).segment_count(), 1);
     // The line is traversed forth and back.
@@ -82,12 +83,16 @@ fn degenerate_points() {
 
 #[test]
 fn a_square_and_a_circle() {
-    let square = Spline::fit(&xy("0 0, 1 0, 1 1, 0 1"), 0.01, None, true).expect("finite");
+    let square = Spline::fit(
+        &xy("0 0, 1 0, 1 1, 0 1"),
+        &FitOptions::new(0.01).closed(true),
+    )
+    .expect("finite");
     assert!(square.is_closed());
     assert_eq!((square.segment_count(), corners(&square).len()), (4, 4));
     let point = |k: usize| DVec2::from_angle(real(k).to_radians());
     let circle: Vec<DVec2> = (0..360).map(point).collect();
-    let circle = Spline::fit(&circle, 1e-3, None, true).expect("finite");
+    let circle = Spline::fit(&circle, &FitOptions::new(1e-3).closed(true)).expect("finite");
     assert!(circle.segment_count() <= 5, "{}", circle.segment_count());
     let g1 = |k: usize| circle.continuity_within(k, 1e-9).expect("a joint").g1;
     assert!((0..circle.segment_count()).all(g1));
@@ -112,7 +117,7 @@ fn strokes_with_noise() {
 fn space_as_well() {
     let point = |t: f64| DVec3::new(t.cos(), t.sin(), 0.2 * t);
     let helix: Vec<DVec3> = (0..2000).map(|k| point(real(k) * 0.01)).collect();
-    let fitted = Spline::fit(&helix, 1e-3, None, false).expect("finite");
+    let fitted = Spline::fit(&helix, &FitOptions::new(1e-3)).expect("finite");
     let line = fitted.flatten(1e-4).expect("flat").points;
     for &p in &helix {
         near(from_polyline(p, &line), 0.0, 1.2e-3);

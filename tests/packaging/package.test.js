@@ -48,8 +48,9 @@ test("declarations do not show the parameters that refuse surplus arguments", as
  * The largest tarball; a change that raises it gives the reason. Half of it are the six wasm modules, each in the bundles that use it.
  * The builder, path data, texts of transforms, three.js shapes and springs added 40 kB, most of it in source maps.
  * Boolean operations and strokes added 100 kB of wasm to each of two bundles and to casteljau.wasm, and their sources to the source maps.
+ * The grid of Boolean operations, rates of chords and `simplify` of paths added 30 kB.
  */
-const MAX_TARBALL_KB = 2970;
+const MAX_TARBALL_KB = 3000;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);

@@ -5,7 +5,7 @@ use crate::support::paths::{lines, sides};
 use crate::support::{Rng, deep, near, real};
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
-use casteljau::spline::{Interpolation, OffsetJoin};
+use casteljau::spline::{FitOptions, Interpolation, OffsetJoin};
 use casteljau::{Path, Spline};
 use std::f64::consts::TAU;
 
@@ -107,7 +107,7 @@ fn splines_through_and_near_many_points() {
     let length = through.length();
     assert!((bspline_length - length).abs() < 0.01 * length);
     let tolerance = 0.01;
-    let near = Spline::fit(&points, tolerance, None, true).expect("a tolerance");
+    let near = Spline::fit(&points, &FitOptions::new(tolerance).closed(true)).expect("a tolerance");
     let simple = through.simplify(tolerance).expect("a tolerance");
     for spline in [near, simple] {
         assert!(spline.segment_count() < points.len() / 4);

@@ -9,7 +9,6 @@ mod joints;
 mod measure;
 mod move_point;
 mod queries;
-mod simplify;
 
 use crate::support::{Rng, Space, random_points};
 use casteljau::glam::DVec3;

@@ -4,6 +4,7 @@ use crate::support::measure::from_polyline;
 use crate::support::paths::{lines, path};
 use crate::support::{real, refused};
 use casteljau::glam::DVec2;
+use casteljau::spline::{FitOptions, SimplifyOptions};
 use casteljau::{Path, Spline};
 use std::f64::consts::{PI, TAU};
 
@@ -57,7 +58,8 @@ fn polygons_are_simplified_as_they_are_fitted() {
     let outline = lines(&corners, true);
     for tolerance in [0.1, 0.5, 2.0, 5.0] {
         let segments = simplified(&outline, tolerance).segment_count();
-        let fit = Spline::fit(&corners, tolerance, None, true).expect("a tolerance");
+        let fit =
+            Spline::fit(&corners, &FitOptions::new(tolerance).closed(true)).expect("a tolerance");
         let most = fit.segment_count() + 4;
         assert!(segments <= most, "{tolerance}: {segments}, fitted {most}");
     }
@@ -94,7 +96,8 @@ fn the_corner_angle_decides() {
         DVec2::new(x, if k < 0 { 0.0 } else { x * (PI / 9.0).tan() })
     };
     let dense = lines(&(-100..=100).map(bend).collect::<Vec<_>>(), false);
-    let at = |angle| dense.simplify_with(0.5, angle).expect("a tolerance");
+    let options = |angle| SimplifyOptions::new(0.5).corner_angle(angle);
+    let at = |angle| dense.simplify_with(&options(angle)).expect("a tolerance");
     assert_eq!(at(0.2).segment_count(), 2, "two lines: {}", at(0.2));
     assert!(
         at(PI).segments().any(|curve| curve.degree() == 3),
@@ -103,7 +106,7 @@ fn the_corner_angle_decides() {
     );
     let open = Spline::from_curves(&dense.segments().collect::<Vec<_>>(), false).expect("joined");
     for angle in [0.0, -1.0, 4.0, f64::NAN] {
-        refused(open.simplify_with(0.5, angle), "Range corner_angle");
+        refused(open.simplify_with(&options(angle)), "Range corner_angle");
     }
 }
 
