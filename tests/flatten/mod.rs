@@ -28,7 +28,7 @@ fn takes_few_chords() {
         let case = Case::new(7 * i + 3);
         // Straight curves need a vertex at each turning point; at a tolerance of a few ulps rounding decides.
         if !matches!(case.kind, Kind::Collinear | Kind::FewUlps) {
-            let [ours, few] = chords_and_fewest(&case);
+            let [ours, few] = chords_and_min(&case);
             all.fetch_add(ours, Relaxed);
             all_few.fetch_add(few, Relaxed);
         }
@@ -38,7 +38,7 @@ fn takes_few_chords() {
 }
 
 /// The number of chords and the fewest; fails if they are far apart.
-fn chords_and_fewest(case: &Case) -> [usize; 2] {
+fn chords_and_min(case: &Case) -> [usize; 2] {
     let ours = case.flatten().0.len() - 1;
     let reference = Reference::new(&case.points);
     let few = fewest(&reference, reference.length(case.tolerance));
@@ -51,7 +51,7 @@ fn chords_and_fewest(case: &Case) -> [usize; 2] {
 #[test]
 fn nearly_straight_curves_take_few_chords() {
     for number in [40_554, 93_474, 96_491, 120_340] {
-        chords_and_fewest(&Case::new(number));
+        chords_and_min(&Case::new(number));
     }
 }
 

@@ -21,8 +21,8 @@ const SQUARED_ROUNDING: f32 = 2.0 / (1_u32 << 30) as f32;
 pub struct ChordRates {
     /// Enough for the tolerance in chords of equal steps.
     pub enough: [f32; PARTS],
-    /// Estimates of the fewest, in the middle of each part.
-    pub fewest: [f32; PARTS],
+    /// Estimates of the smallest numbers that are possible, in the middle of each part.
+    pub minimum: [f32; PARTS],
 }
 
 /// The rates along the plane curve with the Taylor coefficients D₁, D₂, D₃ at t = 0, for a tolerance τ; `per_tolerance`
@@ -89,11 +89,11 @@ fn rates<const D: usize>(coefficients: &[[f64; D]; 3], per_tolerance: f64) -> Ch
     let twice_g: Vectors<D> = std::array::from_fn(|i| g0[i] + g1[i]);
     let twice_v: Vectors<D> = std::array::from_fn(|i| v1[i] + d[i] * half_of_one);
     let square = dot(&twice_v, &twice_v) + f32x8::splat(f32::MIN_POSITIVE);
-    let fewest = cross_squared(&twice_g, &twice_v) / (square * f32x8::splat(4.0));
+    let minimum = cross_squared(&twice_g, &twice_v) / (square * f32x8::splat(4.0));
     let rate = |squared: f32x8| (squared.sqrt() * factor).sqrt().to_array();
     ChordRates {
         enough: rate(bound),
-        fewest: rate(fewest),
+        minimum: rate(minimum),
     }
 }
 

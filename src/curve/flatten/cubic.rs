@@ -107,8 +107,8 @@ pub(super) struct CubicParts<P> {
     back: f64,
     /// The integral of the rates.
     sum: f64,
-    /// An estimate of the fewest chords.
-    fewest: f64,
+    /// An estimate of the smallest number of chords that is possible.
+    min_chords: f64,
 }
 
 /// Passes on the curve with the given control points and its range of t, or parts of it: it is halved while the bounds
@@ -136,13 +136,13 @@ impl<P: Point> CubicParts<P> {
     fn new(points: [P; 4], scale: f64, tolerance: f64) -> Self {
         let whole = Taylor::of(points, scale);
         let tolerance = tolerance * scale;
-        let ChordRates { enough, fewest } = whole.rates(0.125 / tolerance);
+        let ChordRates { enough, minimum } = whole.rates(0.125 / tolerance);
         let rates = enough.map(f64::from);
         Self {
             starts: std::array::from_fn(|k| weigh4(points, k as f64 * LENGTH)),
             parts: std::array::from_fn(|k| whole.moved(k as f64 * LENGTH)),
             sum: rates.iter().sum::<f64>() * LENGTH,
-            fewest: f64::from(fewest.iter().sum::<f32>()) * LENGTH,
+            min_chords: f64::from(minimum.iter().sum::<f32>()) * LENGTH,
             rates,
             tolerance,
             back: 1.0 / scale,
@@ -155,7 +155,7 @@ impl<P: Point> CubicParts<P> {
     }
 
     fn is_wasteful(&self) -> bool {
-        let limits = WASTEFUL.map(|(ratio, more)| ratio * self.fewest + more);
+        let limits = WASTEFUL.map(|(ratio, more)| ratio * self.min_chords + more);
         self.sum > limits[0].min(limits[1])
     }
 

@@ -126,11 +126,7 @@ impl<P: Point> Curve<P> {
         // A part of the tolerance is for the rounding of vertices.
         let tolerance = tolerance - 2.0 * ulp(size);
         if let Some(points) = as_cubic(&self.points) {
-            return visit_parts(points, [0.0, 1.0], scale, tolerance, &mut |parts,
-                                                                           [
-                from,
-                length,
-            ]| {
+            let mut visit = |parts: &CubicParts<P>, [from, length]: [f64; 2]| {
                 if length == 1.0 {
                     return parts.walk(vertex);
                 }
@@ -138,7 +134,8 @@ impl<P: Point> Curve<P> {
                     vertex(from, self.eval(from));
                 }
                 parts.walk(&mut |t, _| vertex(from + length * t, self.eval(from + length * t)));
-            });
+            };
+            return visit_parts(points, [0.0, 1.0], scale, tolerance, &mut visit);
         }
         self.each_step(scale, tolerance, |steps| {
             let mut k = 1.0;

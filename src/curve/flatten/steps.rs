@@ -59,8 +59,8 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         halvings: u32,
     ) {
         let n = self.degree;
-        let (steps, fewest_squared) = self.steps_and_fewest_squared(&points[..=n]);
-        let waste_squared = steps * steps - fewest_squared;
+        let (steps, min_squared) = self.steps_and_min_squared(&points[..=n]);
+        let waste_squared = steps * steps - min_squared;
         let is_flat = steps <= 1.0 || is_flat(&points[..=n], self.tolerance);
         if is_flat || waste_squared <= WASTE * steps || halvings == MAX_HALVINGS {
             let count = if is_flat { 1.0 } else { steps.ceil() };
@@ -77,8 +77,8 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         self.plan(&right, [from + half, half], halvings + 1);
     }
 
-    /// The number of steps that is enough, and the square of an estimate of the fewest.
-    fn steps_and_fewest_squared(&self, points: &[DVec3]) -> (f64, f64) {
+    /// The number of steps that is enough, and the square of an estimate of the smallest number that is possible.
+    fn steps_and_min_squared(&self, points: &[DVec3]) -> (f64, f64) {
         let n = points.len() - 1;
         let (mut v, mut g) = ([DVec3::ZERO; MAX_DEGREE], [DVec3::ZERO; MAX_DEGREE]);
         for i in 0..n {
@@ -108,10 +108,10 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         if is_narrow && along > 0.0 {
             squared = squared.min(turn.sqrt() * square.sqrt() / along);
         }
-        let fewest = turn_sum / ((n - 1) as f64 * (speeds / n as f64).sqrt());
+        let min_squared = turn_sum / ((n - 1) as f64 * (speeds / n as f64).sqrt());
         (
             (squared * self.per_tolerance).sqrt(),
-            fewest * self.per_tolerance,
+            min_squared * self.per_tolerance,
         )
     }
 }
