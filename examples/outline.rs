@@ -3,8 +3,7 @@
 //!     cargo run --example outline > outline.svg
 
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, SvgOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{FillRule, OffsetJoin, SvgOptions};
 use casteljau::{Curve, Path, Spline};
 use std::error::Error;
 

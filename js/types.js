@@ -41,13 +41,14 @@ export {};
 /** @typedef {import("./geometry/path/path-coordinates.js").PathExtrema} PathExtrema */
 /** @typedef {import("./geometry/path/path-shapes.js").ArcOptions} ArcOptions */
 /** @typedef {import("./geometry/path/path-shapes.js").RectOptions} RectOptions */
-/** @typedef {import("./geometry/path/path.js").NearestPath} NearestPath */
-/** @typedef {import("./geometry/path/path.js").Shape} Shape */
+/** @typedef {import("./geometry/path/core-path.js").NearestPath} NearestPath */
+/** @typedef {import("./geometry/path/core-path.js").Shape} Shape */
 /** @typedef {import("./geometry/path/path-builder.js").PathBuilder} PathBuilder */
 /** @typedef {import("./io/path-data.js").PathSegment} PathSegment */
 /** @typedef {import("./io/path-data.js").CssOptions} CssOptions */
 /** @typedef {import("./geometry/intersections.js").PathIntersection} PathIntersection */
 /** @typedef {import("./io/svg-write.js").SvgOptions} SvgOptions */
+/** @typedef {import("./io/svg-write.js").PathSvgOptions} PathSvgOptions */
 /** @typedef {import("./geometry/patch/patch-value.js").PatchJSON} PatchJSON */
 /** @typedef {import("./geometry/patch/core-patch.js").Partials} Partials */
 /** @typedef {import("./geometry/surface-queries.js").Curvature} Curvature */

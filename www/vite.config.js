@@ -47,7 +47,7 @@ export default defineConfig({
     conditions: ["module", "browser", "production"],
     alias: [
       { find: /^casteljau$/, replacement: dist("index.js") },
-      { find: /^casteljau\/(slim|surfaces|applet|elements)$/, replacement: dist("$1.js") },
+      { find: /^casteljau\/(slim|surfaces|paths|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
     ],
   },
   plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects, rustDocs()],

@@ -10,21 +10,38 @@ const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 const banner = { js: `/*! casteljau ${version} | ${license} */` };
 
 /** Replaces the modules by the complete one without bytes: in the slim bundle, `init` gets the bytes. */
-const withoutBytes = {
-  name: "without-bytes",
-  setup(build) {
-    const contents = {
-      curves: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js";
-        export const curvesModule = /* @__PURE__ */ registerModule(initSync, null);`,
-      surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
-      regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
-    };
+const withoutBytes = completeModule("without-bytes", "null");
+
+/** Replaces the modules by the complete one, which is read from its file: in the bundles for Node. */
+const fromFile = completeModule(
+  "from-file",
+  "bytes",
+  `import { readFileSync } from "node:fs";
+  function bytes() {
+    const file = new URL("../casteljau.wasm", import.meta.url);
+    try {
+      return readFileSync(file);
+    } catch (cause) {
+      throw new Error(\`casteljau: \${file} cannot be read; bundlers need the condition "module"\`, { cause });
+    }
+  }`,
+);
+
+/** A plugin that replaces the modules by the complete one. @param {string} name @param {string} bytes code @param {string} imports code */
+function completeModule(name, bytes, imports = "") {
+  const contents = {
+    curves: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js"; ${imports}
+      export const curvesModule = /* @__PURE__ */ registerModule(initSync, ${bytes});`,
+    surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
+    regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
+  };
+  const setup = (build) =>
     build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.js$/ }, ({ path }) => ({
       contents: contents[path.match(/(\w+)-module\.js$/)[1]],
       resolveDir: resolve(sources, "wasm"),
     }));
-  },
-};
+  return { name, setup };
+}
 
 /** Makes a bundle use other modules of js/glue: `{ curves: "core" }` uses the module core for curves. */
 const useModules = (replacements) => ({
@@ -51,26 +68,32 @@ const coreSurfaces = {
   },
 };
 
-/**
- * Makes index.js an external import of the bundles of the applet and the elements, so that a page which imports several
- * of them has one core and one wasm module. These bundles may therefore import only js/index.js and files of the given
- * folders.
- */
-const indexExternal = (...folders) => ({
-  name: "index-external",
+/** Leaves surfaces.js, whose bundle stands alone, an import of the elements that show surfaces. */
+const surfacesExternal = {
+  name: "surfaces-external",
   setup(build) {
-    build.onResolve({ filter: /^\.\.?\// }, ({ path, importer, resolveDir }) => {
-      if (importer.includes("node_modules")) return undefined;
-      const target = resolve(resolveDir, path);
-      if (target === resolve(sources, "index.js")) return { path: "./index.js", external: true };
-      const inside = folders.some((folder) => target.startsWith(resolve(sources, folder) + sep));
-      if (inside || !importer) return undefined;
-      const from = relative(sources, importer).split(sep).join("/");
-      const allowed = folders.map((folder) => `js/${folder}`).join(", ");
-      return { errors: [{ text: `js/${from} imports ${path}: it may import only js/index.js and from ${allowed}` }] };
+    build.onResolve({ filter: /[\\/]surfaces\.js$/ }, ({ path, resolveDir }) =>
+      resolve(resolveDir, path) === resolve(sources, "surfaces.js")
+        ? { path: "./surfaces.js", external: true, sideEffects: false }
+        : undefined,
+    );
+  },
+};
+
+/** Gives the exported classes their names as a static field, because esbuild shortens the names. */
+const keepClassNames = {
+  name: "keep-class-names",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]geometry[\\/]/ }, async ({ path }) => {
+      const contents = await readFile(path, "utf8");
+      const named = contents.replace(
+        /^(export class (Curve|Spline|Path|PathBuilder|Patch|Surface|Mesh)\b[^{\n]*\{)$/m,
+        '$1 static name = "$2";',
+      );
+      return { contents: named };
     });
   },
-});
+};
 
 /** The files that went into the bundles. */
 const inputs = new Set();
@@ -79,7 +102,7 @@ const inputs = new Set();
 const CLASSIC = { format: "iife", charset: "ascii" };
 
 /** Runs esbuild with the options that all bundles share; the results are in memory. */
-async function bundleAs(options) {
+async function bundleAs({ plugins = [], ...options }) {
   const { outputFiles, metafile } = await build({
     bundle: true,
     format: "esm",
@@ -94,18 +117,25 @@ async function bundleAs(options) {
     metafile: true,
     write: false,
     banner,
+    plugins: [...plugins, keepClassNames],
     ...options,
   });
   for (const path of Object.keys(metafile.inputs)) inputs.add(path);
-  const files = Object.fromEntries(outputFiles.map(({ path, text }) => [basename(path), text]));
+  const nameOf = (path) => relative(resolve("dist"), resolve(path)).split(sep).join("/");
+  const files = Object.fromEntries(outputFiles.map(({ path, text }) => [nameOf(path), text]));
   for (const name of namesOfScripts(files)) markPureCalls(files, name);
-  return files;
+  const outputs = Object.fromEntries(Object.entries(metafile.outputs).map(([path, output]) => [nameOf(path), output]));
+  return { files, outputs };
 }
 
 const namesOfScripts = (files) => Object.keys(files).filter((name) => name.endsWith(".js"));
 
-/** Replaces text of a script and adapts its source map. */
+/** Replaces text of a script and adapts its source map, if it has one. */
 function edit(files, name, pattern, replacement) {
+  if (!files[`${name}.map`]) {
+    files[name] = files[name].replace(pattern, replacement);
+    return;
+  }
   const { mappings, ...map } = JSON.parse(files[`${name}.map`]);
   const result = replaceMapped(files[name], mappings, pattern, replacement);
   files[name] = result.code;
@@ -127,19 +157,6 @@ function markPureCalls(files, name) {
   if (count !== expected) throw new Error(`${name}: expected ${expected} registrations of wasm modules, got ${count}`);
 }
 
-/** Keeps the names of the exported classes, which esbuild shortens. */
-function keepClassNames(files, name) {
-  const list = files[name].match(/export\{([^}]*)\}/)?.[1].split(",") ?? [];
-  for (const [short, long] of list.map((item) => item.split(" as "))) {
-    if (!/^[A-Z]/.test(long ?? "")) continue;
-    const id = short.replaceAll("$", "\\$");
-    const start = new RegExp(`(?:(?<![\\w$])${id}=class(?: [\\w$]+)?|class ${id})(?: extends [\\w$]+)?\\{`, "g");
-    let count = 0;
-    edit(files, name, start, (found) => `${found}${count++ ? "" : `static name="${long}";`}`);
-    if (count !== 1) throw new Error(`${name}: expected one class ${long}, got ${count}`);
-  }
-}
-
 /** Whether a source holds a wasm module as text: source maps do not repeat it. */
 const isWasmText = (source) => source.endsWith("-bytes.js");
 
@@ -154,15 +171,27 @@ const write = (files) =>
 /** Bundles one entry of js/ into one file of dist/. */
 async function bundle(entry, name, options = {}) {
   const entryPoints = { [name.replace(/\.js$/, "")]: resolve(sources, entry) };
-  const files = await bundleAs({ entryPoints, ...options });
-  keepClassNames(files, name);
-  await write(files);
+  await write((await bundleAs({ entryPoints, ...options })).files);
 }
 
-/** The entry points that are loaded on demand: the part of each kind of element that draws, by the name of its file. */
-const ON_DEMAND = {
+/** The entry points that share their files; the last ones are loaded when an element of a kind is almost visible. */
+const SHARING = {
+  index: "index.js",
+  paths: "paths.js",
+  easing: "easing.js",
+  applet: "applet/index.js",
+  elements: "elements/index.js",
+  "elements/applet": "elements/define/applet.js",
+  "elements/bernstein": "elements/define/bernstein.js",
+  "elements/coordinates": "elements/define/coordinates.js",
+  "elements/easing": "elements/define/easing.js",
+  "elements/equation": "elements/define/equation.js",
+  "elements/surface": "elements/define/surface.js",
   "elements-applet": "elements/applet/drawing.js",
-  "elements-companions": "elements/companions/views.js",
+  "elements-bernstein": "elements/companions/bernstein-view.js",
+  "elements-coordinates": "elements/companions/coordinates-view.js",
+  "elements-easing": "elements/companions/easing-view.js",
+  "elements-equation": "elements/companions/equation-view.js",
   "elements-surface": "elements/surface/drawing.js",
 };
 
@@ -170,46 +199,58 @@ const ON_DEMAND = {
 const IGNORE_COMMENTS = "/* webpackIgnore: true *//* @vite-ignore */";
 
 /**
- * Bundles the elements in parts: elements.js, the parts that are loaded when an element of a kind is almost visible
- * (elements-applet.js …), and the parts that several of them import (elements-shared.js, elements-shared-2.js …). The
- * names are the same in each version.
+ * Bundles entry points so that each class and each wasm module is in one file, which the others import. The files that
+ * several entry points import have the name of their longest source: it does not change with each version.
  */
-async function elements() {
-  const entries = Object.entries({ elements: "elements/index.js", ...ON_DEMAND });
-  const files = await bundleAs({
-    entryPoints: Object.fromEntries(entries.map(([name, path]) => [name, resolve(sources, path)])),
+async function sharing(entries, folder, options) {
+  const { files, outputs } = await bundleAs({
+    entryPoints: Object.fromEntries(
+      Object.entries(entries).map(([name, path]) => [folder + name, resolve(sources, path)]),
+    ),
     splitting: true,
-    chunkNames: "elements-shared-[hash]",
-    plugins: [indexExternal("elements", "applet")],
-    inject: ["xtask/no-dom.js"],
+    chunkNames: `${folder}chunk-[hash]`,
+    ...options,
   });
-  const hashes = Object.keys(files).flatMap((name) => name.match(/^elements-shared-(\w+)\.js$/)?.[1] ?? []);
-  const stableName = (name) => {
-    const index = hashes.findIndex((hash) => name.includes(`-${hash}`));
-    return index < 0 ? name : name.replace(`-${hashes[index]}`, index ? `-${index + 1}` : "");
+  const stable = new Map();
+  for (const name of Object.keys(outputs)
+    .filter((path) => /chunk-\w+\.js$/.test(path))
+    .sort()) {
+    const contents = Object.entries(outputs[name].inputs).sort(([, a], [, b]) => b.bytesInOutput - a.bytesInOutput);
+    const paths = contents.map(([path]) => path);
+    const inElements = paths.some((path) => path.startsWith("js/elements/"));
+    const longest = basename(paths[0] ?? "nothing", ".js").replace(/-bytes$/, "");
+    const title = `${inElements ? "elements-shared" : "shared"}-${longest}`;
+    const taken = [...stable.values()].filter((each) => each.startsWith(title)).length;
+    stable.set(basename(name, ".js"), `${title}${taken ? `-${taken + 1}` : ""}`);
+  }
+  const stableName = (text) => text.replace(/chunk-\w+(?=\.js)/g, (found) => stable.get(found) ?? found);
+  const edited = (found) => {
+    if (found.startsWith("import(")) return `import(${IGNORE_COMMENTS}\`\${`;
+    const renamed = stableName(found);
+    // Only files of the elements have side effects; other imports without names would make bundlers warn.
+    return /^import"\.\.?\/shared-/.test(renamed) ? "" : renamed;
   };
-  const edited = (found) => (found.startsWith("import(") ? `import(${IGNORE_COMMENTS}\`\${` : stableName(found));
-  for (const name of namesOfScripts(files))
-    edit(files, name, /elements-shared-\w+\.js(?:\.map)?|import\(`\$\{/g, edited);
+  const pattern = /import"[./]+chunk-\w+\.js";|chunk-\w+\.js(?:\.map)?|import\(`\$\{/g;
+  for (const name of namesOfScripts(files)) edit(files, name, pattern, edited);
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
 
 // Remove the files of earlier builds, so that they are not published.
-await mkdir("dist", { recursive: true });
+for (const folder of ["dist/elements", "dist/node"]) await rm(folder, { recursive: true, force: true });
+await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, { recursive: true })));
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
-  bundle("index.js", "index.js"),
-  bundle("easing.js", "easing.js"),
+  sharing(SHARING, "", { plugins: [surfacesExternal], inject: ["xtask/no-dom.js"] }),
+  sharing({ index: "index.js", paths: "paths.js" }, "node/", {
+    plugins: [fromFile],
+    platform: "node",
+    sourcemap: false,
+  }),
   bundle("core.js", "core.js", { plugins: [useModules({ curves: "core" })] }),
   bundle("surfaces.js", "surfaces.js", { plugins: [coreSurfaces] }),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
   bundle("index.js", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau" }),
-  bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
-  elements(),
-  bundle("applet/classic.js", "bezier-app.js", {
-    ...CLASSIC,
-    plugins: [useModules({ curves: "applet" })],
-  }),
+  bundle("applet/classic.js", "bezier-app.js", { ...CLASSIC, plugins: [useModules({ curves: "applet" })] }),
 ]);
 await writeFile("dist/THIRD-PARTY-NOTICES.txt", await noticesText([...inputs]));

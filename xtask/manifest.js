@@ -4,7 +4,6 @@
 // @fires, @csspart, @cssprop and @slot in the sources of an element for the rest. With --check it fails if a public member
 // of an element has no description.
 import { create, ts } from "@custom-elements-manifest/analyzer/index.js";
-import { existsSync } from "node:fs";
 import { readFile, writeFile } from "node:fs/promises";
 import { dirname, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -18,15 +17,10 @@ const TAGS = { fires: "events", csspart: "cssParts", cssprop: "cssProperties", s
 const texts = new Map();
 const textOf = (path) => texts.get(path) ?? texts.set(path, readFile(path, "utf8")).get(path);
 
-/** Exports all views of companions; each view is also in a file beside its element. */
-const VIEWS = resolve("js/elements/companions/views.js");
-
 /** A file and all files of the elements and the applet that it imports. */
 async function importedFiles(path, known = new Set()) {
-  if (known.has(path) || path === VIEWS) return known;
+  if (known.has(path)) return known;
   known.add(path);
-  const view = path.replace(/\.js$/, "-view.js");
-  if (existsSync(view)) await importedFiles(view, known);
   for (const [, target] of (await textOf(path)).matchAll(/(?:from |^import |import\()"(\.[^"]+)"/gm)) {
     const file = resolve(dirname(path), target);
     if (/[\\/]js[\\/](elements|applet)[\\/]/.test(file) && file !== INDEX) await importedFiles(file, known);
@@ -34,19 +28,17 @@ async function importedFiles(path, known = new Set()) {
   return known;
 }
 
-/** Tag name, class and file of each element that the index defines. */
+/** Tag name, class and file of each element that the index exports. */
 async function elementsOf() {
-  const text = await textOf(INDEX);
-  const imports = Object.fromEntries(
-    [...text.matchAll(/import \{ (\w+) as (\w+) \} from "([^"]+)"/g)].map(([, name, local, path]) => [
-      local,
-      { name, path: resolve(dirname(INDEX), path) },
-    ]),
+  const files = [...(await textOf(INDEX)).matchAll(/export \{ \w+ \} from "([^"]+)"/g)].map(([, path]) =>
+    resolve(dirname(INDEX), path),
   );
-  return [...text.matchAll(/defined\("(bezier-[\w-]+)", (\w+)\)/g)].map(([, tagName, local]) => ({
-    tagName,
-    ...imports[local],
-  }));
+  const element = async (file) => {
+    const text = await textOf(file);
+    const [, name, path] = text.match(/import \{ (\w+) as \w+ \} from "([^"]+)"/);
+    return { tagName: text.match(/define\("(bezier-[\w-]+)"/)[1], name, path: resolve(dirname(file), path) };
+  };
+  return Promise.all(files.map(element));
 }
 
 const descriptionOf = (comment) =>

@@ -2,6 +2,7 @@
 // has grown by more than 2 %.
 import { build, transform } from "esbuild";
 import { readFile, readdir } from "node:fs/promises";
+import { posix } from "node:path";
 import { gzip, IMPORTS, sizeOfImport } from "./sizes.js";
 
 /**
@@ -12,14 +13,16 @@ const COMMITTED_KB = {
   "{ easing }": 6.3,
   "{ Curve }": 151.1,
   "{ Surface }": 260.1,
-  everything: 391.1,
+  "{ Path } of paths": 163.6,
+  everything: 399.1,
   "{ Curve, Spline } of core": 48.4,
   "{ Surface } of surfaces": 122.2,
   "only types": 0,
-  "index.js + applet.js": 403.3,
-  "elements, loaded at once": 30.9,
-  "elements, when needed": 64.8,
-  "bezier-app.js": 45,
+  "bezier-app.js": 45.9,
+  "elements, loaded at once": 35.6,
+  "bezier-applet: kernel": 165.4,
+  "bezier-easing: kernel": 6.9,
+  "bezier-surface: kernel": 122.4,
 };
 const MAX_GROWTH = 1.02;
 
@@ -31,6 +34,10 @@ const TARGETS_KB = {
   "{ Curve, Spline } of core": 45,
   "{ Surface } of surfaces": 110,
   "bezier-app.js": 48,
+  "{ Path } of paths": 150,
+  "bezier-applet: kernel": 150,
+  "bezier-easing: kernel": 10,
+  "bezier-surface: kernel": 120,
 };
 const KB = 1000;
 
@@ -52,58 +59,71 @@ const sum = (name, parts) =>
     gzip: 0,
   });
 
-/** A file of dist/ and all files that it imports statically, without the core. */
-async function staticImports(name, known = []) {
-  if (known.includes(name)) return known;
+/** A file of dist/ and all files that it imports statically. */
+async function staticImports(name, known = new Set()) {
+  if (known.has(name)) return known;
+  known.add(name);
   const { metafile } = await build({
     entryPoints: [`dist/${name}`],
     bundle: true,
-    external: ["./*"],
+    external: ["./*", "../*"],
     format: "esm",
     metafile: true,
     write: false,
   });
-  const imports = metafile.inputs[`dist/${name}`].imports.filter(
-    ({ kind, path }) => kind === "import-statement" && path !== "./index.js",
-  );
-  let all = [...known, name];
-  for (const { path } of imports) all = await staticImports(path.replace("./", ""), all);
-  return all;
+  for (const { kind, path } of metafile.inputs[`dist/${name}`].imports)
+    if (kind === "import-statement") await staticImports(posix.join(posix.dirname(name), path), known);
+  return known;
 }
 
-const elementsFiles = (await readdir("dist")).filter((name) => /^elements\b.*\.js$/.test(name));
-const names = [
+/** Whether a file has code of the classes or of their modules, and none of the elements. */
+async function isKernel(name) {
+  const { sources } = JSON.parse(await readFile(`dist/${name}.map`, "utf8"));
+  const [kernel, views] = [/^(\.\.\/)+js\/(geometry|wasm|io|glue)\//, /^(\.\.\/)+js\/(elements|applet)\//];
+  return sources.some((source) => kernel.test(source)) && !sources.some((source) => views.test(source));
+}
+
+const allNames = (await readdir("dist", { recursive: true })).filter((name) =>
+  /^(elements.*|shared-.*)\.js$/.test(name),
+);
+const ENTRIES = [
   "casteljau.wasm",
   "slim.js",
   "index.js",
+  "paths.js",
   "core.js",
   "surfaces.js",
   "applet.js",
-  ...elementsFiles,
   "bezier-app.js",
 ];
-const parts = await Promise.all(names.map(sizeOf));
+const parts = await Promise.all([...ENTRIES, ...allNames].map(sizeOf));
 console.log(`${"".padEnd(28)} minified  gzip -9`);
-parts.forEach(row);
+parts.filter(({ name }) => ENTRIES.includes(name) || name === "shared-curves.js").forEach(row);
 const imports = await Promise.all(IMPORTS.map(sizeOfImport));
 imports.forEach(row);
 
-const partsOf = (requested) => parts.filter(({ name }) => requested.includes(name));
-const total = sum("index.js + applet.js", partsOf(["index.js", "applet.js"]));
-const initialFiles = await staticImports("elements.js");
-const elements = sum("elements, loaded at once", partsOf(initialFiles));
-const onDemand = sum("elements, when needed", partsOf(elementsFiles.filter((name) => !initialFiles.includes(name))));
-[total, elements, onDemand].forEach(row);
-// The download of a page with one kind of element.
-const onDemandFiles = elementsFiles.filter((name) => !initialFiles.includes(name) && !name.includes("shared"));
-for (const name of onDemandFiles)
-  row(
-    sum(
-      `  at once + ${name.slice("elements-".length, -".js".length)}`,
-      partsOf([...new Set([...initialFiles, ...(await staticImports(name))])]),
-    ),
-  );
-for (const { name, gzip } of [...parts, ...imports, total, elements, onDemand]) {
+const partsOf = (requested) => parts.filter(({ name }) => requested.has(name));
+const filesOf = async (...names) =>
+  new Set((await Promise.all(names.map((name) => staticImports(name)))).flatMap((set) => [...set]));
+/** The files of a page, without what it takes of the classes; and those. */
+async function page(title, ...names) {
+  const files = [...(await filesOf(...names))];
+  const kernel = new Set((await Promise.all(files.map(async (name) => ((await isKernel(name)) ? [name] : [])))).flat());
+  return [
+    sum(title, partsOf(new Set(files.filter((name) => !kernel.has(name))))),
+    sum(`${title}: kernel`, partsOf(kernel)),
+  ];
+}
+const KINDS = ["applet", "bernstein", "coordinates", "easing", "equation", "surface"];
+const pages = [
+  sum("applet, all files", partsOf(await filesOf("applet.js"))),
+  (await page("elements, loaded at once", "elements.js"))[0],
+  ...(
+    await Promise.all(KINDS.map((kind) => page(`bezier-${kind}`, `elements/${kind}.js`, `elements-${kind}.js`)))
+  ).flat(),
+];
+pages.forEach(row);
+for (const { name, gzip } of [...parts, ...imports, ...pages]) {
   const [committed, target] = [COMMITTED_KB[name] ?? Infinity, TARGETS_KB[name] ?? Infinity];
   if (gzip > target * KB) console.log(`\n${name}: ${kB(gzip).trim()} is above the target of ${target} kB`);
   if (gzip <= MAX_GROWTH * committed * KB) continue;

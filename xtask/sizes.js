@@ -12,6 +12,7 @@ export const gzip = (bytes) => gzipSync(bytes, { level: 9 }).length;
 export const IMPORTS = [
   ["{ easing }", "easing", "index"],
   ["{ Curve }", "Curve", "index"],
+  ["{ Path } of paths", "Path", "paths"],
   ["{ Surface }", "Surface", "index"],
   ["everything", "Curve, Spline, Path, Patch, Surface, Mesh, easing, init", "index"],
   ["{ Curve, Spline } of core", "Curve, Spline", "core"],

@@ -2,8 +2,7 @@
 
 use crate::inputs::Cubics;
 use casteljau::Path;
-use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
 use criterion::Criterion;
 use kurbo::{BezPath, Shape, StrokeOpts};
 use std::hint::black_box;
@@ -15,13 +14,11 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     let cubics = Cubics::new();
     let paths: Vec<Path> = cubics.ours.iter().map(|c| Path::from(c.clone())).collect();
     let theirs: Vec<BezPath> = cubics.kurbo.iter().map(|c| c.to_path(TOLERANCE)).collect();
-    let overlapping = StrokeOptions {
-        join: OffsetJoin::Round,
-        cap: StrokeCap::Round,
-        tolerance: Some(TOLERANCE),
-        simple: false,
-        ..StrokeOptions::default()
-    };
+    let overlapping = StrokeOptions::new()
+        .join(OffsetJoin::Round)
+        .cap(StrokeCap::Round)
+        .tolerance(TOLERANCE)
+        .simple(false);
     check(&theirs, &paths, &overlapping);
     let mut group = criterion.benchmark_group("stroke");
     group.bench_function("kurbo", |b| {
@@ -33,10 +30,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     });
     group.bench_function("casteljau", |b| b.iter(|| strokes(&paths, &overlapping)));
     group.finish();
-    let simple = StrokeOptions {
-        simple: true,
-        ..overlapping
-    };
+    let simple = overlapping.simple(true);
     let mut group = criterion.benchmark_group("stroke-simple");
     group.bench_function("casteljau", |b| b.iter(|| strokes(&paths, &simple)));
     group.finish();

@@ -1,5 +1,5 @@
 // Chance, and places for new points.
-import { Spline } from "../index.js";
+import { Spline } from "../paths.js";
 import { cubics, isInside, pairs, pointCount, POINTS_PER_SEGMENT } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */

@@ -1,6 +1,6 @@
 // What the applet shows, as one immutable value. Every change goes through a function here and returns a new state;
 // where curves are concerned the core does the work.
-import { Spline } from "../index.js";
+import { Spline } from "../paths.js";
 import { finiteNumber, kindOf, pointsArray } from "./check.js";
 
 /** @typedef {"free" | "g1" | "c1"} JointMode */

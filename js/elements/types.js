@@ -1,7 +1,8 @@
 // The public types of the elements. They do not mention the libraries that the elements use.
 
 /**
- * @import { Curve, Spline, Surface } from "../index.js"
+ * @import { Curve, Spline } from "../paths.js"
+ * @import { Surface } from "../surfaces.js"
  */
 
 /**

@@ -57,10 +57,11 @@ export function directionOfDegrees(degrees) {
 /**
  * The angle of a unit vector in the first quadrant.
  *
+ * @internal
  * @param {number} x
  * @param {number} y
  */
-function angle(x, y) {
+export function angleOf(x, y) {
   let [cos, tan] = [x, y / (1 + x)];
   for (let i = 0; i < 2; i++) {
     cos = Math.sqrt(0.5 * (1 + cos));
@@ -136,7 +137,7 @@ export function arc(x0, y0, n, x1, y1, tolerance = 0) {
   const side = large === sweep ? 1 : -1;
   /** @type {Pair} */
   const u = [dx + side * (py * (height / part)), dy + side * (-px * (height / part))];
-  const small = angle(height, length);
+  const small = angleOf(height, length);
   const theta = large ? 2 * Math.PI - 2 * small : 2 * small;
   const pieces = Math.ceil(theta / (tolerance ? maxPieceAngle(tolerance / Math.max(rx, ry)) : MAX_PIECE_ANGLE));
   const step = direction(theta / (2 * pieces));

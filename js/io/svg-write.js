@@ -13,13 +13,16 @@ const MAX_DIGITS = 100;
 
 const COMMANDS = ["", "L", "Q", "C"];
 
+/** @import { ArcTaker } from "./svg-arcs.js" */
+
 /**
  * The receiver of drawing commands: `move`, then `curve` with the degree (1 to 3), an array of coordinates and the
- * index of the first control point after the start; `close`.
+ * index of the first control point after the start; `close`. With `arcs`, cubics that are arcs are drawn as such.
  *
  * @typedef {object} PathSink
  * @property {(x: number, y: number) => void} move
  * @property {(degree: number, list: Float64Array, at: number) => void} curve
+ * @property {ArcTaker | null} [arcs]
  * @property {(line: boolean) => void} close the argument says whether it has to draw the last line
  */
 
@@ -37,8 +40,15 @@ export function draw(packed, sink, tolerance, drawClosingLine) {
     sink.move(packed[points], packed[points + 1]);
     let at = points + 2;
     let left = false;
+    const arcs = sink.arcs?.(packed, degrees, points, end, closed);
     for (let k = 0; k < segments; k++) {
       const degree = packed[degrees + k];
+      const taken = arcs && degree === 3 ? arcs(sink, k, at) : 0;
+      if (taken) {
+        k += taken - 1;
+        at += 6 * taken;
+        continue;
+      }
       const after = at + 2 * degree;
       const endsAtStart = after > end;
       left = endsAtStart && degree === 1 && !drawClosingLine && leftToClose(packed, points, at);
@@ -128,19 +138,32 @@ export function traceOn(packed, target, options) {
  */
 
 /**
+ * The options of SVG path data of paths. `arcs`: whether cubics that `Path.fromSVG` makes of an arc, up to rounding, are
+ * written as that arc, true by default.
+ *
+ * @typedef {SvgOptions & { arcs?: boolean }} PathSvgOptions
+ */
+
+/**
  * A packed path as SVG path data.
  *
  * @internal
  * @param {Float64Array} packed
- * @param {SvgOptions | undefined} options
+ * @param {PathSvgOptions | undefined} options `arcs` is an option only with a taker of arcs
+ * @param {ArcTaker | null} [taker] finds cubics that are arcs
  * @returns {string}
  */
-export function svgOf(packed, options) {
-  const { precision, tolerance } = check.options(options, ["precision", "tolerance"]);
+export function svgOf(packed, options, taker = null) {
+  const { precision, tolerance, arcs } = check.options(options, [
+    "precision",
+    "tolerance",
+    ...(taker ? /** @type {const} */ (["arcs"]) : []),
+  ]);
   if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);
   const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  if (check.optionalBoolean(arcs, "arcs", true)) writer.arcs = taker;
   draw(packed, writer, maxError, false);
   return writer.text;
 }
@@ -148,6 +171,8 @@ export function svgOf(packed, options) {
 /** Writes absolute commands, each number with the fewest digits that round-trip. */
 class ExactWriter {
   text = "";
+  /** @type {ArcTaker | null} */
+  arcs = null;
 
   /**
    * @param {number} x
@@ -168,6 +193,11 @@ class ExactWriter {
     this.text += text;
   }
 
+  /** @param {string[]} words the arguments of the command */
+  arc([rx, ry, degrees, large, sweep, x, y]) {
+    this.text += ` A${rx},${ry} ${degrees} ${large} ${sweep} ${x},${y}`;
+  }
+
   close() {
     this.text += " Z";
   }
@@ -176,6 +206,8 @@ class ExactWriter {
 /** Writes the shortest absolute form, with a maximum number of digits after the decimal point. */
 class ShortWriter {
   text = "";
+  /** @type {ArcTaker | null} */
+  arcs = null;
   /** The current point as text. */
   #x = "";
   #y = "";
@@ -214,6 +246,17 @@ class ShortWriter {
     else this.#write(COMMANDS[degree], words);
     this.#x = x;
     this.#y = y;
+  }
+
+  /** @param {string[]} words the arguments of the command */
+  arc(words) {
+    this.#write("A", words);
+    [this.#x, this.#y] = words.slice(5);
+  }
+
+  /** The current point. */
+  at() {
+    return [Number(this.#x), Number(this.#y)];
   }
 
   /** @param {boolean} line */

@@ -36,11 +36,15 @@ export const wasmModules = [];
 /**
  * @internal
  * @param {WasmModule["link"]} link
- * @param {{ text: string, alphabet: string, frequent: number[], length: number } | null} inlined
+ * @param {{ text: string, alphabet: string, frequent: number[], length: number } | WasmModule["bytes"]} source the bytes as
+ *   text, or a function that gives them
  * @returns {WasmModule}
  */
-export function registerModule(link, inlined) {
-  const bytes = inlined && (() => decodeBytes(inlined.text, inlined.alphabet, inlined.frequent, inlined.length));
+export function registerModule(link, source) {
+  const bytes =
+    source && "text" in source
+      ? () => decodeBytes(source.text, source.alphabet, source.frequent, source.length)
+      : source;
   /** @type {WasmModule} */
   const wasmModule = { link, bytes, functions: null, memory: null, view: new Float64Array(0), cubicEval: null };
   wasmModules.push(wasmModule);

@@ -67,7 +67,7 @@ impl CarriedFrame {
     pub(crate) fn rotated(self, angle: f64) -> Self {
         let (cosine, sine) = cos_sin(angle);
         let normal = self.normal * cosine + self.tangent.cross(self.normal) * sine;
-        let normal = Point::normalize_or_zero(normal);
+        let normal = Point::unit(normal);
         Self { normal, ..self }
     }
 }
@@ -112,7 +112,7 @@ impl FrameCurve {
         let slope = evaluate(&self.slopes, t);
         // The largest coordinate of the slopes is between 1 and 2.
         if slope.max_abs() > CLEAR_SPEED {
-            Point::normalize_or_zero(slope)
+            Point::unit(slope)
         } else {
             self.unit.tangent(t)
         }
@@ -140,9 +140,7 @@ impl FrameCurve {
             .min_by(|a, b| a.dot(tangent).abs().total_cmp(&b.dot(tangent).abs()));
         let all = [wanted, Some(self.unit.normal(0.0)), farthest];
         // Ignore a requested normal that is parallel to the tangent.
-        let clear = |v: &DVec3| {
-            Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLELISM_SINE
-        };
+        let clear = |v: &DVec3| Point::norm(Point::unit(*v).cross(tangent)) > PARALLELISM_SINE;
         all.into_iter()
             .flatten()
             .find(clear)
@@ -199,7 +197,7 @@ impl FrameCurve {
             .dot(middle.tangent)
             .min(middle.tangent.dot(to.tangent));
         let gentle = cosine > GENTLE_COSINE;
-        let enough = gentle && Point::length(in_two - at_once) <= CARRIED_APART;
+        let enough = gentle && Point::norm(in_two - at_once) <= CARRIED_APART;
         let normal = if work.is_exceeded() || enough {
             in_two
         } else if (to.t - start.t).abs() <= CUSP_STEP {
@@ -216,12 +214,12 @@ impl FrameCurve {
 
     /// The normal of the plane in which a cusp lies; zero if there is none.
     fn axis(&self, t: f64) -> DVec3 {
-        let derivative = |k: usize| Point::normalize_or_zero(self.unit.derivative_at(t, k));
+        let derivative = |k: usize| Point::unit(self.unit.derivative_at(t, k));
         let second = derivative(2);
         (3..=self.unit.degree())
             .map(|k| second.cross(derivative(k)))
-            .find(|axis| Point::length(*axis) > PARALLELISM_SINE)
-            .map_or(DVec3::ZERO, Point::normalize_or_zero)
+            .find(|axis| Point::norm(*axis) > PARALLELISM_SINE)
+            .map_or(DVec3::ZERO, Point::unit)
     }
 }
 
@@ -232,7 +230,7 @@ fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
         return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
     let normal = double_reflection(normal, [from.tangent, to.tangent], displacement);
-    Point::normalize_or_zero(normal - to.tangent * to.tangent.dot(normal))
+    Point::unit(normal - to.tangent * to.tangent.dot(normal))
 }
 
 /// A vector perpendicular to a curve, transported from one point to another without rotation about the curve: reflected
@@ -244,9 +242,9 @@ pub(crate) fn double_reflection(
     displacement: DVec3,
 ) -> DVec3 {
     let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
-    let chord = Point::normalize_or_zero(displacement);
+    let chord = Point::unit(displacement);
     let (vector, tangent) = (mirror(vector, chord), mirror(before, chord));
-    mirror(vector, Point::normalize_or_zero(after - tangent))
+    mirror(vector, Point::unit(after - tangent))
 }
 
 /// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is
@@ -262,5 +260,5 @@ fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
     }
     let shared = normal.dot(after) / (1.0 + before.dot(after));
     let normal = normal - (before + after) * shared;
-    Point::normalize_or_zero(normal - after * after.dot(normal))
+    Point::unit(normal - after * after.dot(normal))
 }

@@ -113,16 +113,16 @@ fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
     let vectors: Points<DVec3> = vectors.iter().map(|vector| vector.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
     let farthest = vectors.iter().copied().fold(DVec3::ZERO, longest);
-    let slack = slack + FLATNESS_ROUNDING * Point::length(farthest);
-    let along = Point::normalize_or_zero(farthest);
+    let slack = slack + FLATNESS_ROUNDING * Point::norm(farthest);
+    let along = Point::unit(farthest);
     let across = vectors
         .iter()
         .map(|&vector| vector - along * vector.dot(along));
     let across = across.fold(DVec3::ZERO, longest);
-    if Point::length(across) <= slack {
+    if Point::norm(across) <= slack {
         return Flat::Line;
     }
-    let normal = along.cross(Point::normalize_or_zero(across));
+    let normal = along.cross(Point::unit(across));
     if vectors
         .iter()
         .any(|vector| vector.dot(normal).abs() > slack)

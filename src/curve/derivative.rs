@@ -107,7 +107,7 @@ impl<P: Point> Curve<P> {
             Ordering::Less => sign * f64::INFINITY,
             Ordering::Greater => 0.0,
             Ordering::Equal => {
-                sign * cross.size() / first.length().powi(3) * (c * (c - a) / (a * a)) / local.scale
+                sign * cross.size() / first.norm().powi(3) * (c * (c - a) / (a * a)) / local.scale
             }
         }
     }
@@ -168,7 +168,7 @@ pub(crate) struct Taylor<P: Point> {
 impl<P: Point> Taylor<P> {
     /// The direction in which the term of this order moves the point as t increases.
     fn direction(&self, order: usize) -> P {
-        let unit = self.coefficients[order - 1].normalize_or_zero();
+        let unit = self.coefficients[order - 1].unit();
         if self.from_left && order.is_multiple_of(2) {
             -unit
         } else {
@@ -184,7 +184,7 @@ impl<P: Point> Taylor<P> {
         let first = self.coefficients[self.first - 1];
         (self.first + 1..=self.coefficients.len()).find(|&order| {
             let later = self.coefficients[order - 1];
-            first.cross(later).size() > VANISHING_RATIO * first.length() * later.length()
+            first.cross(later).size() > VANISHING_RATIO * first.norm() * later.norm()
         })
     }
 }

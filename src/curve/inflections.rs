@@ -95,7 +95,7 @@ impl<P: Point> Curve<P> {
             return vec![0.0, 1.0];
         };
         let (slopes, _) = hodograph(&self.points);
-        let goes = |t: f64| evaluate(&slopes, t).length() > HALF_THE_DIGITS;
+        let goes = |t: f64| evaluate(&slopes, t).norm() > HALF_THE_DIGITS;
         let passes = |t: f64| {
             let (direction, tangent) = (evaluate(&about, t).to_2d(), self.tangent(t).to_2d());
             direction.perp_dot(tangent).abs() <= HALF_THE_DIGITS * max_abs(&about)
@@ -124,8 +124,7 @@ pub(crate) fn cusps_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     let rate = product_of(m, m - 1, |i, j| slopes[i].dot(slopes[j + 1] - slopes[j]));
     let slack = 8.0 * (m + 2) as f64 * (rounding / unit + f64::EPSILON);
     let slope = |t: f64| evaluate(&slopes, t);
-    let is_cusp =
-        |t: f64| slope(t).length() <= slack && slope(t - ASIDE).dot(slope(t + ASIDE)) < 0.0;
+    let is_cusp = |t: f64| slope(t).norm() <= slack && slope(t - ASIDE).dot(slope(t + ASIDE)) < 0.0;
     let stops = roots_inside(&rate).into_iter();
     stops.filter(|&t| is_cusp(t)).collect()
 }

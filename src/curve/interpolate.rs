@@ -92,7 +92,7 @@ fn check_interpolation(count: usize, ts: &[f64]) -> Result<(), Error> {
 
 /// Chord-length parameters from 0 to 1; uniform ones if a chord has length 0.
 fn chord_lengths<P: Point>(points: &[P]) -> Scalars {
-    let quarter = |pair: &[P]| (pair[1] * 0.25 - pair[0] * 0.25).length() / 128.0;
+    let quarter = |pair: &[P]| (pair[1] * 0.25 - pair[0] * 0.25).norm() / 128.0;
     let total: f64 = points.windows(2).map(quarter).sum();
     let last = points.len().saturating_sub(1);
     let mut sum = 0.0;

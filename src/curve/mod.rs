@@ -141,7 +141,7 @@ impl<P: Point> Curve<P> {
                 .points
                 .iter()
                 .zip(&other.points)
-                .all(|(&a, &b)| a == b || (a - b).length() <= tolerance)
+                .all(|(&a, &b)| a == b || (a - b).norm() <= tolerance)
     }
 
     /// The curve in the opposite direction: B(1 − t).

@@ -54,7 +54,7 @@ impl<P: Point> Curve<P> {
             .collect();
         Reduced {
             curve: Self::from_points(unelevated(&lower)).clamped(),
-            error: excess.length(),
+            error: excess.norm(),
         }
     }
 

@@ -31,11 +31,11 @@ impl<P: Point> Chord<P> {
         let from_start = || points.iter().map(|&p| p - points[0]);
         let farther = |far: P, v: P| if v.max_abs() > far.max_abs() { v } else { far };
         let far = from_start().fold(P::default(), farther);
-        let direction = far.normalize_or_zero();
+        let direction = far.unit();
         let across = from_start().map(|v| direction.cross(v).size());
         Self {
             direction,
-            length: far.length(),
+            length: far.norm(),
             width: across.fold(0.0, f64::max),
         }
     }

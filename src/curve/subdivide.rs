@@ -82,9 +82,9 @@ fn grow<P: Point>(
     let polygon_length = curve
         .control_points()
         .windows(2)
-        .map(|pair| (pair[1] - pair[0]).length())
+        .map(|pair| (pair[1] - pair[0]).norm())
         .sum::<f64>();
-    let chord_length = (curve.end() - curve.start()).length();
+    let chord_length = (curve.end() - curve.start()).norm();
     let middle = 0.5 * (t0 + t1);
     let straight = polygon_length - chord_length < tolerance || middle <= t0 || middle >= t1;
     let halves = if straight {

@@ -26,7 +26,7 @@ impl<P: Point> Curve<P> {
         let plane = term(local.first).to_3d().cross(term(bend).to_3d());
         let out_of_plane = |&order: &usize| {
             let later = term(order);
-            plane.dot(later.to_3d()).abs() > VANISHING_RATIO * plane.size() * later.length()
+            plane.dot(later.to_3d()).abs() > VANISHING_RATIO * plane.size() * later.norm()
         };
         let Some(twist) = (bend + 1..=self.degree()).find(out_of_plane) else {
             return 0.0;

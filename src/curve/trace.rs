@@ -101,7 +101,7 @@ impl<P: Point> Curve<P> {
         };
         let distances = self.points.iter().enumerate();
         distances
-            .map(|(k, &p)| (p - raised(k)).length())
+            .map(|(k, &p)| (p - raised(k)).norm())
             .fold(0.0, f64::max)
     }
 }

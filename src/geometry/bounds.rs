@@ -36,7 +36,7 @@ impl<P: Point> Bounds<P> {
     /// The distance from the point to the box; 0 inside.
     #[inline]
     pub(crate) fn distance(self, p: P) -> f64 {
-        self.outside(p).length()
+        self.outside(p).norm()
     }
 
     /// The box enlarged on each side by a margin for each coordinate.
@@ -96,6 +96,6 @@ impl<P: Point> Bounds<P> {
 
     /// The length of the diagonal.
     pub fn diagonal(&self) -> f64 {
-        (self.max - self.min).length()
+        (self.max - self.min).norm()
     }
 }

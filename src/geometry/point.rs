@@ -80,12 +80,12 @@ pub trait Point:
     /// The Euclidean distance of two points.
     #[inline]
     fn distance(self, other: Self) -> f64 {
-        Point::length(self - other)
+        Point::norm(self - other)
     }
 
     /// The Euclidean length; it overflows or underflows only if the true value does.
     #[inline]
-    fn length(self) -> f64 {
+    fn norm(self) -> f64 {
         let square = self.dot(self);
         if (1e-280..1e280).contains(&square) {
             return square.sqrt();
@@ -100,7 +100,7 @@ pub trait Point:
 
     /// The vector of length 1 in this direction; zero for the zero vector.
     #[inline]
-    fn normalize_or_zero(self) -> Self {
+    fn unit(self) -> Self {
         let scale = self.max_abs();
         if scale == 0.0 {
             return Self::default();
@@ -150,7 +150,7 @@ impl CrossProduct for f64 {
 impl CrossProduct for DVec3 {
     #[inline]
     fn size(self) -> f64 {
-        Point::length(self)
+        Point::norm(self)
     }
     #[inline]
     fn curvature_sign(self) -> f64 {
@@ -315,10 +315,10 @@ impl Point for DVec3 {
     }
     #[inline]
     fn normal_of(tangent: Self, bend: Self) -> Self {
-        let across = |v: Self| Point::normalize_or_zero(v - tangent * v.dot(tangent));
+        let across = |v: Self| Point::unit(v - tangent * v.dot(tangent));
         // If `bend` is almost parallel to the tangent, rounding leaves a component along the tangent; a second
         // projection removes it ("twice is enough", Kahan).
-        across(across(Point::normalize_or_zero(bend)))
+        across(across(Point::unit(bend)))
     }
 }
 

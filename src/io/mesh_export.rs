@@ -196,7 +196,7 @@ fn face_normal(points: [&[f32]; 3]) -> DVec3 {
     let [a, b, c] = points.map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into()));
     let cross = (b - a).cross(c - a);
     // In f64, squares of f32 values neither overflow nor underflow.
-    let length = Point::length(cross);
+    let length = Point::norm(cross);
     if length > 0.0 {
         cross / length
     } else {

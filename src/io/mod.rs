@@ -5,6 +5,7 @@ mod glb;
 mod mesh_export;
 mod surface_arrays;
 mod surface_text;
+mod svg_arcs;
 pub(crate) mod svg_error;
 pub(crate) mod svg_number;
 mod svg_read;

@@ -1,6 +1,7 @@
 //! Writing paths as SVG path data.
 
-use super::text_write::written_number;
+use super::svg_arcs::{Run, SvgArc};
+use super::text_write::{push, written_number};
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
@@ -11,11 +12,13 @@ use glam::DVec2;
 
 /// The maximum number of digits, the limit of JavaScript's `toFixed`.
 const MAX_DIGITS: u8 = 100;
+/// The rotation of an ellipse has so many more digits, because it moves points by its multiple with the radius.
+const MORE_DIGITS: u8 = 3;
 /// From this value on, numbers have no digits after the decimal point, and JavaScript writes them with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
 
 /// Options of SVG path data.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SvgOptions {
     /// The number of digits after the decimal point (100 at most; ties are rounded away from zero). With it the text has
@@ -24,6 +27,19 @@ pub struct SvgOptions {
     /// The largest distance of the cubics that replace segments above degree 3; by default 10⁻⁴ of the diagonal of their
     /// control-point box.
     pub tolerance: Option<f64>,
+    /// Whether cubics of a path that [`Path::from_svg`] makes of an arc, up to rounding, are written as that arc: true by
+    /// default. Curves and splines are written without arcs.
+    pub arcs: bool,
+}
+
+impl Default for SvgOptions {
+    fn default() -> Self {
+        Self {
+            precision: None,
+            tolerance: None,
+            arcs: true,
+        }
+    }
 }
 
 impl SvgOptions {
@@ -45,13 +61,21 @@ impl SvgOptions {
         self.tolerance = Some(tolerance);
         self
     }
+
+    /// Sets whether cubics that are arcs are written as arcs.
+    #[must_use]
+    pub fn arcs(mut self, arcs: bool) -> Self {
+        self.arcs = arcs;
+        self
+    }
 }
 
 impl Path {
     /// The path as the `d` attribute of an SVG `<path>`.
     ///
     /// Absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so
-    /// [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). Higher degrees are approximated by
+    /// [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). Cubics that it makes of an arc are written
+    /// as the arc, so a circle takes two commands: these are read up to rounding. Higher degrees are approximated by
     /// cubics (see [`Curve::trace`]). The last line of a closed subpath is represented by its `Z`. The empty path gives
     /// the empty text.
     ///
@@ -61,6 +85,8 @@ impl Path {
     /// let path = Path::from_svg("m0 0 2 0 0 1.25z").expect("path data");
     /// assert_eq!(path.to_svg(), "M0,0 L2,0 L2,1.25 Z");
     /// assert_eq!(path.to_svg_with(&SvgOptions::new().precision(1))?, "M0 0H2V1.3Z");
+    /// let circle = Path::circle((0.0, 0.0).into(), 5.0)?;
+    /// assert_eq!(circle.to_svg(), "M5,0 A5,5 0 0 1 -5,0 A5,5 0 0 1 5,0 Z");
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn to_svg(&self) -> String {
@@ -82,6 +108,7 @@ impl Path {
         let SvgOptions {
             precision,
             tolerance,
+            arcs,
         } = *options;
         let mut writer = Writer::new(precision);
         for part in self.parts() {
@@ -92,8 +119,15 @@ impl Path {
                 && part.ends_with_line()
                 && (last == 0 || part.points[last] != part.points[last + 1]);
             let count = part.segment_count() - usize::from(closing);
-            for points in part.segments().take(count) {
-                Curve::from_slice(points).trace_on(&mut writer, tolerance);
+            let mut k = 0;
+            while k < count {
+                let run = arcs.then(|| Run::of((k..count).map(|k| part.segment(k))));
+                if let Some(written) = run.flatten().and_then(|run| writer.arc_of(run)) {
+                    k += written;
+                    continue;
+                }
+                Curve::from_slice(part.segment(k)).trace_on(&mut writer, tolerance);
+                k += 1;
             }
             if part.closed {
                 writer.close_subpath(closing && last > 0);
@@ -104,9 +138,9 @@ impl Path {
 }
 
 impl Curve<DVec2> {
-    /// The curve as SVG path data; see [`Path::to_svg`].
+    /// The curve as SVG path data, without arcs; see [`Path::to_svg`].
     pub fn to_svg(&self) -> String {
-        Path::from(self.clone()).to_svg()
+        Path::from(self.clone()).written(&SvgOptions::new().arcs(false))
     }
 
     /// [`to_svg`](Self::to_svg) with options.
@@ -114,14 +148,14 @@ impl Curve<DVec2> {
     /// # Errors
     /// As [`trace_within`](Self::trace_within).
     pub fn to_svg_with(&self, options: &SvgOptions) -> Result<String, Error> {
-        Path::from(self.clone()).to_svg_with(options)
+        Path::from(self.clone()).to_svg_with(&options.arcs(false))
     }
 }
 
 impl Spline<DVec2> {
-    /// The spline as SVG path data; see [`Path::to_svg`].
+    /// The spline as SVG path data, without arcs; see [`Path::to_svg`].
     pub fn to_svg(&self) -> String {
-        Path::new(std::slice::from_ref(self)).to_svg()
+        Path::new(std::slice::from_ref(self)).written(&SvgOptions::new().arcs(false))
     }
 
     /// [`to_svg`](Self::to_svg) with options.
@@ -129,7 +163,7 @@ impl Spline<DVec2> {
     /// # Errors
     /// As [`trace_within`](Self::trace_within).
     pub fn to_svg_with(&self, options: &SvgOptions) -> Result<String, Error> {
-        Path::new(std::slice::from_ref(self)).to_svg_with(options)
+        Path::new(std::slice::from_ref(self)).to_svg_with(&options.arcs(false))
     }
 }
 
@@ -177,6 +211,63 @@ impl Writer {
             self.text.push(',');
             self.text.push_str(&written_number(p.y));
         }
+    }
+
+    /// Writes an arc that is read as the first cubics of a run; returns their number.
+    fn arc_of(&mut self, mut run: Run<'_>) -> Option<usize> {
+        while run.len() > 0 {
+            let written = match self.precision {
+                None => self.arc_exactly(&run),
+                Some(digits) => self.arc_briefly(&run, digits.min(MAX_DIGITS)),
+            };
+            if written {
+                return Some(run.len());
+            }
+            run.halve();
+        }
+        None
+    }
+
+    fn arc_exactly(&mut self, run: &Run<'_>) -> bool {
+        let Some(arc) = run.arc() else {
+            return false;
+        };
+        let (radii, to) = (arc.radii, run.end());
+        let [rx, ry, degrees, x, y] =
+            [radii.x, radii.y, arc.degrees, to.x, to.y].map(written_number);
+        let [large, sweep] = [arc.large, arc.sweep].map(u8::from);
+        push(
+            &mut self.text,
+            format_args!(" A{rx},{ry} {degrees} {large} {sweep} {x},{y}"),
+        );
+        true
+    }
+
+    /// The radii are rounded, or rounded down by one unit of the last digit: of half an ellipse, larger radii would move the center far.
+    fn arc_briefly(&mut self, run: &Run<'_>, digits: u8) -> bool {
+        let value = |word: &String| word.parse().unwrap_or(f64::NAN);
+        let unit = 10_f64.powi(-i32::from(digits));
+        let (arc, end) = (run.ellipse(), run.end());
+        let to = [fixed(end.x, digits), fixed(end.y, digits)];
+        let at = DVec2::new(value(&self.at[0]), value(&self.at[1]));
+        let degrees = fixed(arc.degrees, (digits + MORE_DIGITS).min(MAX_DIGITS));
+        for less in [0.0, unit] {
+            let radii = [arc.radii.x - less, arc.radii.y - less].map(|r| fixed(r, digits));
+            let rounded = SvgArc {
+                radii: DVec2::new(value(&radii[0]), value(&radii[1])),
+                degrees: value(&degrees),
+                ..arc
+            };
+            if run.is_read_from(&rounded, at, DVec2::new(value(&to[0]), value(&to[1])), unit) {
+                let [rx, ry] = radii;
+                let [large, sweep] = [arc.large, arc.sweep].map(|flag| u8::from(flag).to_string());
+                let [x, y] = to.clone();
+                self.write('A', &[rx, ry, degrees, large, sweep, x, y]);
+                self.at = to;
+                return true;
+            }
+        }
+        false
     }
 
     fn draw_briefly(&mut self, command: char, points: &[DVec2], digits: u8) {

@@ -161,15 +161,14 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
         keep_longer(&mut plane, [corner, before.cross(next)]);
         keep_longer(&mut line, [DVec3::ZERO, corner]);
     }
-    let [[amid, normal], [_, along]] =
-        [plane, line].map(|[from, to]| [from, Point::normalize_or_zero(to)]);
+    let [[amid, normal], [_, along]] = [plane, line].map(|[from, to]| [from, Point::unit(to)]);
     around.iter().all(|&p| {
         let off = if normal != DVec3::ZERO {
             (p - amid).dot(normal).abs()
         } else if along != DVec3::ZERO {
-            Point::length(p.cross(along))
+            Point::norm(p.cross(along))
         } else {
-            Point::length(p)
+            Point::norm(p)
         };
         off <= max
     })
@@ -177,7 +176,7 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
 
 /// Keeps the longer vector together with its origin.
 fn keep_longer(kept: &mut [DVec3; 2], index: [DVec3; 2]) {
-    if Point::length(index[1]) > Point::length(kept[1]) {
+    if Point::norm(index[1]) > Point::norm(kept[1]) {
         *kept = index;
     }
 }

@@ -20,6 +20,7 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "camelCase")
 )]
+#[non_exhaustive]
 pub struct TessellationOptions {
     /// The level of detail of the mesh.
     pub detail: Detail,
@@ -154,16 +155,16 @@ impl View {
     fn tolerance_for(&self, [low, high]: [DVec3; 2]) -> f64 {
         let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
         let middle = low * 0.5 + high * 0.5;
-        let radius = Point::length(high - middle);
+        let radius = Point::norm(high - middle);
         // Outside one of these half-spaces neither the piece nor triangles between its points are visible.
         let unseen = |plane: DVec4| {
-            plane.dot(middle.extend(1.0)) + radius * Point::length(plane.truncate()) <= 0.0
+            plane.dot(middle.extend(1.0)) + radius * Point::norm(plane.truncate()) <= 0.0
         };
         if [w, w + x, w - x, w + y, w - y].into_iter().any(unseen) {
             return f64::INFINITY;
         }
         let depth = w.dot(middle.extend(1.0));
-        let reach = radius * Point::length(w.truncate());
+        let reach = radius * Point::norm(w.truncate());
         let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
         let slope = |row: DVec4, half: f64| {
             // ∂(X/W) = (∂X − X/W·∂W)/W; points outside the viewport are clamped to its border.

@@ -136,7 +136,7 @@ fn error_bound(points: &[DVec3], cubic: &[DVec3; 4]) -> f64 {
             let p = points[k - i];
             sum += (p - cubic[i] * p.z) * (shares[i] * of_points[k - i]);
         }
-        largest = largest.max(Point::length(sum.with_z(0.0)) / of_product[k]);
+        largest = largest.max(Point::norm(sum.with_z(0.0)) / of_product[k]);
     }
     let min = points.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
     largest / min

@@ -43,7 +43,7 @@ impl Sampler {
         let (point, cross_product) = self.samples.sample(u, v);
         let cross_product = DVec3::from(cross_product);
         let normal = if is_regular(cross_product) {
-            Point::normalize_or_zero(cross_product)
+            Point::unit(cross_product)
         } else {
             self.limits().limit(u, v)
         };

@@ -131,7 +131,7 @@ impl Tracer {
             return (to, frame);
         }
         let middle = 0.5 * (from.t + to.t);
-        let close = Point::length(to.point - from.point) <= self.tolerance;
+        let close = Point::norm(to.point - from.point) <= self.tolerance;
         if close || middle <= from.t || middle >= to.t {
             // The line has a corner here.
             sweep.end(&before);

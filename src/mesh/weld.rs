@@ -149,13 +149,12 @@ impl Welder<'_> {
             for (k, &corner) in corners.iter().enumerate() {
                 let (a, b) = (point(k + 1) - point(k), point(k + 2) - point(k));
                 let normal = self.stitched_mesh.corners[corner as usize].normal;
-                sums[triangle[k] as usize] +=
-                    normal * angle(Point::normalize_or_zero(a), Point::normalize_or_zero(b));
+                sums[triangle[k] as usize] += normal * angle(Point::unit(a), Point::unit(b));
             }
         }
         for (vertex, sum) in self.vertices.iter_mut().zip(sums) {
             // If the normals cancel, the first one is kept.
-            let mean = Point::normalize_or_zero(sum);
+            let mean = Point::unit(sum);
             if mean != DVec3::ZERO {
                 vertex.normal = mean;
             }
@@ -165,5 +164,5 @@ impl Welder<'_> {
 
 /// The angle between unit vectors, also accurate for small angles: 2·atan(|a − b| / |a + b|) (Kahan).
 fn angle(a: DVec3, b: DVec3) -> f64 {
-    2.0 * Point::length(a - b).atan2(Point::length(a + b))
+    2.0 * Point::norm(a - b).atan2(Point::norm(a + b))
 }

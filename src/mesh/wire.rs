@@ -7,6 +7,7 @@
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "camelCase")
 )]
+#[non_exhaustive]
 pub struct WireframeOptions {
     /// The number of strips per patch in each direction, at least 1.
     pub lines: usize,
@@ -46,5 +47,12 @@ impl Default for WireframeOptions {
                 sides: 8,
             },
         }
+    }
+}
+
+impl WireframeOptions {
+    /// This number of strips per patch in each direction, with lines of this shape.
+    pub const fn new(lines: usize, wire: Wire) -> Self {
+        Self { lines, wire }
     }
 }

@@ -32,7 +32,7 @@ impl Surface {
     ///
     /// let teapot = Surface::teapot(TeapotOptions::default());
     /// let wire = Wire::Ribbon { width: 0.05 };
-    /// let mesh = teapot.wireframe(&WireframeOptions { lines: 4, wire })?;
+    /// let mesh = teapot.wireframe(&WireframeOptions::new(4, wire))?;
     /// assert!(mesh.triangle_count() > 2 * 260);
     /// # Ok::<(), casteljau::Error>(())
     /// ```

@@ -73,10 +73,10 @@ impl Patch {
         }
         let p = self.partials(u, v);
         let cross = p.u.cross(p.v);
-        let normal = Point::normalize_or_zero(cross);
+        let normal = Point::unit(cross);
         // ∂u = a·e1 and ∂v = b·e1 + c·e2 with orthonormal vectors e1 and e2.
-        let a = Point::length(p.u);
-        let (b, c) = (p.u.dot(p.v) / a, Point::length(cross) / a);
+        let a = Point::norm(p.u);
+        let (b, c) = (p.u.dot(p.v) / a, Point::norm(cross) / a);
         let [l, m, n] = [p.uu, p.uv, p.vv].map(|d: DVec3| d.dot(normal));
         let w11 = l / (a * a);
         let w12 = (m - b * l / a) / (a * c);
@@ -110,6 +110,6 @@ impl Patch {
         let (du, dv) = directions(&self.points, self.columns);
         let along_u = crate::patch::net::evaluate_net(&du, self.columns - 1, u, v);
         let along_v = crate::patch::net::evaluate_net(&dv, self.columns, u, v);
-        Point::length(along_u.cross(along_v)) > REGULAR_RATIO
+        Point::norm(along_u.cross(along_v)) > REGULAR_RATIO
     }
 }

@@ -30,5 +30,5 @@ impl Patch {
 fn longest(vectors: &[DVec3]) -> f64 {
     vectors
         .iter()
-        .fold(0.0, |max: f64, v| max.max(Point::length(*v)))
+        .fold(0.0, |max: f64, v| max.max(Point::norm(*v)))
 }

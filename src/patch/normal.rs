@@ -134,7 +134,7 @@ fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
 
 /// The unit vector; `None` if the length is noise.
 fn direction(vector: DVec3) -> Option<DVec3> {
-    (vector.length_squared() > VANISHING * VANISHING).then(|| Point::normalize_or_zero(vector))
+    (vector.length_squared() > VANISHING * VANISHING).then(|| Point::unit(vector))
 }
 
 /// Each coefficient of a net of these degrees, multiplied by its binomial coefficients.

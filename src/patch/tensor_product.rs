@@ -142,7 +142,7 @@ impl Patch {
         let along_v = evaluate_net(&dv, self.columns, u, v);
         let cross = along_u.cross(along_v);
         if cross.length_squared() > REGULAR_RATIO * REGULAR_RATIO {
-            return Point::normalize_or_zero(cross);
+            return Point::unit(cross);
         }
         NormalNet::new(&du, &dv, self.degree_u(), self.degree_v()).limit(u, v)
     }
@@ -156,14 +156,14 @@ impl Patch {
         images(&self.points, map).map(|points| Self::from_net(Net::from(&points[..]), self.columns))
     }
 
-    /// The patch with one control point moved.
+    /// Moves one control point, in place.
     ///
     /// # Errors
-    /// [`Error::Index`] for an index outside the net, [`Error::NotFinite`] for a target with a NaN or an infinity.
-    pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
-        let mut moved = self.clone();
-        *checked_point(&mut moved.points, index, to)? = to;
-        Ok(moved)
+    /// [`Error::Index`] for an index outside the net, [`Error::NotFinite`] for a target with a NaN or an infinity; the
+    /// patch is then unchanged.
+    pub fn move_point(&mut self, index: usize, to: DVec3) -> Result<(), Error> {
+        *checked_point(&mut self.points, index, to)? = to;
+        Ok(())
     }
 
     /// Whether both patches have the same degrees and every control point lies within `tolerance` of its counterpart.
@@ -176,7 +176,7 @@ impl Patch {
                 .points
                 .iter()
                 .zip(&other.points)
-                .all(|(&a, &b)| a == b || Point::length(a - b) <= tolerance)
+                .all(|(&a, &b)| a == b || Point::norm(a - b) <= tolerance)
     }
 }
 

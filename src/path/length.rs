@@ -103,7 +103,7 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
             let raised = [DVec2::ZERO, first, first + chord / 3.0, chord];
             plane_cubic_length(&raised.map(|p| p.to_array()))
         }
-        [a, b] => Point::length(b - a),
+        [a, b] => Point::norm(b - a),
         _ => to_3d(points).arc_length(tolerance),
     }
 }

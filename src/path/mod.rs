@@ -24,6 +24,7 @@ pub(crate) mod winding;
 
 pub use crate::io::svg_error::SvgError;
 pub use crate::io::svg_write::SvgOptions;
+pub use crate::spline::OffsetJoin;
 pub use boolean::{BooleanOperation, Face};
 pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
@@ -275,7 +276,7 @@ impl Path {
 
     /// Whether both paths have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
-        let near = |(&a, &b): (&DVec2, &DVec2)| a == b || Point::length(a - b) <= tolerance;
+        let near = |(&a, &b): (&DVec2, &DVec2)| a == b || Point::norm(a - b) <= tolerance;
         self.subpaths == other.subpaths
             && self.ends == other.ends
             && self.points.iter().zip(&other.points).all(near)

@@ -29,7 +29,7 @@ impl<P: Point> Spline<P> {
         };
         let size = curves.iter().map(Curve::max_abs).fold(0.0, f64::max);
         let check = |index: usize, end: P, start: P| {
-            let got = (start - end).length();
+            let got = (start - end).norm();
             if got > JOINT_GAP_RATIO * size {
                 Err(Error::Gap { index, got })
             } else {
@@ -63,7 +63,7 @@ impl<P: Point> Spline<P> {
         check_points("point", &[point])?;
         let last = self.curve(self.segment_count() - 1);
         let from = last.end();
-        let corner = from + last.tangent(1.0) * (0.5 * (point - from).length());
+        let corner = from + last.tangent(1.0) * (0.5 * (point - from).norm());
         let corner = clamp_to_limit(corner);
         let mut points = self.points.clone();
         match last.degree() {
@@ -213,11 +213,11 @@ fn split_parameter<P: Point>(left: &Curve<P>, right: &Curve<P>) -> f64 {
             f64::NAN
         }
     };
-    let by_handles = share((joint - l[n - 1]).length(), (r[1] - joint).length());
+    let by_handles = share((joint - l[n - 1]).norm(), (r[1] - joint).norm());
     if by_handles > 0.0 && by_handles < 1.0 {
         return by_handles;
     }
-    let second = |p: P| (p - joint).length().sqrt();
+    let second = |p: P| (p - joint).norm().sqrt();
     let by_next = share(second(l[n.saturating_sub(2)]), second(r[2.min(n)]));
     if by_next > 0.0 && by_next < 1.0 {
         by_next

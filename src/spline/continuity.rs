@@ -106,14 +106,14 @@ impl<P: Point> Spline<P> {
 
 fn continuity_between<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continuity {
     let near =
-        |k: usize| (left.derivative_at(1.0, k) - right.derivative_at(0.0, k)).length() <= tolerance;
+        |k: usize| (left.derivative_at(1.0, k) - right.derivative_at(0.0, k)).norm() <= tolerance;
     let (before, after) = (left.tangent(1.0), right.tangent(0.0));
     let (along, across) = (before.dot(after), before.cross(after).size());
     let handle_length = handle(left, true).min(handle(right, false));
     let g1 = along > 0.0 && across * handle_length <= tolerance;
     // Two parabolas with these curvatures differ by Δκ/2 · reach² at the tip of the handle.
     let bend = curvature_vector(left, 1.0) - curvature_vector(right, 0.0);
-    let g2 = g1 && bend.length() * 0.5 * handle_length * handle_length <= tolerance;
+    let g2 = g1 && bend.norm() * 0.5 * handle_length * handle_length <= tolerance;
     let c1 = near(1);
     Continuity {
         c0: true,
@@ -129,7 +129,7 @@ fn continuity_between<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f6
 /// The length of the last nonzero handle before a joint, or of the first one after it.
 fn handle<P: Point>(curve: &Curve<P>, at_end: bool) -> f64 {
     let joint = if at_end { curve.end() } else { curve.start() };
-    let mut lengths = curve.control_points().iter().map(|&p| (p - joint).length());
+    let mut lengths = curve.control_points().iter().map(|&p| (p - joint).norm());
     let found = if at_end {
         lengths.rfind(|&l| l > 0.0)
     } else {

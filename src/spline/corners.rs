@@ -159,12 +159,11 @@ impl<P: Point> CornerDetector<P> {
         (angle_between(lines.before, lines.after) > self.angle
             && off <= limit
             && ratio >= MIN_RATIO
-            && lines.apex.length() <= self.tolerance)
+            && lines.apex.norm() <= self.tolerance)
             .then_some(Corner {
                 cluster: k,
                 apex: here.mean + lines.apex,
-                outward: (lines.before.normalize_or_zero() - lines.after.normalize_or_zero())
-                    .normalize_or_zero(),
+                outward: (lines.before.unit() - lines.after.unit()).unit(),
                 ratio,
                 reach: before.max(after),
             })
@@ -173,7 +172,7 @@ impl<P: Point> CornerDetector<P> {
     /// The number of clusters in an arm.
     fn arm(&self, k: usize, arm: f64, at: impl Fn(usize) -> Option<usize>) -> Option<usize> {
         let distance = |steps: usize| {
-            at(steps).map(|index| (self.clusters[index].mean - self.clusters[k].mean).length())
+            at(steps).map(|index| (self.clusters[index].mean - self.clusters[k].mean).norm())
         };
         if distance(1)? >= ARMS[0] * self.tolerance {
             return Some(1);
@@ -232,6 +231,6 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
 
 /// 2 atan2(|u − v|, |u + v|) for unit vectors, which is accurate for small and for large angles.
 pub(crate) fn angle_between<P: Point>(u: P, v: P) -> f64 {
-    let (u, v) = (u.normalize_or_zero(), v.normalize_or_zero());
-    2.0 * (u - v).length().atan2((u + v).length())
+    let (u, v) = (u.unit(), v.unit());
+    2.0 * (u - v).norm().atan2((u + v).norm())
 }

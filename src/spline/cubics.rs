@@ -59,7 +59,7 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut lengths = vec![0.0];
     lengths.extend(points.windows(2).map(|p| {
-        sum += (p[1] - p[0]).length();
+        sum += (p[1] - p[0]).norm();
         sum
     }));
     lengths
@@ -144,12 +144,8 @@ impl<P: Point> FitSamples<P> {
                     *u = foot(&cubic, p, *u);
                 }
                 let (q, w, _) = at(&cubic, *u);
-                worst = worst.max((q - p).length());
-                let along = if round > 0 {
-                    w.normalize_or_zero()
-                } else {
-                    P::default()
-                };
+                worst = worst.max((q - p).norm());
+                let along = if round > 0 { w.unit() } else { P::default() };
                 equations.add(q - p, along, (t0, t1), *u);
             }
             if worst <= self.criteria.tolerance && self.keeps(&cubic, from, to, &samples) {
@@ -197,7 +193,7 @@ impl<P: Point> FitSamples<P> {
     fn keeps(&self, cubic: &[P; 4], from: usize, to: usize, samples: &[(usize, f64)]) -> bool {
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((from, 0.0), known.next().unwrap_or((to, 1.0)));
-        let mut last: (f64, f64) = (0.0, (self.joints[from] - self.points[from]).length());
+        let mut last: (f64, f64) = (0.0, (self.joints[from] - self.points[from]).norm());
         for index in from + 1..=to {
             while index > right.0 {
                 (left, right) = (right, known.next().unwrap_or((to, 1.0)));
@@ -210,7 +206,7 @@ impl<P: Point> FitSamples<P> {
             } else {
                 foot(cubic, p, guess)
             };
-            let distance = |u: f64| (at(cubic, u).0 - p).length();
+            let distance = |u: f64| (at(cubic, u).0 - p).norm();
             let forward = u.max(last.0);
             let tolerance = self.criteria.tolerance;
             let (u, off) = if self.criteria.between {
@@ -298,5 +294,5 @@ fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
 /// derivative.
 fn sag<P: Point>(cubic: &[P; 4], u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
-    at(cubic, u0).2.length().max(at(cubic, u1).2.length()) * h * h * 0.125
+    at(cubic, u0).2.norm().max(at(cubic, u1).2.norm()) * h * h * 0.125
 }

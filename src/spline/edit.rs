@@ -8,7 +8,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
-    /// The spline with control point `index` moved to `to` and the joint modes enforced.
+    /// Moves control point `index` to `to` and enforces the joint modes, in place.
     ///
     /// `mode(k)` is the mode of the joint at t = k. A dragged joint moves its two handles too, unless it is free. The
     /// handles of an automatic joint follow the neighbouring joints; so does the handle at an open end whose
@@ -21,13 +21,13 @@ impl<P: Point> Spline<P> {
     ///
     /// # Errors
     /// [`Error::Index`] past the last control point, [`Error::NotFinite`] for a NaN or an infinity,
-    /// [`Error::NotPlane`] for [`JointMode::G2`] in space.
+    /// [`Error::NotPlane`] for [`JointMode::G2`] in space; the spline is then unchanged.
     pub fn move_point(
-        &self,
+        &mut self,
         index: usize,
         to: P,
         mode: impl Fn(usize) -> JointMode,
-    ) -> Result<Self, Error> {
+    ) -> Result<(), Error> {
         if P::DIMENSION == 3 {
             self.joints().try_for_each(|k| check_plane(mode(k)))?;
         }
@@ -36,11 +36,11 @@ impl<P: Point> Spline<P> {
 
     /// [`move_point`](Self::move_point) without the check of the dimension: the bindings store plane splines in space.
     pub(crate) fn move_point_unchecked(
-        &self,
+        &mut self,
         index: usize,
         to: P,
         mode: impl Fn(usize) -> JointMode,
-    ) -> Result<Self, Error> {
+    ) -> Result<(), Error> {
         let last = self.points.len() - 1;
         if index > last {
             return Err(Error::Index {
@@ -51,18 +51,19 @@ impl<P: Point> Spline<P> {
             });
         }
         check_points("to", &[to])?;
-        if self.points[index] == to {
-            return Ok(self.clone());
+        let from = self.points[index];
+        if from == to {
+            return Ok(());
         }
-        let mut repair = JointRepair::new(self.clone(), &mode);
-        repair.set_point(index, to);
         let dragged = self.joint_at(index).filter(|&k| mode(k) != JointMode::Free);
+        let mut repair = JointRepair::new(self, &mode);
+        repair.set_point(index, to);
         if let Some(k) = dragged {
-            repair.drag(k, self.points[index]);
+            repair.drag(k, from);
         }
         repair.repair_outwards(index);
         repair.set_end_handles();
-        Ok(repair.into_spline())
+        Ok(())
     }
 
     /// The spline with `mode` enforced at one joint: the handle before the joint is kept, the handle after it follows
@@ -82,9 +83,9 @@ impl<P: Point> Spline<P> {
     pub(crate) fn set_joint_unchecked(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
         self.check_joint(joint)?;
         let of = |_| mode;
-        let mut repair = JointRepair::new(self.clone(), &of);
-        repair.repair(joint, true);
-        Ok(repair.into_spline())
+        let mut spline = self.clone();
+        JointRepair::new(&mut spline, &of).repair(joint, true);
+        Ok(spline)
     }
 
     /// The indices of all joints, where two segments meet.

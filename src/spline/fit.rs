@@ -176,7 +176,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
     pub(crate) fn turn_at(&self, k: usize, arm: f64) -> f64 {
         let period = self.polyline.period();
         let here = self.polyline.point(k);
-        let is_far = |p: &P| (*p - here).length() >= arm * self.tolerance;
+        let is_far = |p: &P| (*p - here).norm() >= arm * self.tolerance;
         let [before, after] = [false, true].map(|ahead| {
             let (room, at) = match (self.polyline.is_closed(), ahead) {
                 (true, _) => (period - 1, k + period),
@@ -282,7 +282,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         let is_end = k == 0 || k + 1 == self.polyline.points.len();
         let smoothed = smoothed[k % self.polyline.period()];
         let offset = smoothed.sum / smoothed.count - point;
-        let distance = offset.length();
+        let distance = offset.norm();
         if is_end && !self.polyline.is_closed() || distance <= MIN_SHIFT * self.tolerance {
             return point;
         }

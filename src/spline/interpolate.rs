@@ -165,11 +165,7 @@ impl<P: Point> Equation<'_, P> {
             let (before, after) = self.beside(i);
             let points = [before, i, after].map(|k| self.points[k]);
             let step = |from: usize, to: usize, chord: P| {
-                if from == to {
-                    0.0
-                } else {
-                    step(chord.length())
-                }
+                if from == to { 0.0 } else { step(chord.norm()) }
             };
             let steps = [
                 step(before, i, points[1] - points[0]),

@@ -70,7 +70,7 @@ impl<P: Point> Sides<P> {
     /// that of the far one. If the near handle has length zero it has no direction; the far handle is then unchanged.
     pub(crate) fn follow(&self, mode: JointMode) -> P {
         let ([near, _], joint, [far, _]) = (self.near, self.joint, self.far);
-        let aligned = || joint + (joint - near).normalize_or_zero() * (far - joint).length();
+        let aligned = || joint + (joint - near).unit() * (far - joint).norm();
         match mode {
             JointMode::Free | JointMode::Auto => far,
             JointMode::C1 | JointMode::C2 => {
@@ -99,27 +99,24 @@ impl<P: Point> Sides<P> {
 
     /// The far handle that gives equal curvatures; `None` if no handle length does.
     fn with_equal_curvature(&self) -> Option<P> {
-        let along = (self.joint - self.near[0]).normalize_or_zero();
+        let along = (self.joint - self.near[0]).unit();
         // The component of P − P₃ that is perpendicular to the tangent.
         let across = |p: P| (p - self.joint) - along * (p - self.joint).dot(along);
         let (before, after) = (across(self.near[1]), across(self.far[1]));
-        let (h1, h5) = (before.length(), after.length());
+        let (h1, h5) = (before.norm(), after.norm());
         // A distance within the rounding error of its operands counts as zero.
         let size = |points: &[P]| points.iter().map(|p| p.max_abs()).fold(0.0, f64::max);
         let largest = size(&self.near)
             .max(size(&self.far))
             .max(self.joint.max_abs());
         let none = 8.0 * f64::EPSILON * largest;
-        if h1 <= none
-            || h5 <= none
-            || before.normalize_or_zero().dot(after.normalize_or_zero()) <= 0.0
-        {
+        if h1 <= none || h5 <= none || before.unit().dot(after.unit()) <= 0.0 {
             return None;
         }
         // The curvature is (n − 1)/n · h/length².
         let (n, m) = (self.near_degree, self.far_degree);
         let curvature_ratio = ratio((m - 1) * n, m * (n - 1)).sqrt() * (h5.sqrt() / h1.sqrt());
-        Some(self.joint + along * ((self.joint - self.near[0]).length() * curvature_ratio))
+        Some(self.joint + along * ((self.joint - self.near[0]).norm() * curvature_ratio))
     }
 }
 

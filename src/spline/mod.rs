@@ -204,7 +204,7 @@ impl<P: Point> Spline<P> {
 
     /// Whether both splines have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
-        let near = |(&a, &b): (&P, &P)| a == b || (a - b).length() <= tolerance;
+        let near = |(&a, &b): (&P, &P)| a == b || (a - b).norm() <= tolerance;
         self.closed == other.closed
             && self.starts == other.starts
             && self.points.iter().zip(&other.points).all(near)

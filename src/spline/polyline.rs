@@ -61,7 +61,7 @@ impl<P: Point> SampledPolyline<P> {
             let start = self.point(from);
             let (mut sum, mut length) = (P::default(), 0.0);
             let mut to = from;
-            while to <= last && (self.point(to) - start).length() < radius {
+            while to <= last && (self.point(to) - start).norm() < radius {
                 sum += self.point(to) - start;
                 length += self.length(to);
                 to += 1;

@@ -16,7 +16,7 @@ use crate::numeric::float::ratio;
 
 /// A spline whose points are being moved, each at most once.
 pub(crate) struct JointRepair<'a, P: Point, M> {
-    spline: Spline<P>,
+    spline: &'a mut Spline<P>,
     mode: &'a M,
     /// The state of each control point.
     states: Vec<State>,
@@ -39,16 +39,12 @@ struct JointPoints {
 }
 
 impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
-    pub(crate) fn new(spline: Spline<P>, mode: &'a M) -> Self {
+    pub(crate) fn new(spline: &'a mut Spline<P>, mode: &'a M) -> Self {
         Self {
             states: vec![State::Free; spline.points.len()],
             spline,
             mode,
         }
-    }
-
-    pub(crate) fn into_spline(self) -> Spline<P> {
-        self.spline
     }
 
     /// Moves a point unless it must not move; returns whether the point is at `to` now.
@@ -143,7 +139,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Sets both handles of an automatic joint from the neighbouring joints.
     fn automatic(&mut self, joint: usize) {
         let [before, here, after] = self.anchors(joint).map(|index| self.spline.points[index]);
-        let steps = [here - before, after - here].map(|chord| chord.length().sqrt());
+        let steps = [here - before, after - here].map(|chord| chord.norm().sqrt());
         let (departure, arrival) = catmull_rom([before, here, after], steps);
         let around = self.around(joint, true);
         let (left, right) = self.spline.beside(joint);

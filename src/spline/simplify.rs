@@ -187,8 +187,8 @@ impl<P: Point> Vertices<P> {
         for (k, pair) in self.tangents.iter_mut().enumerate() {
             let [before, after] = *pair;
             if !is_corner(k) && before != after {
-                is_smooth &= (after - before).length() <= SMOOTH;
-                *pair = [(before + after).normalize_or_zero(); 2];
+                is_smooth &= (after - before).norm() <= SMOOTH;
+                *pair = [(before + after).unit(); 2];
             }
         }
         fitter.within(distance, is_smooth.then_some(self.tangents))

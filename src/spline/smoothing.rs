@@ -46,9 +46,9 @@ pub(crate) fn smoothed<P: Point>(
         (here.first..next).map(move |index| {
             let x = polyline.length(index) - here.length;
             let position = here.mean + parabola.value(x);
-            let mut tangent = parabola.derivative(x).normalize_or_zero();
+            let mut tangent = parabola.derivative(x).unit();
             if tangent == P::default() {
-                tangent = chord.normalize_or_zero();
+                tangent = chord.unit();
             }
             (index, Smoothed { position, tangent })
         })
@@ -77,7 +77,7 @@ fn local_parabola<P: Point>(clusters: &[Cluster<P>], k: usize, tolerance: f64) -
 
 /// The number of clusters to one side, at least 1, within a distance.
 fn first_half<P: Point>(clusters: &[Cluster<P>], k: usize, range: f64) -> usize {
-    let near = |index: usize| (clusters[index].mean - clusters[k].mean).length() < range;
+    let near = |index: usize| (clusters[index].mean - clusters[k].mean).norm() < range;
     let before = (1..=k.min(MAX_SAMPLES)).take_while(|n| near(k - n)).count();
     let room = clusters.len() - 1 - k;
     let after = (1..=room.min(MAX_SAMPLES))

@@ -67,7 +67,7 @@ impl Objective for Distance<'_> {
             return true;
         }
         let surface_point = self.images[minimum.index].eval(minimum.u, minimum.v);
-        let normal = Point::normalize_or_zero(surface_point - self.image_of_p);
+        let normal = Point::unit(surface_point - self.image_of_p);
         let is_behind = |point: &DVec3| (*point - surface_point).dot(normal) >= -ROUNDING;
         self.images
             .iter()
@@ -186,7 +186,7 @@ pub(crate) fn squared_distance(
     p: DVec3,
 ) -> PolynomialPiece {
     let away = scaling.centre - p;
-    let unit = scaling.size.max(Point::length(away));
+    let unit = scaling.size.max(Point::norm(away));
     let (share, toward) = (scaling.size / unit, away / unit * 2.0);
     let (m, n) = (image.degree_u(), image.degree_v());
     let weights: Vec<f64> = (0..image.points.len())

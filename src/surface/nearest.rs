@@ -79,7 +79,7 @@ impl Surface {
 fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let scaling = Scaling::around(box_of(patches)?);
     // An upper bound on the distance of the nearest point: the smallest distance of the first corner of a patch.
-    let corner = |patch: &Patch| Point::length(patch.points[0] - p);
+    let corner = |patch: &Patch| Point::norm(patch.points[0] - p);
     let reach = patches.iter().map(corner).fold(f64::INFINITY, f64::min);
     let near: Vec<usize> = (0..patches.len())
         .filter(|&k| patches[k].control_bounds().distance(p) <= reach * (1.0 + 8.0 * f64::EPSILON))

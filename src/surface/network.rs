@@ -229,15 +229,15 @@ impl Surface {
         })
     }
 
-    /// The surface with one vertex moved.
+    /// Moves one vertex, in place.
     ///
     /// All vertices that had the same position when the surface was created move together, in all patches that share
     /// them. So patches that were joined stay joined, and others do not become joined.
     ///
     /// # Errors
     /// [`Error::Count`] without vertices, [`Error::Index`] for an index without a vertex, [`Error::NotFinite`] for a
-    /// target with a NaN or an infinity.
-    pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
+    /// target with a NaN or an infinity; the surface is then unchanged.
+    pub fn move_point(&mut self, index: usize, to: DVec3) -> Result<(), Error> {
         if self.vertices.is_empty() {
             return Err(Error::Count {
                 what: "vertices",
@@ -245,15 +245,14 @@ impl Surface {
                 got: 0,
             });
         }
-        let mut moved = self.clone();
-        checked_point(&mut moved.vertices, index, to)?;
+        checked_point(&mut self.vertices, index, to)?;
         let joint = self.joined[index];
-        for (vertex, &joined) in moved.vertices.iter_mut().zip(&self.joined) {
+        for (vertex, &joined) in self.vertices.iter_mut().zip(&self.joined) {
             if joined == joint {
                 *vertex = to;
             }
         }
-        Ok(moved)
+        Ok(())
     }
 
     /// The first vertex that is joined to this one.

@@ -71,7 +71,7 @@ struct Ray {
 fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<SurfacePoint>, Error> {
     check_points("origin", &[origin])?;
     check_points("direction", &[direction])?;
-    let along = Point::normalize_or_zero(direction);
+    let along = Point::unit(direction);
     if along == DVec3::ZERO {
         return Err(Error::Range {
             what: "direction",
@@ -93,7 +93,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         });
         for hits in all {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
-                let apart = Point::length(a.point - b.point);
+                let apart = Point::norm(a.point - b.point);
                 // `blur` computes a normal, so it is called only where the simpler limits do not decide.
                 apart <= NEAR * scaling.size
                     || apart <= ON_SIDE * scaling.size
@@ -141,7 +141,7 @@ fn hits_of(
     hits.retain(|hit| {
         let from_start = scaling.local_point(hit.point) - ray.start;
         from_start.dot(ray.along) >= -NEAR
-            && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
+            && Point::norm(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
     let reach = NEAR * scaling.size;
     if !zeros.complete && patch.control_bounds().distance(origin) <= reach {

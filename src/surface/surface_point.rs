@@ -34,7 +34,7 @@ impl SurfacePoint {
             u,
             v,
             point,
-            distance: Point::length(point - p),
+            distance: Point::norm(point - p),
         }
     }
 

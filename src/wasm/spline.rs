@@ -148,9 +148,10 @@ pub fn spline_append(dimension: usize) -> isize {
 /// Arguments: the new position after the spline, then a mode code for the start of each segment (see [`mode`]).
 #[wasm_bindgen]
 pub fn spline_move_point(dimension: usize, index: usize) -> isize {
-    changed(dimension, |a, spline, end| {
+    changed(dimension, |a, mut spline, end| {
         let to = a.point_in_space(end, dimension);
-        spline.move_point_unchecked(index, to, |joint| mode(a.count(end + dimension + joint)))
+        spline.move_point_unchecked(index, to, |joint| mode(a.count(end + dimension + joint)))?;
+        Ok(spline)
     })
 }
 

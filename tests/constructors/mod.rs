@@ -402,7 +402,7 @@ fn meshes_with_extreme_options() {
     details.extend(grids.map(Detail::Segments));
     for detail in details {
         for weld in [Weld::Position, Weld::Normal, Weld::None] {
-            let options = TessellationOptions { detail, weld };
+            let options = TessellationOptions::from(detail).weld(weld);
             let mesh = patch.tessellate(&options);
             let is_finite = |x: &f32| x.is_finite();
             assert!(mesh.is_err() || mesh.is_ok_and(|m| m.positions.iter().all(is_finite)));
@@ -423,7 +423,7 @@ fn meshes_with_extreme_options() {
                 Wire::Ribbon { width: value },
             ];
             for wire in wires {
-                let _ = no_surface.wireframe(&WireframeOptions { lines, wire });
+                let _ = no_surface.wireframe(&WireframeOptions::new(lines, wire));
             }
         }
     }

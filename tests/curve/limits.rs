@@ -28,7 +28,7 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
         for (t, direction) in [(0.0, start), (1.0, end)] {
             // A handle that is negligibly short relative to the rest may count as none.
             if direction.max_abs() > 1e-11 * real(control.len()) * largest(&control) {
-                let expected = Point::normalize_or_zero(direction);
+                let expected = Point::unit(direction);
                 near_at(curve.tangent(t).to_3d(), expected, 1e-15 * 4.0, (points, t));
             }
         }

@@ -124,7 +124,7 @@ fn directions_are_unit_vectors_at_right_angles() {
             assert!(valid, "{points:?} at {t}: {curvatures:?}");
             let derivative = exact::derivative(points, t, 1);
             if derivative.max_abs() > 1e-6 * scale {
-                let direction = Point::normalize_or_zero(derivative);
+                let direction = Point::unit(derivative);
                 let max = 1e-15 * scale / derivative.max_abs() * steps(points);
                 near_at(tangent, direction, max, (points, t));
             }

@@ -115,7 +115,10 @@ pub(crate) fn spline<P: Space>(mut value: Spline<P>, map: P::Affine, t: f64, p: 
             3 => ("subsegment", Ok(value.subsegment(t..1.0 - t))),
             4 => ("insert", value.insert(t)),
             5 => ("remove", value.remove(joint)),
-            6 => ("move_point", value.move_point(index, p, |_| mode)),
+            6 => (
+                "move_point",
+                changed(&value, |s| s.move_point(index, p, |_| mode)),
+            ),
             7 => ("set_joint", value.set_joint(joint, mode)),
             8 => {
                 let kind = Interpolation::default();
@@ -174,7 +177,10 @@ pub(crate) fn patch(mut value: Patch, map: DAffine3, t: f64, p: DVec3) -> Checke
             2 => ("elevate", or(value.elevate(), value)),
             3 => ("split_u", value.split_u(t).1),
             4 => ("split_v", value.split_v(t).0),
-            _ => ("move_point", or(value.move_point(index, p), value)),
+            _ => (
+                "move_point",
+                or(changed(&value, |s| s.move_point(index, p)), value),
+            ),
         };
         let [m, n] = [next.degree_u(), next.degree_v()];
         chain.record(name, Patch::new(next.control_points(), m, n))?;
@@ -194,7 +200,10 @@ pub(crate) fn surface(mut value: Surface, map: DAffine3, p: DVec3) -> Checked {
         let index = chain.rng.below(value.vertices().len().max(1));
         let (name, next) = match operation {
             0 | 1 => ("transform", or(value.transform(&map), value)),
-            _ => ("move_point", or(value.move_point(index, p), value)),
+            _ => (
+                "move_point",
+                or(changed(&value, |s| s.move_point(index, p)), value),
+            ),
         };
         chain.names.push(name);
         let finite = next.vertices().iter().all(|v| v.is_finite());

@@ -84,7 +84,7 @@ impl Metric for f64 {
 
 impl<P: Space> Metric for P {
     fn distance(self, other: Self) -> f64 {
-        (self - other).length()
+        (self - other).norm()
     }
 }
 
@@ -278,4 +278,13 @@ pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
     ensure!(fits, "refused without a stated reason: {error} ({error:?})");
     ensure!(error.to_string().contains("expected"), "no reason: {error}");
     Ok(())
+}
+
+/// A copy of a value after a change in place, which may be refused.
+pub(crate) fn changed<T: Clone>(
+    value: &T,
+    change: impl FnOnce(&mut T) -> Result<(), Error>,
+) -> Result<T, Error> {
+    let mut copy = value.clone();
+    change(&mut copy).map(|()| copy)
 }

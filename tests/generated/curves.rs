@@ -121,7 +121,7 @@ pub(crate) fn derivative_at<P: Space>(curve: Curve<P>, t: f64, k: usize) -> Chec
 
 /// Checks that a direction is a unit vector or zero.
 pub(crate) fn unit_or_zero<P: Space>(direction: P, slack: f64) -> Checked {
-    let length = direction.length();
+    let length = direction.norm();
     let fits = length == 0.0 || (length - 1.0).abs() <= slack;
     holds!(fits, "the length of a direction is {length}")
 }
@@ -130,7 +130,7 @@ pub(crate) fn tangent<P: Space>(curve: Curve<P>, t: f64) -> Checked {
     let tangent = call(|| curve.tangent(t))?;
     unit_or_zero(tangent, 1e-12)?;
     let derivative = curve.derivative_at(t, 1);
-    let length = derivative.length();
+    let length = derivative.norm();
     let rounding = curve.slack_at(t) * real(curve.degree());
     if is_extreme() || length <= 1e3 * rounding {
         return Ok(());
@@ -152,13 +152,13 @@ pub(crate) fn curvature<P: Space>(curve: Curve<P>, t: f64) -> Checked {
     ensure!(plane || curvature >= 0.0, "{curvature} in space");
     ensure!(!line || curvature == 0.0, "{curvature} of a line");
     let (first, second) = (curve.derivative_at(t, 1), curve.derivative_at(t, 2));
-    let (speed, size) = (first.length(), size() * growth(t, curve.degree()));
+    let (speed, size) = (first.norm(), size() * growth(t, curve.degree()));
     // Far from a cusp the formula is accurate; elsewhere rounding decides.
     if is_extreme() || speed <= 1e-3 * size {
         return Ok(());
     }
     let expected = first.cross(second).size() / speed.powi(3);
-    let rounding = curvature_rounding(&curve, size, speed, second.length());
+    let rounding = curvature_rounding(&curve, size, speed, second.norm());
     let slack = 1e-6 * expected + rounding;
     near(curvature.abs(), expected, slack, "the formula")
 }
@@ -306,7 +306,7 @@ pub(crate) fn cusps<P: Space>(curve: Curve<P>) -> Checked {
     // B′ is evaluated at the root of a function that is uncertain by rounding: B″ times the uncertainty of t is added,
     // √ε at worst.
     let slack = 1e-6 * size() * real(curve.degree()).powi(2);
-    let speeds = ts.iter().map(|&t| curve.derivative_at(t, 1).length());
+    let speeds = ts.iter().map(|&t| curve.derivative_at(t, 1).norm());
     at_most(max(speeds), slack, "the speed at a cusp")
 }
 

@@ -1,8 +1,8 @@
 //! Geometry that is independent of the library, and the slack for rounding.
 
 use crate::check::Metric;
-use casteljau::Point;
 use casteljau::curve::Bounds;
+use casteljau::{Path, Point};
 pub(crate) use casteljau_generator::real;
 
 /// The slack for coordinates of points on curves of a degree: 16 (n + 2) units of rounding of the largest coordinate.
@@ -66,7 +66,7 @@ pub(crate) fn from_segment<P: Point>(p: P, a: P, b: P) -> f64 {
     } else {
         0.0
     };
-    (away - along * s).length()
+    (away - along * s).norm()
 }
 
 /// Whether a bounding box contains a point within a slack.
@@ -99,4 +99,11 @@ pub(crate) fn locations(steps: usize) -> impl Iterator<Item = (f64, f64)> + Clon
 /// Whether numbers are strictly increasing within [min, max].
 pub(crate) fn ascends(ts: &[f64], min: f64, max: f64) -> bool {
     ts.windows(2).all(|w| w[0] < w[1]) && ts.iter().all(|t| (min..=max).contains(t))
+}
+
+/// Whether a path that was read is the one that was written as a text; arcs are read up to rounding.
+pub(crate) fn is_read_back(back: &Path, path: &Path, text: &str) -> bool {
+    let bounds = path.control_bounds();
+    let largest = bounds.map_or(0.0, |b| b.min.abs().max(b.max.abs()).max_element());
+    back == path || (text.contains('A') && back.approx_eq(path, 1e-13 * largest))
 }

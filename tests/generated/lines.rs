@@ -209,7 +209,7 @@ pub(crate) fn length<L: Line>(line: L, tolerance: Option<f64>) -> Checked {
 fn lies_before<L: Line>(line: &L, t: f64, s: f64, tolerance: f64) -> Checked {
     let whole = line.length();
     // A parameter is an f64: where the speed is large, the arc length jumps from one parameter to the next.
-    let step = 4.0 * f64::EPSILON * t * line.derivative_at(t, 1).length();
+    let step = 4.0 * f64::EPSILON * t * line.derivative_at(t, 1).norm();
     let slack = LENGTH_SLACK * whole + 4.0 * line.slack() + tolerance + step;
     near(line.split(t).0.length(), s.clamp(0.0, whole), slack, t)
 }

@@ -30,7 +30,11 @@ pub(crate) fn from_svg(text: String) -> Checked {
     let written = path.to_svg();
     let bytes = written.len();
     ensure!(bytes <= 600 * (length + 1), "{bytes} bytes");
-    same(Path::from_svg(&written)?, path, "the path read again")
+    let back = Path::from_svg(&written)?;
+    holds!(
+        is_read_back(&back, &path, &written),
+        "another path from {written}"
+    )
 }
 
 pub(crate) fn from_svg_with(text: String, tolerance: f64) -> Checked {

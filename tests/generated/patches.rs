@@ -212,7 +212,7 @@ pub(crate) fn transform<S: Sheet>(sheet: S, map: DAffine3) -> Checked {
 }
 
 pub(crate) fn move_point<S: Sheet>(sheet: S, index: usize, to: DVec3) -> Checked {
-    let moved = answer!(sheet.move_point(index, to), "index|vertices");
+    let moved = answer!(sheet.moved(index, to), "index|vertices");
     // Vertices at the same place move together.
     let from = sheet.points()[index];
     for (old, new) in sheet.points().iter().zip(moved.points()) {

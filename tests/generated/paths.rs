@@ -351,12 +351,9 @@ fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {
         OffsetJoin::Miter => StrokeCap::Square,
         OffsetJoin::Bevel => StrokeCap::Butt,
     };
-    StrokeOptions {
-        join,
-        cap,
-        tolerance,
-        ..StrokeOptions::default()
-    }
+    let mut options = StrokeOptions::new().join(join).cap(cap);
+    options.tolerance = tolerance;
+    options
 }
 
 /// Checks that contours are closed; `call` checks that their points are finite.
@@ -393,11 +390,8 @@ pub(crate) fn offset(
     tolerance: Option<f64>,
 ) -> Checked {
     let default = OffsetOptions::default();
-    let options = OffsetOptions {
-        join,
-        tolerance,
-        ..default
-    };
+    let mut options = default.join(join);
+    options.tolerance = tolerance;
     let region = answer!(path.offset(distance, &options), REFUSALS);
     is_closed(&region)
 }

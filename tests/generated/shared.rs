@@ -1,7 +1,7 @@
 //! What several types have in common: curves and splines; drawings; patches and surfaces.
 
 use crate::arguments::{Argument, Space};
-use crate::check::size;
+use crate::check::{changed, size};
 use crate::geometry::{growth, real, slack};
 use crate::numbers::Numbers;
 use crate::recorder::Recorder;
@@ -195,6 +195,7 @@ pub(crate) trait Patches: Clone + PartialEq + Debug + Numbers {
     fn surface(&self) -> Surface;
     fn points(&self) -> &[DVec3];
     fn outer_box(&self) -> Option<Bounds<DVec3>>;
+    fn moved(&self, index: usize, to: DVec3) -> Result<Self, Error>;
     fn inner_box(&self) -> Option<Bounds<DVec3>>;
     fn nearest_point(&self, p: DVec3) -> Result<Option<Found>, Error>;
     fn hits(&self, origin: DVec3, direction: DVec3) -> Result<Vec<Found>, Error>;
@@ -222,6 +223,9 @@ macro_rules! patches {
             }
             fn outer_box(&self) -> Option<Bounds<DVec3>> {
                 Option::from(self.control_bounds())
+            }
+            fn moved(&self, index: usize, to: DVec3) -> Result<Self, Error> {
+                changed(self, |value| value.move_point(index, to))
             }
             fn inner_box(&self) -> Option<Bounds<DVec3>> {
                 Option::from(self.bounds())
@@ -254,7 +258,6 @@ shared! {
         grid(grid: Grid, quads: bool) -> Result<Mesh, Error>;
         grid_by(method: GridMethod, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error>;
         grid_into(grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error>;
-        move_point(index: usize, to: DVec3) -> Result<Self, Error>;
         tessellate(options: &TessellationOptions) -> Result<Mesh, Error>;
         tessellate_f64(options: &TessellationOptions) -> Result<Mesh<f64>, Error>;
         transform(map: &DAffine3) -> Result<Self, Error>;

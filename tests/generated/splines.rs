@@ -90,7 +90,7 @@ pub(crate) fn move_point<P: Space>(
 ) -> Checked {
     let mode = |k: usize| modes.get(k).copied().unwrap_or(JointMode::Free);
     let allowed = "index|mode|joint|joints|control points|points";
-    let moved = answer!(spline.move_point(index, to, mode), allowed);
+    let moved = answer!(changed(&spline, |s| s.move_point(index, to, mode)), allowed);
     same(moved.control_points()[index], to, "the point")?;
     same(moved.degrees(), spline.degrees(), "the degrees")
 }

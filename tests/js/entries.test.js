@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import * as complete from "casteljau";
 import * as coreEntry from "casteljau/core";
+import * as paths from "casteljau/paths";
 import * as slim from "casteljau/slim";
 import * as surfaces from "casteljau/surfaces";
 import { build } from "esbuild";
@@ -26,11 +27,13 @@ test("entries: what each one exports", () => {
   assert.deepEqual(Object.keys(complete).sort(), all);
   assert.deepEqual(Object.keys(slim).sort(), all);
   assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Spline", "init"]);
-  assert.deepEqual(Object.keys(surfaces).sort(), ["Mesh", "Patch", "Surface", "init"]);
+  assert.deepEqual(Object.keys(surfaces).sort(), ["Curve", "Mesh", "Patch", "Surface", "init"]);
+  assert.deepEqual(Object.keys(paths).sort(), ["Curve", "Path", "Spline", "init"]);
 });
 
 test("entries: import and require give the same classes", () => {
   const require = createRequire(import.meta.url);
+  assert.equal(require("casteljau").Curve, complete.Curve);
   assert.equal(require("casteljau/core").Curve, coreEntry.Curve);
   assert.equal(require("casteljau/surfaces").Surface, surfaces.Surface);
 });
@@ -77,6 +80,29 @@ test("entries: paths and patches of casteljau and casteljau/slim are accepted by
   assert.equal(outlines[1].intersections(line[0]).length, 2);
   const patches = [complete, slim, surfaces].map(({ Surface }) => Surface.teacup().patch(5));
   assert.ok(patches.every((patch) => patches.every((other) => patch.equals(other))));
+});
+
+test("entries: the paths of casteljau/paths have all but operations on regions", () => {
+  const { Path, Spline } = paths;
+  const ring = Path.circle([0, 0], 2);
+  assert.ok(
+    [ring, ring.reverse(), ring.simplify(0.01), Path.from(ring), Path.fromSVG("M0 0H1")].every(
+      (p) => p instanceof Path,
+    ),
+  );
+  assert.ok(Path.builder().build() instanceof Path && [ring].map(/** @type {any} */ (Path.from))[0] instanceof Path);
+  assert.ok(!("union" in ring) && !("combine" in Path) && "union" in complete.Path.prototype);
+  const whole = complete.Path.circle([0, 0], 2);
+  assert.ok(ring.equals(whole) && whole.equals(ring) && complete.Path.from(ring).union(whole).area() > 12.5);
+  assert.equal(whole.union(/** @type {any} */ (ring)).area(), whole.union(whole).area());
+  assert.equal(ring.length(), whole.length());
+  assert.equal(paths.Curve, complete.Curve);
+  assert.equal(Spline, complete.Spline);
+  assert.deepEqual(Path.nearestOf([whole, ring], [3, 0]), complete.Path.nearestOf([ring, whole], [3, 0]));
+  assert.throws(
+    () => Path.fromSVG("M0 0L"),
+    (/** @type {any} */ error) => error.path instanceof Path,
+  );
 });
 
 test("entries: methods return the classes of their own entry", () => {
@@ -186,6 +212,8 @@ test("entries: an error that nothing catches prints little", () => {
   const programs = {
     casteljau: 'import { Path } from "casteljau"; Path.circle(0, 0, 10);',
     "casteljau/core": 'import { Curve } from "casteljau/core"; new Curve(7);',
+    "casteljau/paths": 'import { Path } from "casteljau/paths"; Path.circle(0, 0, 10);',
+    "./dist/index.js": 'import { Path } from "./dist/index.js"; Path.circle(0, 0, 10);',
     "casteljau/surfaces": 'import { Patch } from "casteljau/surfaces"; new Patch(7);',
     "casteljau/easing": 'import { easing } from "casteljau/easing"; easing(7);',
   };

@@ -6,9 +6,16 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const ENTRIES = ["index", "core", "surfaces", "applet/index", "applet/classic", "elements/index"].map(
-  (name) => `js/${name}.js`,
-);
+const ENTRIES = [
+  "index",
+  "paths",
+  "core",
+  "surfaces",
+  "easing",
+  "applet/index",
+  "applet/classic",
+  "elements/index",
+].map((name) => `js/${name}.js`);
 
 /** For each file, the files that it imports, statically or on demand. */
 async function importGraph() {

@@ -1,9 +1,9 @@
 // Starting the core: at the first call, ahead of it, and from outside bytes.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { copyFile, cp, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { after, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { serve } from "../page/server.js";
 import { pointsOf } from "./reference.js";
 
@@ -12,8 +12,17 @@ const wasm = await readFile(new URL("casteljau.wasm", dist));
 const TRIANGLE = pointsOf("0,0 1,2 2,0");
 const isReady = ({ Curve }) => assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
 
-/** A copy of the package with no state yet. */
-const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);
+/** Copies of dist/, below the package so that their files are modules. */
+const copies = await mkdtemp(fileURLToPath(new URL("fresh-", dist)));
+after(() => rm(copies, { recursive: true }));
+
+/** A copy of the package with no state yet: the files that entries share have the state. */
+async function fresh(name) {
+  const folder = await mkdtemp(`${copies}/`);
+  const files = (await readdir(dist)).filter((file) => file === name || /^shared-.*\.js$/.test(file));
+  await Promise.all(files.map((file) => copyFile(new URL(file, dist), `${folder}/${file}`)));
+  return import(pathToFileURL(`${folder}/${name}`).href);
+}
 
 /** Counts the compilations that an action causes. */
 async function compilations(act) {
@@ -122,17 +131,23 @@ test("what is no source is refused by kind, and init can be called again", async
 });
 
 test("the bundles are loadable anywhere: no import.meta, no top-level await, no URL of another file", async () => {
-  for (const name of ["index.js", "core.js", "surfaces.js", "slim.js", "bezier-app.js"]) {
+  const names = (await readdir(dist)).filter((name) =>
+    /^(core|surfaces|slim|bezier-app|index|paths|shared-.*)\.js$/.test(name),
+  );
+  assert.ok(names.length > 8);
+  for (const name of names) {
     const text = await readFile(new URL(name, dist), "utf8");
-    assert.doesNotMatch(text, /import\.meta|^await |new URL\(|\bimport\s*["'(]/m, name);
+    assert.doesNotMatch(text, /import\.meta|^await |new URL\(|\bimport\(/m, name);
+    const alone = ["core.js", "surfaces.js", "slim.js", "bezier-app.js"].includes(name);
+    if (alone) assert.doesNotMatch(text, /\bimport\s*["'{]|\bfrom\s*"\.\//m, name);
   }
   assert.equal(typeof createRequire(import.meta.url)("casteljau").init, "function");
 });
 
 test("slim carries no wasm", async () => {
   const slim = await readFile(new URL("slim.js", dist));
-  const index = await readFile(new URL("index.js", dist));
-  assert.ok(index.length - slim.length > wasm.length);
+  const whole = await readFile(new URL("casteljau.global.js", dist));
+  assert.ok(whole.length - slim.length > wasm.length);
 });
 
 test("where a policy forbids WebAssembly, the error says what it needs", async () => {
@@ -151,4 +166,16 @@ test("where a policy forbids WebAssembly, the error says what it needs", async (
   } finally {
     Object.assign(WebAssembly, { Module, compile });
   }
+});
+
+test("in Node the module is read from its file, and a missing file is named", async () => {
+  const folder = await mkdtemp(`${copies}/`);
+  await cp(new URL("node/", dist), `${folder}/node`, { recursive: true });
+  const { Curve } = await import(pathToFileURL(`${folder}/node/index.js`).href);
+  const message = /^casteljau: .*casteljau\.wasm cannot be read; .*"module"/;
+  assert.throws(() => new Curve(TRIANGLE).eval(0.5), { message });
+  await copyFile(new URL("casteljau.wasm", dist), `${folder}/casteljau.wasm`);
+  isReady({ Curve });
+  const { Path } = await import(pathToFileURL(`${folder}/node/paths.js`).href);
+  assert.equal(Path.circle([0, 0], 1).nearest([3, 0])?.distance, 2);
 });

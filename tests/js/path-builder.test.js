@@ -62,7 +62,7 @@ test("arcs: direction, full turns, and a line to the start", () => {
     b.moveTo(0, 0);
     b.arc(10, 0, 1, 0, PI / 2);
   });
-  assert.ok(after.toSVG().startsWith("M0,0 L11,0 C"));
+  assert.ok(after.toSVG().startsWith("M0,0 L11,0 A"));
   assert.equal(built((b) => b.arc(5, 5, 0, 0, 1)).length(), 0);
 });
 

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { build as esbuild, transform } from "esbuild";
 import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { gzipSync } from "node:zlib";
@@ -42,12 +41,45 @@ for (const [format, name] of /** @type {const} */ ([
   });
 }
 
+test("esbuild for Node, a CommonJS file", async () => {
+  const outfile = join(fixture.folder, "out/esbuild-node.cjs");
+  const { warnings } = await esbuild({
+    entryPoints: [entry],
+    bundle: true,
+    platform: "node",
+    format: "cjs",
+    outfile,
+    logLevel: "silent",
+  });
+  assert.deepEqual(warnings, []);
+  assert.equal(await node(outfile), PRINTED);
+});
+
+test("webpack for Node", async () => {
+  const path = join(fixture.folder, "out/webpack-node");
+  /** @type {import("webpack").Configuration} */
+  const options = { entry, target: "node20", mode: "production", output: { path, filename: "main.cjs" } };
+  const stats = await new Promise((done, failed) =>
+    webpack(options, (error, result) => (error ? failed(error) : done(result))),
+  );
+  assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
+  assert.equal(await node(join(path, "main.cjs")), PRINTED);
+});
+
+for (const noExternal of [false, true]) {
+  test(`Vite for a server, ${noExternal ? "with the package inside" : "with the package outside"}`, async () => {
+    const outDir = join(fixture.folder, `out/vite-ssr-${noExternal}`);
+    const build = { ssr: entry, outDir };
+    const ssr = noExternal ? { noExternal } : {};
+    await vite({ root: fixture.folder, configFile: false, logLevel: "error", build, ssr });
+    assert.equal(await node(join(outDir, "main.js")), PRINTED);
+  });
+}
+
 for (const format of /** @type {const} */ (["es", "iife"])) {
   test(`Rollup, ${format}`, async () => {
-    const resolve = createRequire(entry).resolve;
-    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
     const onwarn = (warning) => assert.fail(warning.message);
-    const bundle = await rollup({ input: entry, plugins: [plugin], onwarn });
+    const bundle = await rollup({ input: entry, plugins: [fixture.resolvePlugin], onwarn });
     const file = join(fixture.folder, "out", format === "es" ? "rollup.mjs" : "rollup.cjs");
     await bundle.write({ file, format });
     assert.equal(await node(file), PRINTED);
@@ -61,9 +93,7 @@ const LINE = `import { Curve, init } from "casteljau";\nawait init();\nconsole.l
 
 test("a program of curves carries no surfaces", async () => {
   const program = await fixture.write("src/line.js", LINE);
-  const resolve = createRequire(program).resolve;
-  const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
-  const rolled = await (await rollup({ input: program, plugins: [plugin] })).generate({ format: "es" });
+  const rolled = await (await rollup({ input: program, plugins: [fixture.resolvePlugin] })).generate({ format: "es" });
   const built = await esbuild({ entryPoints: [program], bundle: true, format: "esm", minify: true, write: false });
   for (const [bundler, code] of [
     ["Rollup", rolled.output[0].code],
@@ -96,9 +126,8 @@ const bundlers = {
     return (await esbuild(options)).outputFiles?.[0].text;
   },
   async Rollup(input) {
-    const resolve = createRequire(input).resolve;
-    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
-    return (await (await rollup({ input, plugins: [plugin] })).generate({ format: "es" })).output[0].code;
+    return (await (await rollup({ input, plugins: [fixture.resolvePlugin] })).generate({ format: "es" })).output[0]
+      .code;
   },
   async Vite(input) {
     const build = { write: false, rollupOptions: { input, preserveEntrySignatures: /** @type {const} */ ("strict") } };
@@ -180,7 +209,7 @@ for (const [kind, worker, options] of [
   });
 }
 
-test("the elements in Chromium under the same policy, on the same core as the page's own program", async (t) => {
+test("the elements in Chromium under the same policy, with a value of the page's own program", async (t) => {
   const program = `import { Surface } from "./index.js";
 import { BezierSurface } from "./elements.js";
 const element = new BezierSurface();

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { build as esbuild } from "esbuild";
 import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { rollup } from "rollup";
@@ -69,9 +68,11 @@ const outputs = {
     assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
   },
   async Rollup(dir) {
-    const resolve = createRequire(entry).resolve;
-    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
-    const bundle = await rollup({ input: entry, plugins: [plugin], onwarn: (warning) => assert.fail(warning.message) });
+    const bundle = await rollup({
+      input: entry,
+      plugins: [fixture.resolvePlugin],
+      onwarn: (warning) => assert.fail(warning.message),
+    });
     await bundle.write({ dir, format: "es" });
   },
   async esbuild(outdir) {
@@ -131,7 +132,7 @@ element.addEventListener("update", () => {
   assert.equal(printed, "288"); // 2 · 12²
   assert.deepEqual(
     scripts.filter((path) => LATE.test(path)),
-    ["/elements-surface.js"],
+    ["/surfaces.js", "/elements-surface.js"],
   );
 });
 

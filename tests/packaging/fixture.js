@@ -31,7 +31,7 @@ export async function run(program, args, options = {}) {
 /**
  * A folder in which the packed tarball is installed: a copy of the one that run.js has made, or else a new one.
  *
- * @returns {Promise<{ folder: string, tarball: string, installed: string, write(name: string, text: string): Promise<string>, remove(): Promise<void> }>}
+ * @returns {Promise<{ folder: string, tarball: string, installed: string, resolvePlugin: { name: string, resolveId(id: string): string | null }, write(name: string, text: string): Promise<string>, remove(): Promise<void> }>}
  */
 export async function installed() {
   const folder = await mkdtemp(join(tmpdir(), "casteljau-packaging-"));
@@ -47,7 +47,15 @@ export async function installed() {
     return path;
   };
   const remove = () => rm(folder, { recursive: true, force: true });
-  return { folder, tarball, installed: join(folder, "node_modules/casteljau"), write, remove };
+  const installed = join(folder, "node_modules/casteljau");
+  const { exports } = JSON.parse(await readFile(join(installed, "package.json"), "utf8"));
+  /** Resolves as @rollup/plugin-node-resolve does, by the conditions "module" and "default". @param {string} id */
+  const resolveId = (id) => {
+    if (!id.startsWith("casteljau")) return null;
+    const entry = exports[id.replace("casteljau", ".")] ?? exports["./elements/*"];
+    return join(installed, (entry.module ?? entry.default ?? entry).replace("*", id.split("/").at(-1)));
+  };
+  return { folder, tarball, installed, write, remove, resolvePlugin: { name: "resolve", resolveId } };
 }
 
 /**

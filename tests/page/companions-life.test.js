@@ -172,7 +172,7 @@ test("far down the page nothing is fetched or drawn until it comes near", async 
   await intersectionsReported(page);
   const fetched = () =>
     page.evaluate(() =>
-      performance.getEntriesByType("resource").some(({ name }) => name.endsWith("elements-companions.js")),
+      performance.getEntriesByType("resource").some(({ name }) => name.endsWith("elements-bernstein.js")),
     );
   assert.equal(await fetched(), false);
   assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
@@ -184,7 +184,7 @@ test("far down the page nothing is fetched or drawn until it comes near", async 
 test("what could not be fetched is said, and asked for again", async (test) => {
   const page = await openPage(test, "about:blank", { viewport: { width: 800, height: 600 } });
   let broken = true;
-  await page.route("**/elements-companions.js", (route) => (broken ? route.abort() : route.continue()));
+  await page.route("**/elements-easing.js", (route) => (broken ? route.abort() : route.continue()));
   await page.route("**/lost.html", (route) =>
     route.fulfill({
       contentType: "text/html",

@@ -73,7 +73,7 @@ test("under a strict policy every kind of element is drawn, styled, and the cons
 
 test("where what draws cannot be fetched every kind says so, and asks again when it is put in again", async (t) => {
   const page = await openStrict(t);
-  const parts = /elements-(applet|companions|surface)\.js/;
+  const parts = /elements-(applet|bernstein|coordinates|easing|equation|surface)\.js/;
   await page.route(parts, (route) => route.abort());
   const names = await populate(page);
   const saying = (count) =>

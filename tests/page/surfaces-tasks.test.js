@@ -39,13 +39,13 @@ test("a patch is split elsewhere, and an edge between two patches made smooth", 
   const u = () =>
     page.evaluate(() => {
       const { surface } = document.querySelector("#halves-surface").figure;
-      return surface.patch(0).isocurveAtV(0).length() / surface.patch(1).isocurveAtV(0).length();
+      return surface.patch(0).area() / surface.patch(1).area();
     });
   const before = await u();
   await page.locator("surface-split").getByRole("slider", { name: "Split at u" }).press("ArrowLeft");
   await page.waitForFunction((before) => {
     const { surface } = document.querySelector("#halves-surface").figure;
-    return surface.patch(0).isocurveAtV(0).length() / surface.patch(1).isocurveAtV(0).length() < before;
+    return surface.patch(0).area() / surface.patch(1).area() < before;
   }, before);
   const joint = await near(page, "joint-surface");
   await task(page, "smooth-joint");

@@ -47,7 +47,7 @@ fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     assert!((0.0..=1.0).contains(&found.t) && (0.0..=1.0).contains(&found.u));
     let size = largest(a).max(largest(b));
     let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);
-    let there = (p.eval(found.t) - q.eval(found.u)).length();
+    let there = (p.eval(found.t) - q.eval(found.u)).norm();
     assert!((there - found.distance).abs() <= slack, "{found:?} {there}");
     // From samples of one curve to the nearest point of the other, which is tested elsewhere.
     let min = |p: &Curve<P>, q: &Curve<P>| {

@@ -10,7 +10,7 @@ use casteljau::{Curve, Point, Spline};
 
 /// The minimum distance by samples and golden-section search around the best of them; never below the true minimum.
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
-    let distance = |t: f64| (curve.eval(t) - q).length();
+    let distance = |t: f64| (curve.eval(t) - q).norm();
     let all: Vec<f64> = steps(samples).map(distance).collect();
     let mut min = all.iter().copied().fold(f64::INFINITY, f64::min);
     for i in 0..=samples {
@@ -62,7 +62,7 @@ fn check<P: Space>(points: &[DVec3], q: DVec3, samples: usize) {
     let slack = 8.0 * (2.0 + real(points.len())) * ulp(size);
     assert!((0.0..=1.0).contains(&found.t), "{found:?}");
     assert_eq!(found.point, on.eval(found.t));
-    let there = (found.point - location).length();
+    let there = (found.point - location).norm();
     near_at(there, found.distance, slack, (points, q));
     let min = sampled(&on, location, samples);
     let none_nearer = found.distance <= min + slack;

@@ -65,7 +65,7 @@ fn natural_splines_solve_their_equations() {
 
 /// Parameters from chord lengths, then the textbook's tangent.
 fn tangents<P: Point>([a, b, c]: [P; 3], alpha: f64) -> (P, P) {
-    let (d1, d2) = ((b - a).length().powf(alpha), (c - b).length().powf(alpha));
+    let (d1, d2) = ((b - a).norm().powf(alpha), (c - b).norm().powf(alpha));
     let t = (b - a) / d1 - (c - a) / (d1 + d2) + (c - b) / d2;
     (t * d1, t * d2)
 }

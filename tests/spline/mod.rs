@@ -10,7 +10,7 @@ mod measure;
 mod move_point;
 mod queries;
 
-use crate::support::{Rng, Space, random_points};
+use crate::support::{Rng, Space, changed, random_points};
 use casteljau::glam::DVec3;
 use casteljau::spline::{Continuity, JointMode};
 use casteljau::{Point, Spline};
@@ -62,7 +62,7 @@ fn continuity<P: Point>(spline: &Spline<P>, joint: usize, tolerance: Option<f64>
 
 /// The control points after a point is moved, all joints in one mode.
 fn moved<P: Point>(spline: &Spline<P>, index: usize, to: P, mode: JointMode) -> Spline<P> {
-    spline.move_point(index, to, |_| mode).expect("a point")
+    changed(spline, |s| s.move_point(index, to, |_| mode)).expect("a point")
 }
 
 /// Sets all joints to a mode, one after the other, the first joint of a closed spline at the end.

@@ -186,7 +186,7 @@ fn rings_too_small_to_hold_anything() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn refusals() {
-    let open = spline(A, 3, false);
+    let mut open = spline(A, 3, false);
     for got in [7, usize::MAX] {
         let (what, first, last) = ("index", 0, 6);
         let expected = Err(Error::Index {
@@ -203,4 +203,5 @@ fn refusals() {
             "NotFinite to 0",
         );
     }
+    assert_eq!(open, spline(A, 3, false));
 }

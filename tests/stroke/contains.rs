@@ -5,8 +5,7 @@ use crate::stroke::round::{WIDTHS, samples};
 use crate::support::paths::{path, points};
 use crate::support::{Rng, de_casteljau, near};
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetOptions, StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{FillRule, OffsetJoin, OffsetOptions, StrokeCap, StrokeOptions};
 use casteljau::{Path, Spline};
 use std::f64::consts::{FRAC_PI_6, PI};
 
@@ -51,13 +50,11 @@ fn outlines_agree_with_distances_for_all_joins_and_caps() {
         let corners = with_corners(&curve);
         for (path, part) in WIDTHS.iter().flat_map(|w| [(&curve, w), (&corners, w)]) {
             for (k, (join, cap)) in JOINS.iter().flat_map(|j| CAPS.map(|c| (*j, c))).enumerate() {
-                let options = StrokeOptions {
-                    join,
-                    cap,
-                    tolerance: Some([1e-2, 1e-4, 1e-6][k % 3] * size(path)),
-                    simple: k % 2 == 0,
-                    ..StrokeOptions::default()
-                };
+                let options = StrokeOptions::new()
+                    .join(join)
+                    .cap(cap)
+                    .tolerance([1e-2, 1e-4, 1e-6][k % 3] * size(path))
+                    .simple(k % 2 == 0);
                 let fault = fault(path, part * size(path), &options, &mut rng);
                 faults.extend(fault.map(|fault| format!("{name} {fault}")));
             }
@@ -81,11 +78,9 @@ fn points_beside_a_curve_that_is_straight_up_to_rounding() {
     let distances = (0..=1000).map(|k| de_casteljau(&second, f64::from(k) * 1e-3).distance(p));
     let nearest = distances.fold(f64::INFINITY, f64::min);
     let spline = Spline::with_degrees(points, &[6, 6], true).expect("valid points");
-    let options = StrokeOptions {
-        join: OffsetJoin::Round,
-        cap: StrokeCap::Round,
-        ..StrokeOptions::default()
-    };
+    let options = StrokeOptions::new()
+        .join(OffsetJoin::Round)
+        .cap(StrokeCap::Round);
     for (width, expected) in [(2.02 * nearest, true), (1.98 * nearest, false)] {
         let inside = Path::from(spline.clone()).stroke_contains(p, width, &options);
         assert_eq!(inside, Ok(expected), "{width}");
@@ -94,10 +89,7 @@ fn points_beside_a_curve_that_is_straight_up_to_rounding() {
 
 #[test]
 fn points_in_dashes() {
-    let options = StrokeOptions {
-        dash: vec![3.0, 2.0],
-        ..StrokeOptions::default()
-    };
+    let options = StrokeOptions::new().dash(&[3.0, 2.0], 0.0);
     let locations = points("1 0.5  4 0  5.5 -0.9  5.5 -1.1").into_iter();
     for (p, expected) in locations.zip([true, false, true, false]) {
         let inside = path("M0 0H10").stroke_contains(p, 2.0, &options);
@@ -111,11 +103,8 @@ fn regions_grow_and_shrink_whatever_their_orientation() {
     for path in [frame.clone(), frame.reverse()] {
         let area = |distance, join| {
             let tolerance = Some(1e-7);
-            let options = OffsetOptions {
-                join,
-                tolerance,
-                ..OffsetOptions::default()
-            };
+            let mut options = OffsetOptions::new().join(join);
+            options.tolerance = tolerance;
             path.offset(distance, &options).unwrap().area()
         };
         for (join, outer) in JOINS.into_iter().zip([144.0, 140.0 + PI, 142.0]) {

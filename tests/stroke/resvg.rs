@@ -2,8 +2,7 @@
 
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
 
 /// Pixels along each side of a picture, and the side of its square.
 const PIXELS: usize = 300;
@@ -24,23 +23,23 @@ fn read(line: &str) -> Case<'_> {
     let [name, d, width, cap, join, limit, dash, offset, picture] = fields[..] else {
         panic!("expected nine fields, got {}", fields.len());
     };
-    let options = StrokeOptions {
-        cap: match cap {
-            "butt" => StrokeCap::Butt,
-            "round" => StrokeCap::Round,
-            _ => StrokeCap::Square,
-        },
-        join: match join {
-            "bevel" => OffsetJoin::Bevel,
-            "round" => OffsetJoin::Round,
-            _ => OffsetJoin::Miter,
-        },
-        miter_limit: number(limit),
-        dash: dash.split_whitespace().map(number).collect(),
-        dash_offset: number(offset),
-        tolerance: Some(1e-3),
-        ..StrokeOptions::default()
+    let cap = match cap {
+        "butt" => StrokeCap::Butt,
+        "round" => StrokeCap::Round,
+        _ => StrokeCap::Square,
     };
+    let join = match join {
+        "bevel" => OffsetJoin::Bevel,
+        "round" => OffsetJoin::Round,
+        _ => OffsetJoin::Miter,
+    };
+    let dash: Vec<f64> = dash.split_whitespace().map(number).collect();
+    let options = StrokeOptions::new()
+        .cap(cap)
+        .join(join)
+        .miter_limit(number(limit))
+        .dash(&dash, number(offset))
+        .tolerance(1e-3);
     let path: Path = d.parse().expect("path data");
     let stroke = path.stroke(number(width), &options).expect("a stroke");
     Case {

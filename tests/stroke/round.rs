@@ -4,21 +4,18 @@ use crate::stroke::cases::{curves, hard, size};
 use crate::support::Rng;
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{OffsetJoin, StrokeCap, StrokeOptions};
 
 pub(crate) const WIDTHS: [f64; 5] = [0.02, 0.1, 0.5, 1.5, 4.0];
 
 const POINTS: usize = 120;
 
 fn round(tolerance: f64, simple: bool) -> StrokeOptions {
-    StrokeOptions {
-        join: OffsetJoin::Round,
-        cap: StrokeCap::Round,
-        tolerance: Some(tolerance),
-        simple,
-        ..StrokeOptions::default()
-    }
+    StrokeOptions::new()
+        .join(OffsetJoin::Round)
+        .cap(StrokeCap::Round)
+        .tolerance(tolerance)
+        .simple(simple)
 }
 
 /// Random points, most of them next to the outline.

@@ -3,8 +3,7 @@
 use crate::support::{assert_refused, near};
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
 use std::f64::consts::PI;
 
 const TOLERANCE: f64 = 1e-6;
@@ -14,12 +13,10 @@ fn read(d: &str) -> Path {
 }
 
 fn options(join: OffsetJoin, cap: StrokeCap) -> StrokeOptions {
-    StrokeOptions {
-        join,
-        cap,
-        tolerance: Some(TOLERANCE),
-        ..StrokeOptions::default()
-    }
+    StrokeOptions::new()
+        .join(join)
+        .cap(cap)
+        .tolerance(TOLERANCE)
 }
 
 fn area(d: &str, width: f64, options: &StrokeOptions) -> f64 {
@@ -66,14 +63,7 @@ fn areas_of_corners_with_joins() {
             }
             let with = |join, miter_limit| {
                 let options = options(join, StrokeCap::Butt);
-                area(
-                    &path,
-                    2.0,
-                    &StrokeOptions {
-                        miter_limit,
-                        ..options
-                    },
-                )
+                area(&path, 2.0, &options.miter_limit(miter_limit))
             };
             let (strips, miter, bevel) = (40.0 - half, half, 0.5 * turn.sin());
             assert_near(with(OffsetJoin::Miter, 100.0), strips + miter);
@@ -129,10 +119,7 @@ fn circles() {
 fn normals_beyond_the_centre_of_an_arc() {
     let sectors = 0.25 * PI * (169.0 + 9.0);
     for simple in [true, false] {
-        let options = StrokeOptions {
-            simple,
-            ..options(OffsetJoin::Miter, StrokeCap::Butt)
-        };
+        let options = options(OffsetJoin::Miter, StrokeCap::Butt).simple(simple);
         let arc = read("M5 0A5 5 0 0 1 0 5");
         let outline = arc.stroke(16.0, &options).expect("few segments");
         let area = outline.filled_area(FillRule::NonZero);
@@ -142,10 +129,7 @@ fn normals_beyond_the_centre_of_an_arc() {
 
 #[test]
 fn dashes_of_strokes() {
-    let options = |cap, dash: &[f64]| StrokeOptions {
-        dash: dash.to_vec(),
-        ..options(OffsetJoin::Miter, cap)
-    };
+    let options = |cap, dash: &[f64]| options(OffsetJoin::Miter, cap).dash(dash, 0.0);
     let dashes = area("M0 0H10", 2.0, &options(StrokeCap::Butt, &[3.0, 2.0]));
     assert_near(dashes, 12.0);
     // Dots: disks and squares along the path.

@@ -94,7 +94,7 @@ pub(crate) fn from_segment<P: Point>(p: P, a: P, b: P) -> f64 {
     } else {
         0.0
     };
-    (p - (a + (b - a) * share)).length()
+    (p - (a + (b - a) * share)).norm()
 }
 
 /// The distance from a point to a polyline.

@@ -244,3 +244,12 @@ pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
     };
     assert_eq!(found, expected, "{error}");
 }
+
+/// A copy of a value after a change in place, which may be refused.
+pub(crate) fn changed<T: Clone>(
+    value: &T,
+    change: impl FnOnce(&mut T) -> Result<(), Error>,
+) -> Result<T, Error> {
+    let mut copy = value.clone();
+    change(&mut copy).map(|()| copy)
+}

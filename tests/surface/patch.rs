@@ -217,7 +217,8 @@ fn patches_without_a_normal_have_none() {
 #[wasm_bindgen_test(unsupported = test)]
 fn moving_a_point_moves_only_that() {
     let before = Rng(9).patch(3, 3);
-    let moved = before.move_point(5, DVec3::ONE).unwrap();
+    let mut moved = before.clone();
+    moved.move_point(5, DVec3::ONE).unwrap();
     let mut expected = before.control_points().to_vec();
     expected[5] = DVec3::ONE;
     assert_eq!(moved.control_points(), expected);
@@ -237,7 +238,7 @@ fn refusals() {
     assert_refused(Patch::new(&net, 0, 3), &(degree("u") + "0"));
     assert_refused(Patch::new(&net, 3, 65), &(degree("v") + "65"));
     assert_refused(Patch::new(&net, usize::MAX, 3), &degree("u"));
-    let good = patch(&net, 3, 3);
+    let mut good = patch(&net, 3, 3);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut broken = net;
         broken[7].z = bad;
@@ -248,4 +249,5 @@ fn refusals() {
     }
     let last = "index: expected an index from 0 to 15, got 16";
     assert_refused(good.move_point(16, DVec3::ZERO), last);
+    assert_eq!(good, patch(&net, 3, 3));
 }

@@ -1,5 +1,5 @@
 // The elements in TypeScript: by tag name, by class and in JSX of React 19; mistakes are type errors.
-import { Surface } from "casteljau";
+import { Surface as WholeSurface } from "casteljau";
 import {
   type AppletFigure,
   BezierApplet,
@@ -7,6 +7,7 @@ import {
   type BezierEasingElement,
 } from "casteljau/elements";
 import type {} from "casteljau/react";
+import { Surface } from "casteljau/surfaces";
 import { useRef } from "react";
 
 const applet = document.createElement("bezier-applet");
@@ -15,6 +16,8 @@ applet.points = [
   [1, 1],
 ];
 export const shown: AppletFigure = applet.figure;
+const surfaceElement = document.querySelector("bezier-surface");
+if (surfaceElement) surfaceElement.surface = WholeSurface.teapot();
 export const field: BezierEasingElement | null = document.querySelector("bezier-easing");
 export const surface: Surface | null | undefined = document.querySelector("bezier-surface")?.surface;
 export const degrees: [number | undefined, number | null | undefined] = [

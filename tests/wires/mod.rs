@@ -10,7 +10,7 @@ use casteljau::{Mesh, Surface};
 use std::collections::HashMap;
 
 fn mesh(surface: &Surface, lines: usize, wire: Wire) -> Mesh {
-    let options = WireframeOptions { lines, wire };
+    let options = WireframeOptions::new(lines, wire);
     surface.wireframe(&options).unwrap()
 }
 

@@ -50,10 +50,9 @@ pub(crate) fn sample(out: &mut String) {
     }
 
     // Move P2 and keep the joint C1: P4 moves as well.
-    let held = spline.set_joint(1, JointMode::C1).unwrap();
-    let moved = held
-        .move_point(2, DVec2::new(230.0, 60.0), |_| JointMode::C1)
+    let mut held = spline.set_joint(1, JointMode::C1).unwrap();
+    held.move_point(2, DVec2::new(230.0, 60.0), |_| JointMode::C1)
         .unwrap();
-    let p4 = moved.control_points()[4];
+    let p4 = held.control_points()[4];
     writeln!(out, "P4 is now ({}, {})", p4.x, p4.y);
 }

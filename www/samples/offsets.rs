@@ -1,5 +1,4 @@
-use casteljau::path::StrokeOptions;
-use casteljau::spline::OffsetJoin;
+use casteljau::path::{OffsetJoin, StrokeOptions};
 use casteljau::{Curve, Path, glam::DVec2};
 
 pub(crate) fn sample(out: &mut String) {
@@ -22,10 +21,7 @@ pub(crate) fn sample(out: &mut String) {
         ("round", OffsetJoin::Round),
         ("bevel", OffsetJoin::Bevel),
     ] {
-        let options = StrokeOptions {
-            join,
-            ..StrokeOptions::default()
-        };
+        let options = StrokeOptions::new().join(join);
         let outline = line.stroke(2.0, &options).unwrap();
         writeln!(out, "{name}: area {:.3}", outline.area());
     }

@@ -7,19 +7,9 @@ pub(crate) fn sample(out: &mut String) {
         radius: 0.02,
         sides: 6,
     };
-    let tubes = teapot
-        .wireframe(&WireframeOptions {
-            lines: 4,
-            wire: tube,
-        })
-        .unwrap();
+    let tubes = teapot.wireframe(&WireframeOptions::new(4, tube)).unwrap();
     let ribbon = Wire::Ribbon { width: 0.05 };
-    let ribbons = teapot
-        .wireframe(&WireframeOptions {
-            lines: 4,
-            wire: ribbon,
-        })
-        .unwrap();
+    let ribbons = teapot.wireframe(&WireframeOptions::new(4, ribbon)).unwrap();
     writeln!(out, "tubes: {} triangles", tubes.triangle_count());
     writeln!(out, "ribbons: {} triangles", ribbons.triangle_count());
 }

@@ -67,14 +67,13 @@ fn compilation() -> Command {
 }
 
 /// The bundles that the site uses.
-const SITE_SCRIPTS: [&str; 8] = [
+const SITE_SCRIPTS: [&str; 7] = [
     "index.js",
     "applet.js",
+    "surfaces.js",
     "elements.js",
-    "elements-shared.js",
     "elements-surface.js",
     "elements-applet.js",
-    "elements-companions.js",
     "bezier-app.js",
 ];
 
@@ -97,7 +96,7 @@ fn bundles() -> Result<()> {
     );
     let others = [
         "core.js",
-        "surfaces.js",
+        "paths.js",
         "slim.js",
         "casteljau.wasm",
         "custom-elements.json",
@@ -143,6 +142,7 @@ fn types() -> Result<()> {
     );
     let outputs = [
         root.join("dist/types/index.d.ts"),
+        root.join("dist/types/paths.d.ts"),
         root.join("dist/types/core.d.ts"),
         root.join("dist/types/surfaces.d.ts"),
         root.join("dist/types/easing.d.ts"),

@@ -1,6 +1,6 @@
 // What the user can do besides dragging: every action once, for its button and its key.
 import { roomiestAmong } from "../../applet/random.js";
-import { save } from "../surface/files.js";
+import { save } from "../page-files.js";
 import * as edits from "./edits.js";
 import { blobOf, codeOf } from "./export.js";
 import { svgFigure } from "./layers/svg.js";

@@ -1,5 +1,5 @@
 // What can be done to the points: each function returns a new state. Where joints are held, the core does it.
-import { Curve, Spline } from "../../index.js";
+import { Curve, Spline } from "../../paths.js";
 import { generator, randomChain, randomPlaces } from "../../applet/random.js";
 import { pairs } from "../../applet/state.js";
 import { degreeOf, figureOf } from "./figure.js";

@@ -1,5 +1,5 @@
 // The curves that the points mean: pieces in Bézier form, for every basis and degree.
-import { Curve, Spline } from "../../index.js";
+import { Curve, Spline } from "../../paths.js";
 import { MOST_DEGREE } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */

@@ -1,5 +1,5 @@
 // What is dropped or pasted: points, an SVG path, or the plain data that the element gave.
-import { Path } from "../../index.js";
+import { Path } from "../../paths.js";
 import { pairs } from "../../applet/state.js";
 import { pointsIn, stateOf } from "./fields.js";
 import { withPoints } from "./state.js";

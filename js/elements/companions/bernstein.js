@@ -1,4 +1,5 @@
 import { Linked } from "./linked.js";
+import { LazyView } from "./loading.js";
 
 /** `<bezier-bernstein>`; what can be set from outside is documented in types.js. */
 export class BezierBernstein extends Linked {
@@ -7,7 +8,7 @@ export class BezierBernstein extends Linked {
     t: { type: Number, reflect: true, useDefault: true },
     basis: { reflect: true, useDefault: true },
   };
-  static view = /** @type {const} */ ("BernsteinView");
+  static view = new LazyView(() => import("./bernstein-view.js"), "BernsteinView");
 
   constructor() {
     super();

@@ -2,29 +2,16 @@
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { MISSING } from "../loading.js";
-import { loadViews } from "./loading.js";
+import { LazyView } from "./loading.js";
 
 /**
- * @import { CSSResult } from "lit"
- * @import { Views } from "./loading.js"
- */
-
-/**
- * What shows a companion. It is made once for each, when the companion comes near for the first time.
- *
- * @typedef {object} View
- * @property {() => unknown} content
- * @property {(event: Event) => void} [attended] the focus comes to the applet or leaves it
- * @property {(done: boolean) => void} [chosen] the user has chosen
- * @property {() => void} [stop] the companion leaves the page
+ * @import { View, ViewClass } from "./loading.js"
  */
 
 /** A companion begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
 const MOST_QUOTED = 40;
-/** What shows companions, as soon as one of them needed it. @type {Views | null} */
-let loaded = null;
 
 /**
  * @fires input - during a change by the user
@@ -36,8 +23,8 @@ export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { theme: { reflect: true, useDefault: true }, label: { reflect: true, useDefault: true } };
   static styles = css`:host { display: block; min-block-size: 3rem; } :host([hidden]) { display: none; }`;
-  /** The class of its view. @type {keyof Views} */
-  static view = "BernsteinView";
+  /** @type {LazyView<any>} */
+  static view = new LazyView(() => Promise.reject(new TypeError("each kind has its own view")), "View");
 
   /**
    * @param {PropertyKey} name
@@ -152,7 +139,8 @@ export class Companion extends LitElement {
   /** @internal Wherever it is: paper shows what no one has scrolled to. */
   renderNow() {
     const near = this.#near;
-    if (loaded) this.view ??= this.#dressed(loaded);
+    const View = /** @type {typeof Companion} */ (this.constructor).view.loaded;
+    if (View) this.view ??= this.#dressed(View);
     this.#near = true;
     this.requestUpdate();
     this.performUpdate();
@@ -169,8 +157,8 @@ export class Companion extends LitElement {
   /** @internal Fetches what shows it, and shows it. */
   async wake() {
     try {
-      loaded = await loadViews();
-      this.view ??= this.#dressed(loaded);
+      const View = await /** @type {typeof Companion} */ (this.constructor).view.load();
+      this.view ??= this.#dressed(View);
       this.say(this.#said === MISSING ? "" : this.#said);
     } catch {
       this.say(MISSING);
@@ -178,10 +166,9 @@ export class Companion extends LitElement {
     this.requestUpdate();
   }
 
-  /** @param {Views} views */
-  #dressed(views) {
-    const { view, styles } = /** @type {typeof Companion} */ (this.constructor);
-    const View = /** @type {{ new (host: any): View, styles: CSSResult[] }} */ (/** @type {unknown} */ (views[view]));
+  /** @param {ViewClass} View */
+  #dressed(View) {
+    const { styles } = /** @type {typeof Companion} */ (this.constructor);
     adoptStyles(/** @type {ShadowRoot} */ (this.renderRoot), [styles, ...View.styles]);
     return new View(this);
   }

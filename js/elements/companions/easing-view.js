@@ -1,5 +1,5 @@
 import { css, html, nothing } from "lit";
-import { easing } from "../../index.js";
+import { easing } from "../../easing.js";
 import { Fields } from "./fields.js";
 import { HandleDrag, handle } from "./easing-handles.js";
 import { picture } from "./easing-picture.js";

@@ -1,4 +1,5 @@
 import { FormField } from "./form-field.js";
+import { LazyView } from "./loading.js";
 import { PRESETS, readTiming, timingText } from "./timing.js";
 
 /**
@@ -11,7 +12,7 @@ const MISSING = "Choose an easing.";
 export class BezierEasing extends FormField {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { value: { attribute: false, noAccessor: true } };
-  static view = /** @type {const} */ ("EasingView");
+  static view = new LazyView(() => import("./easing-view.js"), "EasingView");
 
   /** @internal @type {Handles} */
   handles = [...PRESETS.ease];

@@ -1,3 +1,4 @@
+import { LazyView } from "./loading.js";
 import { Pointed } from "./pointed.js";
 
 /** `<bezier-equation>`; what can be set from outside is documented in types.js. */
@@ -10,7 +11,7 @@ export class BezierEquation extends Pointed {
     form: { reflect: true, useDefault: true },
     editable: { type: Boolean, reflect: true, useDefault: true },
   };
-  static view = /** @type {const} */ ("EquationView");
+  static view = new LazyView(() => import("./equation-view.js"), "EquationView");
 
   constructor() {
     super();

@@ -1,5 +1,5 @@
 // A companion that stands alone: what its attributes say.
-import { Curve } from "../../index.js";
+import { Curve } from "../../paths.js";
 import { readNumber } from "./numbers.js";
 import { FIRST_POINTS, ownPoints } from "./points.js";
 import { withTangents } from "./subject.js";

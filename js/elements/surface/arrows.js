@@ -1,7 +1,7 @@
 // The two derivatives at a place of a patch, and the normal on both, as arrows.
 
 /**
- * @import { Patch } from "../../index.js"
+ * @import { Patch } from "../../surfaces.js"
  */
 
 /** @typedef {[number, number, number]} Vector */

@@ -2,7 +2,7 @@
 import { patchesOf } from "./patches.js";
 
 /**
- * @import { Patch, Surface } from "../../index.js"
+ * @import { Patch, Surface } from "../../surfaces.js"
  */
 
 /**

@@ -1,8 +1,9 @@
 // Where files come in and go out, and what could not be done is said.
-import { meshFile, save, surfaceIn } from "./files.js";
+import { meshFile, surfaceIn } from "./files.js";
+import { save } from "../page-files.js";
 
 /**
- * @import { Mesh, Surface } from "../../index.js"
+ * @import { Mesh, Surface } from "../../surfaces.js"
  */
 
 /**

@@ -1,9 +1,9 @@
-import { Surface } from "../../index.js";
+import { Surface } from "../../surfaces.js";
 import { adoptProperties } from "../adopt.js";
 import { SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { Desk } from "./desk.js";
-import { acceptDrops } from "./files.js";
+import { acceptDrops } from "../page-files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { loadDrawing } from "./loading.js";

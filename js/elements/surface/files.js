@@ -1,5 +1,5 @@
-// Surfaces from files and to files.
-import { Mesh, Surface } from "../../index.js";
+// Surfaces from files, and meshes to files.
+import { Mesh, Surface } from "../../surfaces.js";
 
 /** Longer files are refused unread: a browser would stand still over them. */
 const MOST_BYTES = 16e6;
@@ -48,41 +48,4 @@ function raised(mesh) {
   const turn = (/** @type {Float32Array | Float64Array} */ numbers) =>
     numbers.map((x, i) => (i % 3 === 0 ? x : i % 3 === 1 ? numbers[i + 1] : -numbers[i - 1]));
   return new Mesh({ ...mesh, positions: turn(mesh.positions), normals: turn(mesh.normals) });
-}
-
-/**
- * Hands a file to the user.
- *
- * @param {Document} page
- * @param {string} name
- * @param {Blob} blob
- */
-export function save(page, name, blob) {
-  const link = Object.assign(page.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href));
-}
-
-/**
- * Lets files be dropped on a part of the page.
- *
- * @param {HTMLElement} target
- * @param {(file: File) => void} dropped
- * @returns {() => void} ends it
- */
-export function acceptDrops(target, dropped) {
-  const over = (/** @type {DragEvent} */ event) =>
-    event.dataTransfer?.types.includes("Files") && event.preventDefault();
-  const drop = (/** @type {DragEvent} */ event) => {
-    const file = event.dataTransfer?.files[0];
-    if (!file) return;
-    event.preventDefault();
-    dropped(file);
-  };
-  target.addEventListener("dragover", over);
-  target.addEventListener("drop", drop);
-  return () => {
-    target.removeEventListener("dragover", over);
-    target.removeEventListener("drop", drop);
-  };
 }

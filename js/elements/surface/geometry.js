@@ -8,7 +8,7 @@ import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MOST_GPU_DEGREE } from "./shaders.js";
 
 /**
- * @import { Mesh, Surface } from "../../index.js"
+ * @import { Mesh, Surface } from "../../surfaces.js"
  * @import { Settings } from "./settings.js"
  * @import { Frame, Sight } from "./camera.js"
  */

@@ -4,7 +4,7 @@ import { arrowsAt } from "./arrows.js";
 import { patchesOf } from "./patches.js";
 
 /**
- * @import { Patch } from "../../index.js"
+ * @import { Patch } from "../../surfaces.js"
  * @import { Sight } from "./camera.js"
  * @import { Scene } from "./geometry.js"
  */

@@ -1,9 +1,9 @@
 // Straight pieces as numbers: six for each, its two ends.
-import { Curve } from "../../index.js";
+import { Curve } from "../../surfaces.js";
 import { patchesOf } from "./patches.js";
 
 /**
- * @import { Mesh, Patch, Surface } from "../../index.js"
+ * @import { Mesh, Patch, Surface } from "../../surfaces.js"
  */
 
 /** Straight pieces for each curve. */

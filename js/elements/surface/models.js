@@ -1,5 +1,5 @@
 // The surfaces that the element knows by name.
-import { Surface } from "../../index.js";
+import { Surface } from "../../surfaces.js";
 
 /**
  * @import { Settings } from "./settings.js"

@@ -2,7 +2,7 @@
 import { patchesOf } from "./patches.js";
 
 /**
- * @import { Surface } from "../../index.js"
+ * @import { Surface } from "../../surfaces.js"
  */
 
 /** Entries of four numbers in a row of the texture: less than any WebGL2 allows. */

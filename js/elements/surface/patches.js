@@ -1,8 +1,8 @@
 // The patches of a surface one by one, and surfaces of parts of them.
-import { Surface } from "../../index.js";
+import { Surface } from "../../surfaces.js";
 
 /**
- * @import { Patch } from "../../index.js"
+ * @import { Patch } from "../../surfaces.js"
  */
 
 /** @type {WeakMap<Surface, Patch[]>} */

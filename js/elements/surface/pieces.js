@@ -1,9 +1,9 @@
 // The text's recursion: pieces that count as flat, and the cracks where neighbours were cut differently.
-import { Mesh } from "../../index.js";
+import { Mesh } from "../../surfaces.js";
 import { patchesOf } from "./patches.js";
 
 /**
- * @import { Patch, Surface } from "../../index.js"
+ * @import { Patch, Surface } from "../../surfaces.js"
  */
 
 /** @typedef {ReturnType<Surface["subdivide"]>[number]} Piece */

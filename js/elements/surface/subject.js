@@ -4,7 +4,7 @@ import { Memo } from "./memo.js";
 import { framingPoints, surfaceNamed } from "./models.js";
 
 /**
- * @import { Surface } from "../../index.js"
+ * @import { Surface } from "../../surfaces.js"
  * @import { Scene } from "./geometry.js"
  * @import { Settings } from "./settings.js"
  */

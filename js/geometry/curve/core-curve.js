@@ -213,7 +213,7 @@ export class CoreCurve extends CurveEvaluation {
   }
 
   /**
-   * The curve as SVG path data, see `Path.toSVG`; 2D only.
+   * The curve as SVG path data without arcs, see `Path.toSVG`; 2D only.
    *
    * @param {SvgOptions} [options]
    * @returns {string}

@@ -3,7 +3,10 @@ import { directionOfDegrees } from "../../io/svg-arc.js";
 import { PathBuilder as SvgBuilder } from "../../io/svg-read.js";
 import { checkTolerance } from "../../io/svg-write.js";
 
-/** @import { Path } from "./path.js" */
+/**
+ * @import { Path } from "./path.js"
+ * @import { PathValue } from "./path-value.js"
+ */
 
 const [ARC, CUBIC, LINE, MOVE, QUADRATIC] = ["A", "C", "L", "M", "Q"].map((letter) => letter.charCodeAt(0));
 
@@ -17,6 +20,8 @@ const ANGLE_ROUNDING = 1e-12;
  *
  * As on a canvas, a command without a subpath starts one at its first point, and after `closePath` the next subpath starts where
  * the closed one did. Subpaths without a segment are omitted. Other than on a canvas, a NaN or an infinity is a RangeError.
+ *
+ * @template {PathValue} [P=Path]
  */
 export class PathBuilder {
   #builder;
@@ -28,7 +33,7 @@ export class PathBuilder {
   /**
    * @internal
    * @param {number} tolerance for arcs, 0 for the default
-   * @param {(packed: Float64Array) => Path} pathOf
+   * @param {(packed: Float64Array) => P} pathOf
    */
   constructor(tolerance, pathOf) {
     this.#builder = new SvgBuilder(tolerance);
@@ -225,7 +230,7 @@ export class PathBuilder {
   /**
    * The path that has been drawn; the builder is empty afterwards.
    *
-   * @returns {Path}
+   * @returns {P}
    * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate
    */
   build() {

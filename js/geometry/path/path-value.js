@@ -6,6 +6,7 @@ import { samePoints, writePoint } from "../points.js";
 import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
 import { cssOf, pathDataOf } from "../../io/path-data.js";
+import { takeArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { extents, packedSplines } from "../../wasm/packed-path.js";
 
@@ -16,7 +17,7 @@ import { extents, packedSplines } from "../../wasm/packed-path.js";
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
  * @import { CssOptions, PathSegment } from "../../io/path-data.js"
- * @import { SvgOptions } from "../../io/svg-write.js"
+ * @import { PathSvgOptions } from "../../io/svg-write.js"
  */
 
 /** Longer path data is cut off in Node's console, as Node does with long arrays. */
@@ -73,12 +74,14 @@ export class PathValue {
    *
    * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
    * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
+   * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
+   * rounding.
    *
-   * @param {SvgOptions} [options]
+   * @param {PathSvgOptions} [options]
    * @returns {string}
    */
   toSVG(options) {
-    return svgOf(this.#packed, options);
+    return svgOf(this.#packed, options, takeArcs);
   }
 
   /**

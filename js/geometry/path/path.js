@@ -1,31 +1,17 @@
-import { pathData } from "../brand.js";
 import * as check from "../check.js";
-import { requireList } from "../points.js";
-import { PathRegions } from "./path-regions.js";
-import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import { contoursToThree } from "../../io/three.js";
+import { CorePath, packedFrom, packedFromJSON, pathFrom } from "./core-path.js";
 import * as regions from "./path-boolean.js";
-import * as shapes from "./path-shapes.js";
-import { packedShape, require2D } from "./packed-shape.js";
-import { CheckedPath, coordinatesOf } from "./path-value.js";
-import { splineDataOf } from "../spline/spline-value.js";
-import { PathBuilder } from "./path-builder.js";
-import { readPathData } from "../../io/path-data.js";
-import { readSvg } from "../../io/svg-read.js";
-import { checkTolerance } from "../../io/svg-write.js";
-import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
+import * as strokes from "./path-stroke.js";
 
 /**
- * @import { PointLike, PointsLike } from "../check.js"
- * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { PointLike } from "../check.js"
+ * @import { ThreeShapes } from "../../io/three.js"
+ * @import { Shape } from "./core-path.js"
  * @import { BooleanOperation } from "./path-boolean.js"
- * @import { RegionOptions } from "./path-measures.js"
- * @import { ArcOptions, RectOptions } from "./path-shapes.js"
- * @import { PathPoint, PathTime } from "./path-queries.js"
- * @import { Intersection, PathIntersection } from "../intersections.js"
+ * @import { Moments, RegionOptions } from "./path-measures.js"
+ * @import { RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js"
  * @import { PathValue } from "./path-value.js"
- * @import { CoreSpline } from "../spline/core-spline.js"
- * @import { PathSegment } from "../../io/path-data.js"
- * @import { SimplifyOptions } from "../spline/spline.js"
  * @import { SplineJSON } from "../spline/spline-value.js"
  */
 
@@ -37,21 +23,9 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
- * What a path can be made of and intersected with, from any entry point of this package.
- *
- * @typedef {PathValue | CoreSpline | CoreCurve} Shape
- */
-
-/**
  * A face of `Path.faces`: an outer contour with its holes, and for each path whether it contains the face.
  *
  * @typedef {{ path: Path, inside: boolean[] }} Face
- */
-
-/**
- * What `Path.nearestOf` finds: the index of the path, and the nearest point on it.
- *
- * @typedef {PathPoint & { index: number }} NearestPath
  */
 
 /**
@@ -62,30 +36,7 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  *     ring.contains([0.5, 2]); // true
  *     ring.contains([2, 2]); // false
  */
-export class Path extends PathRegions {
-  /**
-   * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
-   *
-   * Arcs are approximated by as few cubics as possible within a tolerance, by default 1e-5 of the larger radius: 8 for
-   * a circle. A moveto without a segment is ignored; "M1 1Z" is
-   * a closed subpath with one line of length 0. The text "none", as in CSS, gives an empty path. `Z` adds a line to the start unless the current point is already there.
-   *
-   * @param {string} d SVG path data
-   * @param {ArcOptions} [options]
-   * @returns {Path}
-   * @throws {SvgError} a RangeError with `offset` and `path`, the path up to the error
-   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
-   */
-  static fromSVG(d, options) {
-    if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.describe(d)}`);
-    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    const { packed, error } = readSvg(d, tolerance);
-    const path = pathOf(packed);
-    if (error) throw Object.assign(new RangeError(error.message), { offset: error.offset, path });
-    checkTolerance(packed, tolerance);
-    return path;
-  }
-
+export class Path extends CorePath {
   /**
    * The path that `toJSON` described.
    *
@@ -93,12 +44,7 @@ export class Path extends PathRegions {
    * @returns {Path}
    */
   static fromJSON(json) {
-    if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
-      throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
-    }
-    return pathOf(
-      packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`))),
-    );
+    return pathOf(packedFromJSON(json));
   }
 
   /**
@@ -110,118 +56,7 @@ export class Path extends PathRegions {
    * @throws {TypeError} for other values, and for 3D ones
    */
   static from(shapes, ...surplus) {
-    if (typeof surplus[0] !== "number")
-      // as map passes
-      check.noSurplus(surplus, "from", 1, "from([a, b])");
-    if (!Array.isArray(shapes)) return pathOf(packedShape(shapes, "shapes"));
-    return pathOf(packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`))));
-  }
-
-  /**
-   * The path of segments of path data, as `getPathData` of SVG elements gives them: commands of SVG path data in any
-   * form, with their numbers.
-   *
-   *     Path.fromPathData(document.querySelector("path").getPathData());
-   *
-   * @param {ArrayLike<PathSegment>} segments `type`: the letter of a command; `values`: the numbers of one such command
-   * @param {ArcOptions} [options]
-   * @returns {Path}
-   * @throws {RangeError} for an unknown command, and for a wrong number of values
-   */
-  static fromPathData(segments, options) {
-    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    const packed = readPathData(segments, tolerance);
-    checkTolerance(packed, tolerance);
-    return pathOf(packed);
-  }
-
-  /**
-   * A builder with the methods of a canvas context, for code that draws on one.
-   *
-   *     const builder = Path.builder();
-   *     d3.line().context(builder)(data); // or any other function that draws on a canvas
-   *     const path = builder.build();
-   *
-   * @param {ArcOptions} [options] for `arc`, `arcTo`, `ellipse` and `roundRect`
-   * @returns {PathBuilder}
-   */
-  static builder(options) {
-    return new PathBuilder(check.optionalTolerance(check.options(options, ["tolerance"]).tolerance), pathOf);
-  }
-
-  /**
-   * A circle, counter-clockwise (x right, y up; clockwise on a canvas), from the point to the right of the centre. It
-   * consists of cubics that join at each quarter turn.
-   *
-   * By default, 8 cubics approximate it within 4.3e-6 of the radius. The largest distance of a cubic over the angle θ is
-   * 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: a tolerance of 2.73e-4 · radius gives the usual four cubics.
-   *
-   * @param {PointLike} center the center
-   * @param {number} radius 0 gives a closed subpath that is a point
-   * @param {ArcOptions} [options]
-   * @returns {Path}
-   * @throws {RangeError} for a negative radius, coordinates that overflow, and a tolerance not above 0 or below 4 ulps of
-   *   the largest coordinate
-   */
-  static circle(center, radius, options) {
-    return pathOf(shapes.circle(center, radius, options));
-  }
-
-  /**
-   * An ellipse with the same direction and accuracy as `circle`, from the end of its first semi-axis.
-   *
-   * @param {PointLike} center the center
-   * @param {number} radiusX the length of the first semi-axis
-   * @param {number} radiusY the length of the second semi-axis
-   * @param {number} [rotation] the angle from the x-axis to the first semi-axis, in radians, counter-clockwise (y up)
-   * @param {ArcOptions} [options]
-   * @returns {Path}
-   */
-  static ellipse(center, radiusX, radiusY, rotation, options) {
-    return pathOf(shapes.ellipse(center, radiusX, radiusY, rotation, options));
-  }
-
-  /**
-   * An arc of a circle as an open subpath, with the accuracy of `circle`: counter-clockwise (x right, y up; clockwise on
-   * a canvas) if `endAngle` is greater than `startAngle`, otherwise clockwise.
-   *
-   *     Path.arc([0, 0], 1, 0, Math.PI / 2); // from (1, 0) to (0, 1)
-   *
-   * @param {PointLike} center the center
-   * @param {number} radius the radius, in the unit of the points
-   * @param {number} startAngle in radians, from the x-axis towards the y-axis
-   * @param {number} endAngle in radians; at most a full turn away from `startAngle`
-   * @param {ArcOptions} [options]
-   * @returns {Path}
-   */
-  static arc(center, radius, startAngle, endAngle, options) {
-    return pathOf(shapes.circularArc(center, radius, startAngle, endAngle, options));
-  }
-
-  /**
-   * A rectangle with sides parallel to the axes, counter-clockwise (x right, y up; clockwise on a canvas), from the
-   * corner with the smallest coordinates (after its rounding).
-   *
-   * @param {PointLike} corner the corner with the smallest coordinates
-   * @param {number} width the width, at least 0
-   * @param {number} height the height, at least 0
-   * @param {RectOptions} [options]
-   * @returns {Path}
-   */
-  static rect(corner, width, height, options) {
-    return pathOf(shapes.rect(corner, width, height, options));
-  }
-
-  /**
-   * A polygon, or an open polyline, with the given corners in their order.
-   *
-   * @param {PointsLike} points a flat array is read as x, y, x, y, …; at least 1 point, at least 2 if open
-   * @param {{ closed?: boolean }} [options] `closed`: true by default
-   * @returns {Path}
-   */
-  static polygon(points, options) {
-    requireList(points);
-    return pathOf(shapes.polygon(points, options));
+    return pathOf(packedFrom(shapes, surplus));
   }
 
   /**
@@ -234,42 +69,6 @@ export class Path extends PathRegions {
    */
   static combine(paths, operation, options) {
     return pathOf(regions.combine(paths, operation, options));
-  }
-
-  /**
-   * The path of a list that is nearest to a point, the first one of several, for hit testing: its index, the location on
-   * it, the nearest point and its distance. Null if all are farther than `maxDistance`, and for empty paths.
-   *
-   *     const hit = Path.nearestOf(paths, [event.offsetX, event.offsetY], { maxDistance: 5 });
-   *     if (hit) paths[hit.index]; // is under the pointer
-   *
-   * @param {ArrayLike<Path>} paths
-   * @param {PointLike} point
-   * @param {{ maxDistance?: number }} [options] `maxDistance`: by default there is no limit
-   * @returns {NearestPath | null}
-   */
-  static nearestOf(paths, point, options) {
-    if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${check.describe(paths)}`);
-    const { maxDistance = Infinity } = check.options(options, ["maxDistance"]);
-    if (maxDistance !== Infinity) check.finite(maxDistance, "maxDistance");
-    if (maxDistance < 0) throw new RangeError(`maxDistance: expected a number from 0, got ${maxDistance}`);
-    const p = coordinatesOf(point);
-    const all = Array.from(paths, (path, k) => (path instanceof Path ? path : pathOf(pathData(path, `paths[${k}]`))));
-    const distances = all.map((path) => path._boxDistance(p));
-    let limit = maxDistance;
-    /** @type {NearestPath | null} */
-    let best = null;
-    const search = (/** @type {number} */ index) => {
-      if (!(distances[index] <= limit)) return;
-      const found = all[index]._nearest(p, limit);
-      if (!found || (best && found.distance === limit && index > best.index)) return;
-      best = { index, ...found };
-      limit = found.distance;
-    };
-    const first = distances.indexOf(distances.reduce((least, distance) => Math.min(least, distance), Infinity));
-    if (first >= 0) search(first); // most others are farther than this one
-    for (let index = 0; index < all.length; index++) if (index !== first) search(index);
-    return best;
   }
 
   /**
@@ -289,53 +88,223 @@ export class Path extends PathRegions {
   }
 
   /**
-   * A path of fewer lines and cubics: each subpath is simplified as by `Spline.simplify`, so the Hausdorff distance of a
-   * subpath from its original is at most the tolerance.
+   * The union of regions: the points inside this path or inside one of the others. One call with many paths, like
+   * `Path.combine`, is much faster than one `union` after the other.
    *
-   *     Path.fromSVG(traced).simplify(0.5).toSVG({ precision: 2 });
+   *     Path.circle([0, 0], 1).union(Path.circle([1, 0], 1));
    *
-   * @param {number} tolerance the largest distance, in the unit of the path
-   * @param {SimplifyOptions} [options]
+   * Open subpaths are closed by lines. The contours of the result are simple and do not cross: winding numbers are 0
+   * and 1, so that both fill rules agree. Outer contours run counter-clockwise (x right, y up; clockwise on a canvas),
+   * holes clockwise; each outer contour is followed by its holes. Segments that nothing else touches are returned bit
+   * for bit, reversed where the direction requires it. The boundary lies within 1e-9 of the size from the exact one;
+   * outlines that are closer than that count as one.
+   *
+   * @param {PathValue} other
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
+   * @returns {this}
+   * @throws {RangeError} for more segments or intersections than the limit
+   */
+  union(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "union", further));
+  }
+
+  /**
+   * The intersection of regions: the points inside all paths. See `union`.
+   *
+   * @param {PathValue} other
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
    * @returns {this}
    */
-  simplify(tolerance, options) {
-    check.positive(tolerance, "tolerance");
-    const splines = this.subpaths.map((spline) => spline.simplify(tolerance, options));
-    return this._pathOf(Path.from(splines)._packed);
+  intersect(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "intersect", further));
   }
 
   /**
-   * All intersections with another path, a spline or a curve. `t` is a location {subpath, t} on this path; `u` is a
-   * location on another path, or the t of a spline or a curve. They are sorted by the subpath of this path, the subpath
-   * of the other one, t and u.
+   * The difference of two regions: the points inside this path and outside of the other one. See `union`.
    *
-   * An intersection at a joint or at the start of a closed subpath is reported once, and so is an end point that both
-   * have in common. Subpaths are intersected separately: a point that lies on two of them is reported for each. The
-   * lines that would close open subpaths do not count.
-   *
-   * Pairs of segments are found with a tree of boxes, in about n log n time for n segments. In the worst case each pair
-   * of segments is compared, with the limits of `Curve.intersections`.
-   *
-   * @template {Shape} S
-   * @param {S} other a curve, a spline or a path
-   * @param {never[]} surplus
-   * @returns {Intersection<PathTime, S extends PathValue ? PathTime : number>[]}
+   * @param {PathValue} other
+   * @param {RegionOptions} [options]
+   * @returns {this}
    */
-  intersections(other, ...surplus) {
-    check.noSurplus(surplus, "intersections", 1);
-    return /** @type {any} */ (intersectPathWith(this._packed, other));
+  subtract(other, options) {
+    return this._pathOf(regions.subtract(this._packed, other, options));
   }
 
   /**
-   * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
-   * Each pair is reported once.
+   * The symmetric difference of regions: the points inside exactly one of two paths, or inside an odd number of
+   * paths. See `union`.
    *
-   * @param {never[]} surplus
-   * @returns {PathIntersection[]}
+   * @param {PathValue} other
+   * @param {...(PathValue | RegionOptions | undefined)} further more paths, and at last the options
+   * @returns {this}
    */
-  selfIntersections(...surplus) {
-    check.noSurplus(surplus, "selfIntersections", 0);
-    return selfIntersectPath(this._packed);
+  exclude(other, ...further) {
+    return this._pathOf(regions.combineWith(this._packed, other, "exclude", further));
+  }
+
+  /**
+   * The region that the path fills, with simple contours. See `union`.
+   *
+   * @param {RegionOptions} [options]
+   * @returns {this}
+   */
+  removeOverlaps(options) {
+    return this._pathOf(regions.removeOverlaps(this._packed, options));
+  }
+
+  /**
+   * The parts into which another path divides the region: one path for each, with its holes. The other path is not
+   * filled; its open subpaths stay open. A part of it that ends inside the region divides nothing.
+   *
+   * @param {PathValue} other
+   * @param {RegionOptions} [options]
+   * @returns {this[]}
+   */
+  divide(other, options) {
+    return regions.divide(this._packed, other, options).map((packed) => this._pathOf(packed));
+  }
+
+  /**
+   * The parts of this path inside a region. This path is not filled: its open subpaths stay open, and closed ones that
+   * leave the region become open pieces. See `union`.
+   *
+   * @param {PathValue} region
+   * @param {RegionOptions} [options] how `region` is filled
+   * @returns {this}
+   */
+  clip(region, options) {
+    return this._pathOf(regions.clip(this._packed, region, options));
+  }
+
+  /**
+   * The region that a stroke of the path covers: the points on a normal of the path at a distance of at most half the
+   * width, the joins at corners, and the caps at the ends of open subpaths.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).stroke(2).area(); // 20
+   *
+   * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
+   * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
+   * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
+   * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
+   *
+   * @param {number} width
+   * @param {StrokeOptions} [options]
+   * @returns {this}
+   * @throws {RangeError} for a negative width, a miter limit below 1, a dash pattern with a negative entry or with zeros
+   *   only, and a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  stroke(width, options) {
+    return this._pathOf(strokes.stroke(this._packed, width, options));
+  }
+
+  /**
+   * Whether a point is in the stroke of the path: hit testing, as `isPointInStroke` of a canvas. It computes distances
+   * from the path, and is exact up to rounding.
+   *
+   * @param {PointLike} point
+   * @param {number} width
+   * @param {StrokeShape} [options]
+   * @returns {boolean}
+   */
+  strokeContains(point, width, options) {
+    return strokes.strokeContains(this._packed, point, width, options);
+  }
+
+  /**
+   * The dashes of the path along a pattern of lengths: on, off, on, off … They are open subpaths, cut by arc length with
+   * an error of at most 1e-9 of the length of their subpath. On a closed subpath, the dash that reaches the end
+   * continues at the start.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).dash([4, 2]).toSVG(); // "M0,0 L4,0 M6,0 L10,0"
+   *
+   * @param {ArrayLike<number>} pattern a pattern with an odd number of entries is repeated; an empty one gives the path
+   * @param {number} [offset] the length in the pattern at which each subpath starts, 0 by default
+   * @returns {this}
+   * @throws {RangeError} for a negative entry, for zeros only, and for more than 2²² dashes
+   */
+  dash(pattern, offset) {
+    return this._pathOf(strokes.dash(this._packed, pattern, offset));
+  }
+
+  /**
+   * The region that the path fills, grown by a distance, or shrunk if it is negative, whatever its orientation. Open
+   * subpaths are closed; the nonzero rule applies. A region that is thinner than twice the distance shrinks to the
+   * empty path. (`offset` of curves and splines is different: it moves along the normal and trims nothing.)
+   *
+   *     Path.rect([0, 0], 4, 4).offset(-1).area(); // 4
+   *
+   * @param {number} distance
+   * @param {RegionOffsetOptions} [options]
+   * @returns {this}
+   */
+  offset(distance, options) {
+    return this._pathOf(strokes.offset(this._packed, distance, options));
+  }
+
+  /**
+   * The path with its corners replaced by arcs of a radius that are tangent to both segments at the corner.
+   *
+   *     Path.rect([0, 0], 10, 10).roundCorners(2).area(); // 96.56637061…
+   *
+   * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
+   * subpaths. Arcs are cubics within 1e-9 of their radius; segments that no arc replaces are returned bit for bit. An arc
+   * replaces at most the 64 segments on each side that follow each other without a corner: where these are too short, or
+   * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, each ends in the
+   * middle between them (in the parameter) at the latest.
+   *
+   * @param {number} radius 0 gives the path
+   * @param {never[]} surplus
+   * @returns {this}
+   * @throws {RangeError} for a negative radius
+   */
+  roundCorners(radius, ...surplus) {
+    check.noSurplus(surplus, "roundCorners", 1);
+    return this._pathOf(strokes.roundCorners(this._packed, radius));
+  }
+
+  /**
+   * The region that the path fills as shapes of three.js with their holes, for `ShapeGeometry` and `ExtrudeGeometry`:
+   * one for each outer contour. Segments above degree 3 become cubics.
+   *
+   *     const shapes = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z").toThree(THREE);
+   *     new THREE.ExtrudeGeometry(shapes, { depth: 1 });
+   *
+   * @template {{ new (): any, prototype: any }} ShapeClass
+   * @param {ThreeShapes<ShapeClass>} THREE the namespace of three.js, or an object with `Shape` and `Path`
+   * @param {RegionOptions} [options]
+   * @returns {ShapeClass["prototype"][]}
+   */
+  toThree(THREE, options) {
+    return contoursToThree(this.removeOverlaps(options).subpaths, THREE);
+  }
+
+  /**
+   * The signed area inside, positive for counter-clockwise subpaths (x right, y up), ½∮ x dy − y dx: each point counts
+   * with its winding number. With a fill rule, the area of the region that the path fills, which is never negative. Open
+   * subpaths are closed by a line.
+   *
+   *     const twice = Path.fromSVG("M0 0H1V1H0Z M0 0H1V1H0Z");
+   *     twice.area(); // 2
+   *     twice.area({ fillRule: "nonzero" }); // 1
+   *
+   * @override
+   * @param {RegionOptions} [options]
+   * @returns {number}
+   */
+  area(options) {
+    return hasFillRule(options) ? this.removeOverlaps(options).area() : super.area();
+  }
+
+  /**
+   * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
+   * area. With a fill rule, over the region that the path fills.
+   *
+   * @override
+   * @param {RegionOptions} [options]
+   * @returns {Moments}
+   */
+  moments(options) {
+    return hasFillRule(options) ? this.removeOverlaps(options).moments() : super.moments();
   }
 
   /**
@@ -349,11 +318,16 @@ export class Path extends PathRegions {
   }
 }
 
+/** @param {RegionOptions | undefined} options */
+function hasFillRule(options) {
+  return check.options(options, ["fillRule"]).fillRule !== undefined;
+}
+
 /**
  * @internal
  * @param {Float64Array} packed
  * @returns {Path}
  */
 export function pathOf(packed) {
-  return new Path(/** @type {any} */ (new CheckedPath(packed))); // outside of the class, see curve.js
+  return pathFrom(Path, packed); // outside of the class, see ../curve/curve.js
 }

@@ -212,7 +212,7 @@ export class CoreSpline extends SplineEvaluation {
   }
 
   /**
-   * The spline as SVG path data, see `Path.toSVG`; 2D only.
+   * The spline as SVG path data without arcs, see `Path.toSVG`; 2D only.
    *
    * @param {SvgOptions} [options]
    * @returns {string}

@@ -138,7 +138,7 @@ impl ArcLengthTable {
     }
 
     fn speed(&self, t: f64) -> f64 {
-        Point::length(evaluate(&self.slopes, t))
+        Point::norm(evaluate(&self.slopes, t))
     }
 
     /// ∫ |B′| from `lo` to `hi`, by one rule.
@@ -224,9 +224,9 @@ impl ArcLengthTable {
     /// hull of these points.
     fn deviates(&self, slopes: &[DVec3], direction: DVec3, cosine: f64, width: f64) -> bool {
         let hidden = self.tolerance.max(self.noise * width);
-        let size = cosine * Point::length(direction);
+        let size = cosine * Point::norm(direction);
         slopes.iter().any(|&slope| {
-            let length = Point::length(slope);
+            let length = Point::norm(slope);
             slope.dot(direction) <= size * length && length * width > hidden
         })
     }

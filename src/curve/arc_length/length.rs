@@ -62,7 +62,7 @@ impl<P: Point> Curve<P> {
             return 0.0;
         }
         let length = match *slopes {
-            [d] => d.length(),
+            [d] => d.norm(),
             [d, e] => line_integral(d, e),
             _ => ArcLengthTable::new(&slopes, tolerance / unit).length(),
         };
@@ -107,9 +107,9 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
 /// to s₁ = s₀ + a at e, it is [s √(s² + h²) + h² arsinh(s/h)] / a. Both differences are computed without cancellation,
 /// so that the result is accurate for a nearly constant speed and for a reversal (h = 0).
 fn line_integral<P: Point>(d: P, e: P) -> f64 {
-    let (r0, r1) = (d.length(), e.length());
+    let (r0, r1) = (d.norm(), e.norm());
     let chord = e - d;
-    let a = chord.length();
+    let a = chord.norm();
     // The speed is constant up to terms of a².
     if a <= 1e-9 * (r0 + r1) {
         return r0 + r1;

@@ -203,7 +203,7 @@ impl<P: Point> Curve<P> {
         })?;
         // Each reversal that is left out lies within the tolerance of an end of its chord.
         let mut turns = self.extrema_on(axis).to_vec();
-        let near = |t: f64, p: P| (self.eval(t) - p).length() <= tolerance;
+        let near = |t: f64, p: P| (self.eval(t) - p).norm() <= tolerance;
         while turns.last().is_some_and(|&t| near(t, end)) {
             turns.pop();
         }

@@ -99,7 +99,7 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         }
         for (i, &g) in g[..n - 1].iter().enumerate() {
             bend = bend.max(g.dot(g));
-            turn_sum += Point::length(g.cross(v[i]));
+            turn_sum += Point::norm(g.cross(v[i]));
             for &v in &v[..n] {
                 turn = turn.max(g.cross(v).length_squared());
             }

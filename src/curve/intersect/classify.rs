@@ -202,7 +202,7 @@ impl NormalizedPair {
             let tangent = Curve::from_slice(&self.curves[k]).tangent(t);
             (
                 tangent,
-                1.0 / Point::length(self.with_derivatives(k).derivatives(t)[0]),
+                1.0 / Point::norm(self.with_derivatives(k).derivatives(t)[0]),
             )
         });
         let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);

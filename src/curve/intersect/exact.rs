@@ -258,7 +258,7 @@ impl NormalizedPair {
             let (_, u) = self.project_onto_b(at, u);
             let [b, direction, _] = of_b.jet(u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
-            let height = Point::normalize_or_zero(direction).perp_dot(gap);
+            let height = Point::unit(direction).perp_dot(gap);
             if height.abs() > CLEAR_HEIGHT * NO_HEIGHT * self.slack {
                 return height.signum();
             }

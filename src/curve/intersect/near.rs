@@ -47,8 +47,8 @@ impl NormalizedPair {
         let [of_a, of_b] = self.both();
         let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
         let direction = if db == DVec2::ZERO { da } else { db };
-        match Point::normalize_or_zero(direction) {
-            DVec2::ZERO => Point::length(a - b),
+        match Point::unit(direction) {
+            DVec2::ZERO => Point::norm(a - b),
             along => along.perp_dot(a - b).abs(),
         }
     }
@@ -135,8 +135,8 @@ impl NormalizedPair {
         for _ in 0..TANGENCY_STEPS {
             let ([a, da, dda], [b, db, ddb]) = (of_a.jet(t), of_b.jet(u));
             let (cross, ahead) = (da.perp_dot(db), (a - b).dot(da));
-            if cross.abs() <= PARALLEL * Point::length(da) * Point::length(db)
-                && ahead.abs() <= self.slack * Point::length(da)
+            if cross.abs() <= PARALLEL * Point::norm(da) * Point::norm(db)
+                && ahead.abs() <= self.slack * Point::norm(da)
             {
                 // A multiple root cannot be determined more accurately.
                 break;
@@ -157,7 +157,7 @@ impl NormalizedPair {
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
         let ([da, _], [db, _]) = (of_a.derivatives(t), of_b.derivatives(u));
         let is_parallel =
-            da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::length(da) * Point::length(db);
+            da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::norm(da) * Point::norm(db);
         (inside && is_parallel && self.coincide((t, u))).then_some((t, u))
     }
 }

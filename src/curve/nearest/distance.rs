@@ -80,7 +80,7 @@ impl<P: Point> Curve<P> {
             search.run();
         }
         let (t, u) = (search.t, search.u);
-        let distance = (self.eval(t) - other.eval(u)).length();
+        let distance = (self.eval(t) - other.eval(u)).norm();
         Distance {
             distance: if distance <= ulps * ulp(size) {
                 0.0
@@ -172,7 +172,7 @@ impl<'a, P: Point> Search<'a, P> {
             };
             for (i, j) in halves {
                 let (p, q) = (&left.0[i], &right.0[j]);
-                if (p.middle - q.middle).length() + self.rounding < self.distance {
+                if (p.middle - q.middle).norm() + self.rounding < self.distance {
                     self.descend(p.mid(), q.mid());
                 }
                 let min = p.apart(q);
@@ -224,11 +224,11 @@ impl<'a, P: Point> Search<'a, P> {
         let t = t.clamp(0.0, 1.0);
         let u = self.foot(self.b.points, self.a.at(t));
         self.consider(t, u);
-        (self.a.at(t) - self.b.at(u)).length()
+        (self.a.at(t) - self.b.at(u)).norm()
     }
 
     fn consider(&mut self, t: f64, u: f64) {
-        let distance = (self.a.at(t) - self.b.at(u)).length();
+        let distance = (self.a.at(t) - self.b.at(u)).norm();
         if distance < self.distance {
             (self.distance, self.t, self.u) = (distance, t, u);
         }
@@ -245,13 +245,13 @@ impl<'a, P: Point> Search<'a, P> {
             let vector = self.a.at(t) - self.b.at(u);
             let (step_t, step_u) = self.newton(vector, t, u);
             let mut share = 1.0;
-            let old = vector.length();
+            let old = vector.norm();
             loop {
                 let (v, w) = (
                     (t + share * step_t).clamp(0.0, 1.0),
                     (u + share * step_u).clamp(0.0, 1.0),
                 );
-                if (self.a.at(v) - self.b.at(w)).length() < old {
+                if (self.a.at(v) - self.b.at(w)).norm() < old {
                     (t, u) = (v, w);
                     break;
                 }

@@ -122,7 +122,7 @@ fn farthest<P: Point>(
     let mut look = |p: P, greatest: &mut f64| {
         let (u, steps) = counted_parameter(b, p);
         let within = work.spend(steps);
-        *greatest = greatest.max((evaluate(b, u) - p).length());
+        *greatest = greatest.max((evaluate(b, u) - p).norm());
         (u, within)
     };
     let b_curve = Curve::from_slice(high);
@@ -189,7 +189,7 @@ impl<P: Point> Segment<P> {
                 .points
                 .iter()
                 .enumerate()
-                .map(|(i, &p)| (p - to(i)).length());
+                .map(|(i, &p)| (p - to(i)).norm());
             away.fold(0.0, f64::max)
         };
         far(&|i| along.points[i])
@@ -202,7 +202,7 @@ impl<P: Point> Segment<P> {
     /// function.
     fn distance_from_segment(&self, b: &Curve<P>) -> f64 {
         let segment = [b.start(), b.end()];
-        let away = |&p: &P| (p - evaluate(&segment, nearest_parameter(&segment, p))).length();
+        let away = |&p: &P| (p - evaluate(&segment, nearest_parameter(&segment, p))).norm();
         self.points.iter().map(away).fold(0.0, f64::max)
     }
 
@@ -210,9 +210,9 @@ impl<P: Point> Segment<P> {
     /// control points are, or it ends before; then the missing length is added.
     fn straight_distance_from(&self, along: &Curve<P>) -> f64 {
         let (start, end) = (self.points[0], self.points[self.points.len() - 1]);
-        let direction = (end - start).normalize_or_zero();
+        let direction = (end - start).unit();
         let x = |p: P| (p - start).dot(direction);
-        let off = |&p: &P| (p - start - direction * x(p)).length();
+        let off = |&p: &P| (p - start - direction * x(p)).norm();
         let beside = along.points.iter().map(off).fold(0.0, f64::max);
         let missing = x(along.start()).max(x(end) - x(along.end())).max(0.0);
         beside.hypot(missing)

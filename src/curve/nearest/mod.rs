@@ -91,7 +91,7 @@ impl<P: Point> Curve<P> {
 pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
     let t = nearest_parameter(points, p);
     let point = evaluate(points, t);
-    let distance = (point - p).length();
+    let distance = (point - p).norm();
     Nearest { t, point, distance }
 }
 
@@ -153,8 +153,8 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
         binomials: Binomials::new(n, n - 1),
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
-        min: points[0].length(),
-        end: points[n].length(),
+        min: points[0].norm(),
+        end: points[n].norm(),
         work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
     search.run(points, [0.0, 1.0], MAX_HALVINGS);
@@ -240,5 +240,5 @@ fn closer<P: Point>(curve: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
         }
         (t, p) = (next, q);
     }
-    (t, p.length())
+    (t, p.norm())
 }

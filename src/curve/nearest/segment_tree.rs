@@ -47,7 +47,7 @@ impl<P: Point> Segment<P> {
 
     /// The component of a vector perpendicular to the chord.
     fn across(&self, vector: P) -> P {
-        let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
+        let chord = (self.points[self.points.len() - 1] - self.points[0]).unit();
         vector - chord * vector.dot(chord)
     }
 
@@ -55,7 +55,7 @@ impl<P: Point> Segment<P> {
     pub(crate) fn apart(&self, other: &Self) -> f64 {
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
-            let direction = vector.normalize_or_zero();
+            let direction = vector.unit();
             self.along(direction).0 - other.along(direction).1
         };
         bound(vector)

@@ -130,9 +130,7 @@ impl Arcs {
             } else {
                 numbers[node] = numbers[root];
                 let vertex = &mut vertices[numbers[root]];
-                vertex.spread = vertex
-                    .spread
-                    .max(Point::length(points[node] - vertex.point));
+                vertex.spread = vertex.spread.max(Point::norm(points[node] - vertex.point));
                 vertex.count += 1;
             }
         }
@@ -214,7 +212,7 @@ fn join_close(
         let segment = &segments.list[own[0].segment];
         let is_close = |(t, p): (f64, DVec2), (t_next, q): (f64, DVec2)| {
             let middle = segment.at(0.5 * (t + t_next));
-            Point::length(p - q) <= tolerance && Point::length(p - middle) <= tolerance
+            Point::norm(p - q) <= tolerance && Point::norm(p - middle) <= tolerance
         };
         let (mut before, mut node) = ((0.0, segment.start()), segment.ends[0]);
         for cut in own {

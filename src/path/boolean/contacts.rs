@@ -245,10 +245,9 @@ fn is_beside(a: &[DVec2], b: &[DVec2], epsilon: f64) -> bool {
 /// Whether two consecutive segments lie on different sides of a line through their joint, and so meet only there.
 fn runs_on(a: &Segment, b: &Segment) -> bool {
     let joint = b.start();
-    let before = Point::normalize_or_zero(joint - a.points[a.points.len() - 2]);
-    let after = Point::normalize_or_zero(b.points[1] - joint);
-    let whole =
-        Point::normalize_or_zero(joint - a.start()) + Point::normalize_or_zero(b.end() - joint);
+    let before = Point::unit(joint - a.points[a.points.len() - 2]);
+    let after = Point::unit(b.points[1] - joint);
+    let whole = Point::unit(joint - a.start()) + Point::unit(b.end() - joint);
     [whole, before + after].iter().any(|direction| {
         a.points[..a.points.len() - 1]
             .iter()

@@ -135,7 +135,7 @@ fn is_near(a: &[DVec2], b: &[DVec2], forward: bool, tolerance: f64) -> bool {
         let u = nearest(&b, evaluate(a, s));
         let in_order = k == 4 || k == 1 || (u >= last) == forward || u == last;
         last = u;
-        in_order && Point::length(evaluate(a, s) - b.at(u)) <= tolerance
+        in_order && Point::norm(evaluate(a, s) - b.at(u)) <= tolerance
     })
 }
 

@@ -129,7 +129,7 @@ impl Segments {
     reason = "a square root, at least 1; a count that is too large is refused"
 )]
 fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
-    let second = |p: &[DVec2]| Point::length((p[2] - p[1]) - (p[1] - p[0]));
+    let second = |p: &[DVec2]| Point::norm((p[2] - p[1]) - (p[1] - p[0]));
     let largest = curve.points.windows(3).map(second).fold(0.0, f64::max);
     let n = (curve.points.len() - 1) as f64;
     let steps = (n * (n - 1.0) * 0.125 * largest * per_deviation).sqrt();

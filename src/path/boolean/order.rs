@@ -104,13 +104,13 @@ impl Spoke {
         let clear = CLEAR_OF_SPREAD * spread;
         let far = clear.max(MIN_PROBE * size);
         let mut s = MIN_PROBE;
-        while s < 0.5 && Point::length(evaluate(&points, s)) < far {
+        while s < 0.5 && Point::norm(evaluate(&points, s)) < far {
             s *= 2.0;
         }
         let probe = evaluate(&points, s);
-        let direction = Point::normalize_or_zero(probe);
-        let half_way = Point::normalize_or_zero(evaluate(&points, 0.5 * s));
-        let uncertain = spread / Point::length(probe).max(f64::MIN_POSITIVE);
+        let direction = Point::unit(probe);
+        let half_way = Point::unit(evaluate(&points, 0.5 * s));
+        let uncertain = spread / Point::norm(probe).max(f64::MIN_POSITIVE);
         Self {
             half_edge,
             direction,
@@ -126,7 +126,7 @@ impl Spoke {
         let mut reach = 0.0_f64;
         let step = |k| {
             let p = evaluate(&self.points, walk_parameter(k));
-            let distance = Point::length(p);
+            let distance = Point::norm(p);
             let turns_back = reach > self.clear && distance < reach;
             let turns_far = distance > self.clear && p.dot(self.direction) < 0.5 * distance;
             if turns_back || turns_far {
@@ -167,7 +167,7 @@ impl Spoke {
         let Some(&farther) = walk.get(k) else {
             return evaluate(&self.points, from);
         };
-        let missing = |t: f64| r - Point::length(evaluate(&self.points, t));
+        let missing = |t: f64| r - Point::norm(evaluate(&self.points, t));
         let t = regula_falsi(
             [from, walk_parameter(k + 1)],
             [r - nearer, r - farther],

@@ -110,7 +110,7 @@ fn in_cap(q: DVec2, tangent: DVec2, pen: &Pen) -> bool {
     ahead >= 0.0
         && match pen.cap {
             StrokeCap::Butt => false,
-            StrokeCap::Round => Point::length(q) <= pen.radius,
+            StrokeCap::Round => Point::norm(q) <= pen.radius,
             StrokeCap::Square => ahead.max(aside) <= pen.radius,
         }
 }
@@ -122,7 +122,7 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
         return false;
     }
     if pen.join == OffsetJoin::Round {
-        return Point::length(q) <= pen.radius;
+        return Point::norm(q) <= pen.radius;
     }
     let outside = if from.perp_dot(to) >= 0.0 { -1.0 } else { 1.0 };
     let normals = [from, to].map(|tangent| tangent.perp() * outside);
@@ -143,12 +143,12 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
     if bounds.distance(p) > radius {
         return false;
     }
-    let near = |t: f64| Point::length(curve.eval(t) - p) <= radius;
+    let near = |t: f64| Point::norm(curve.eval(t) - p) <= radius;
     let Bounds { min, max } = bounds;
-    let size = Point::length(max - min) + radius;
+    let size = Point::norm(max - min) + radius;
     let beside_end = |end: DVec2, tangent: DVec2| {
         let q = p - end;
-        q.dot(tangent).abs() <= BESIDE_END * size && Point::length(q) <= radius
+        q.dot(tangent).abs() <= BESIDE_END * size && Point::norm(q) <= radius
     };
     let is_foot = |t: f64| {
         let along = (curve.eval(t) - p).dot(curve.tangent(t));
@@ -168,7 +168,7 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
 fn is_beside_nearest(points: &[DVec2], p: DVec2, radius: f64, clear: f64) -> bool {
     let nearest = nearest_on(points, p);
     let ends = [points[0], points[points.len() - 1]];
-    let is_clear = |end: DVec2| Point::length(nearest.point - end) > clear;
+    let is_clear = |end: DVec2| Point::norm(nearest.point - end) > clear;
     nearest.distance <= radius && ends.into_iter().all(is_clear)
 }
 

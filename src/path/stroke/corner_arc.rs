@@ -172,7 +172,7 @@ impl Side<'_> {
     fn at(&self, x: f64) -> Option<Local> {
         let (curve, x) = (&self.pieces[self.current], x - self.current as f64);
         let [velocity, second] = curve.derivatives(x);
-        let speed = Point::length(velocity);
+        let speed = Point::norm(velocity);
         let tangent = velocity / speed;
         let curvature = self.sign * tangent.perp_dot(second) / (speed * speed);
         (speed > 0.0 && curvature.is_finite()).then(|| Local {
@@ -191,7 +191,7 @@ impl Side<'_> {
 
     /// The largest distance of a control point of the first segment from the corner.
     fn reach(&self) -> f64 {
-        let distances = self.pieces[0].points.iter().map(|&p| Point::length(p));
+        let distances = self.pieces[0].points.iter().map(|&p| Point::norm(p));
         distances.fold(0.0, f64::max)
     }
 
@@ -200,7 +200,7 @@ impl Side<'_> {
         let (mut low, mut high) = (0.0, self.end());
         for _ in 0..24 {
             let middle = 0.5 * (low + high);
-            if Point::length(self.pieces[0].at(middle)) < distance {
+            if Point::norm(self.pieces[0].at(middle)) < distance {
                 low = middle;
             } else {
                 high = middle;
@@ -314,7 +314,7 @@ impl Corner<'_> {
             let [before, after] = [self.sides[0].at(z[0])?, self.sides[1].at(z[1])?];
             let normals = before.normal - after.normal;
             let gap = before.point - after.point + normals * z[RADIUS];
-            rest = Point::length(gap) / (1.0 + z[RADIUS]);
+            rest = Point::norm(gap) / (1.0 + z[RADIUS]);
             if rest <= SOLVED {
                 break;
             }

@@ -87,7 +87,7 @@ impl Side<'_> {
         };
         let normals: Vec<[DVec2; 2]> = (0..=COMPARED).map(at).collect();
         let step = |pair: &[[DVec2; 2]]| {
-            let moved = [0, 1].map(|k| Point::length(pair[1][k] - pair[0][k]));
+            let moved = [0, 1].map(|k| Point::norm(pair[1][k] - pair[0][k]));
             moved[0].max(moved[1])
         };
         let slack = normals.windows(2).map(step).fold(0.0, f64::max);
@@ -137,7 +137,7 @@ fn distance_to_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let chord = b - a;
     let t = (p - a).dot(chord) / chord.dot(chord);
     let nearest = if t > 0.0 { a + chord * t.min(1.0) } else { a };
-    Point::length(p - nearest)
+    Point::norm(p - nearest)
 }
 
 /// Appends cubics that interpolate a curve; `thirds` are its points at the ends and at the thirds of the interval.
@@ -158,7 +158,7 @@ fn push_evolute(
     // Midway between the interpolated points; with these they are the thirds of both halves.
     let parts = [1.0 / 6.0, 0.5, 5.0 / 6.0];
     let midway = parts.map(|part| curve(from + (to - from) * part));
-    let is_close = |k: usize| Point::length(cubic.eval(parts[k]) - midway[k]) <= tolerance;
+    let is_close = |k: usize| Point::norm(cubic.eval(parts[k]) - midway[k]) <= tolerance;
     let is_last = halvings == 0 || out.degrees.len() >= MAX_FOLD_SEGMENTS;
     if is_last || (0..3).all(is_close) {
         out.points.extend([b, c, d]);

@@ -14,6 +14,7 @@ use crate::spline::OffsetJoin;
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "camelCase")
 )]
+#[non_exhaustive]
 pub struct OffsetOptions {
     /// The joins at corners that the offset opens: `Miter` by default.
     pub join: OffsetJoin,

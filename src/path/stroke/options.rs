@@ -35,6 +35,7 @@ pub enum StrokeCap {
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "camelCase")
 )]
+#[non_exhaustive]
 pub struct StrokeOptions {
     /// The joins at corners: `Miter` by default.
     pub join: OffsetJoin,

@@ -61,7 +61,7 @@ impl Outline {
     /// Connects both sides of two consecutive segments; of the last and the first one if `is_last`.
     fn join(&mut self, before: &Curve<DVec2>, after: &Curve<DVec2>, is_last: bool, pen: &Pen) {
         let (corner, from, to) = (after.start(), end_tangent(before), start_tangent(after));
-        if Point::length(to - from) * pen.radius <= SMOOTH_PART * pen.tolerance {
+        if Point::norm(to - from) * pen.radius <= SMOOTH_PART * pen.tolerance {
             return;
         }
         // A turn by 180° is a left turn.

@@ -99,7 +99,7 @@ impl<'a> Side<'a> {
 
     fn sample(&self, with: &CurveWithDerivatives<DVec2>, t: f64) -> Sample {
         let [first, second] = with.derivatives(t);
-        let speed = Point::length(first);
+        let speed = Point::norm(first);
         Sample {
             t,
             cube: speed * speed * speed,
@@ -171,7 +171,7 @@ impl<'a> Side<'a> {
         let tangent = match t {
             0.0 => start_tangent(self.curve),
             1.0 => end_tangent(self.curve),
-            _ => Point::normalize_or_zero(with.derivatives(t)[0]),
+            _ => Point::unit(with.derivatives(t)[0]),
         };
         let normal = tangent.perp();
         let point = self.curve.eval(t);

@@ -89,7 +89,7 @@ pub(crate) fn offset_of_curves(
     }
     let corner = |builder: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
         let (from, to) = (end_tangent(before), start_tangent(after));
-        if Point::length(to - from) * distance.abs() > SMOOTH_PART * tolerance {
+        if Point::norm(to - from) * distance.abs() > SMOOTH_PART * tolerance {
             builder.join(after.start(), from, to, distance, own, join);
         }
     };
@@ -153,7 +153,7 @@ fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Cl
     let mut steps = others.map(step);
     steps
         .find(|&v| Point::max_abs(v) > NOTHING * far)
-        .map_or(DVec2::ZERO, Point::normalize_or_zero)
+        .map_or(DVec2::ZERO, Point::unit)
 }
 
 /// A handle shorter than this ratio of the curve's size has no direction.

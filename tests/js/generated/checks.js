@@ -163,18 +163,18 @@ const CHECKS = {
       assert.ok(Math.abs(coordinates(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
   },
   "Path.fromPathData": (again, { path, tolerance }) =>
-    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance })).toSVG()),
+    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance, arcs: false })).toSVG()),
   "Path.builder": (again, { path, tolerance }) =>
-    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance })).toSVG()),
+    assert.equal(again.toSVG(), Path.fromSVG(path.toSVG({ tolerance, arcs: false })).toSVG()),
   "Path.reverse": (reversed, { path }) => assert.ok(reversed.reverse().equals(path)),
   "Path.fromSVG": (path, { text }) => {
-    const again = Path.fromSVG(path.toSVG());
-    assert.ok(again.equals(path), "another path is read from what was written");
+    const written = path.toSVG();
+    assert.ok(isReadBack(path, written), "another path is read from what was written");
     assert.ok(path.toSVG().length <= 600 * (text.length + 1), "the output is not linear in the input");
   },
   "Path.toSVG": (text, { path, precision }) => {
     const low = path.subpaths.every(({ degrees }) => degrees.every((degree) => degree <= 3));
-    if (precision === undefined && low) assert.ok(Path.fromSVG(text).equals(path), text);
+    if (precision === undefined && low) assert.ok(isReadBack(path, text), text);
   },
   "Patch.eval": (p, { patch, u, v }, size) => {
     const slack = slackOf(size, patch.degreeU + patch.degreeV) * growth(u, patch.degreeU) * growth(v, patch.degreeV);
@@ -218,4 +218,12 @@ const CHECKS = {
 export function checkAnswer(name, given, answer, values) {
   checkNumbers(name, given, answer);
   if (given.mode !== "Extreme") CHECKS[name]?.(answer, values, given.size, given.mode);
+}
+
+/** Whether a text is read as the path that was written; arcs are read up to rounding. */
+function isReadBack(path, text) {
+  let size = 0;
+  if (text.includes("A"))
+    for (const spline of path.subpaths) for (const x of spline.controlPoints()) size = Math.max(size, Math.abs(x));
+  return Path.fromSVG(text).equals(path, 1e-13 * size);
 }

@@ -140,9 +140,14 @@ function variable(name, declaration, checker) {
 function signatureOf(declaration, title) {
   const doc = docOf(declaration);
   const parameters = declaration.parameters
-    .filter((parameter) => parameter.name.getText() !== "surplus") // refuses arguments that peers take
+    // "surplus" refuses arguments that peers take; "this" is the class, which is in the title.
+    .filter((parameter) => !["surplus", "this"].includes(parameter.name.getText()))
     .map((parameter) => parameterOf(parameter, doc.parameters.get(parameter.name.getText()) ?? ""));
-  const type = cleanType(declaration.type?.getText() ?? "void");
+  const ofClass = declaration.parameters.some((parameter) => parameter.name.getText() === "this");
+  const written = cleanType(declaration.type?.getText() ?? "void");
+  const type = ofClass
+    ? written.replace(/\bP\b/, title.split(".")[0]).replace("PathBuilder<Path>", "PathBuilder")
+    : written;
   const shown = parameters.map((p) => `${p.name}${p.optional ? "?" : ""}: ${p.type}`).join(", ");
   const text = `${title}(${shown})${ts.isConstructorDeclaration(declaration) ? "" : `: ${type}`}`;
   return { text, parameters, result: { type, doc: doc.returns }, throws: doc.throws };

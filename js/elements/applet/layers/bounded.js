@@ -1,5 +1,5 @@
 // Long chains of high degrees: what layers ask of each piece stays a matter of a few frames.
-import { Spline } from "../../../index.js";
+import { Spline } from "../../../paths.js";
 
 /** @typedef {import("../figure.js").Figure} Figure */
 

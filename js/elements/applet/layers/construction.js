@@ -1,6 +1,6 @@
 // How the curve comes from its points: polygon, hull, de Casteljau's construction, the halves.
 import * as pen from "../../../applet/pen.js";
-import { Curve } from "../../../index.js";
+import { Curve } from "../../../paths.js";
 import { along, faint, hollows, through } from "./sheet.js";
 import { hue } from "./theme.js";
 

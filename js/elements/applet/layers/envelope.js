@@ -1,6 +1,6 @@
 // The curve from lines alone, and the curve beyond its ends.
 import { CURVE_WIDTH, stroke } from "../../../applet/pen.js";
-import { Curve } from "../../../index.js";
+import { Curve } from "../../../paths.js";
 import { BEYOND } from "../state.js";
 import { along, dashed, faint, lines } from "./sheet.js";
 

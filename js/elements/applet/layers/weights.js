@@ -1,6 +1,6 @@
 // How much each point counts at t: discs whose areas are the weights.
 import { RIM_WIDTH, stroke } from "../../../applet/pen.js";
-import { Curve } from "../../../index.js";
+import { Curve } from "../../../paths.js";
 import { isSeen } from "./sheet.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */

@@ -1,0 +1,211 @@
+//! Runs of cubics that are elliptical arcs, for the command A of SVG path data.
+//!
+//! A cubic with the ends, the tangents and the midpoint of an arc of angle θ has the handles 4/3 tan(θ/4) times the
+//! derivatives by the angle. Their sum is parallel to the chord, and the ratio of the two lengths determines θ. This holds for the
+//! arcs of every ellipse, because an ellipse is an affine image of a circle. `js/io/svg-arcs.js` performs the same operations.
+
+use crate::numeric::trigonometry::angle;
+use crate::path::arc::{Arc, arc};
+use glam::DVec2;
+use std::f64::consts::PI;
+
+/// Vectors are parallel, and ellipses equal, up to this ratio. Whether a run is an arc is decided afterwards.
+const SIMILAR: f64 = 1e-9;
+
+/// tan²(θ/4) is between these values: from a small angle, above which an arc is not a line, to more than a quarter turn.
+const SQUARES: std::ops::Range<f64> = 1e-9..0.18;
+
+/// Two cubics of one arc have the same tan²(θ/4) up to this.
+const SAME_SQUARE: f64 = 1e-12;
+
+/// An arc is found if reading it again moves no control point by more than this part of the largest coordinate.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// No arc is read as more cubics; the eight of a circle are two arcs.
+const MAX_CUBICS: usize = 8;
+
+/// How the radii and the angle of the ellipse are tried: the number of significant digits, and the part by which the radii are
+/// smaller. Of half an ellipse, larger radii would move the center far; smaller ones are scaled up when the arc is read.
+const CANDIDATES: [(Option<usize>, f64); 6] = [
+    (Some(12), 0.0),
+    (Some(12), 1e-11),
+    (Some(15), 0.0),
+    (Some(15), 1e-14),
+    (None, 0.0),
+    (None, 16.0 * f64::EPSILON),
+];
+
+/// An arc as the arguments of the command A.
+pub(super) struct SvgArc {
+    pub(super) radii: DVec2,
+    pub(super) degrees: f64,
+    pub(super) large: bool,
+    pub(super) sweep: bool,
+}
+
+/// An elliptical arc and the cubics that it may consist of.
+pub(super) struct Run<'a> {
+    /// The point at the angle φ from the start is center + u cos φ + v sin φ.
+    center: DVec2,
+    u: DVec2,
+    v: DVec2,
+    cubics: Vec<&'a [DVec2]>,
+}
+
+impl<'a> Run<'a> {
+    /// The longest run of at most eight cubics on one ellipse, without passing its start.
+    pub(super) fn of(segments: impl Iterator<Item = &'a [DVec2]>) -> Option<Self> {
+        let mut segments = segments.take(MAX_CUBICS);
+        let first = segments.next()?;
+        let (center, u, v, square) = ellipse_of(first)?;
+        let largest = |p: DVec2| p.x.abs().max(p.y.abs());
+        let near = SIMILAR * largest(u).max(largest(v)).max(largest(center));
+        let mut cubics = vec![first];
+        let mut end = first[3];
+        for next in segments {
+            let Some((other, _, _, other_square)) = ellipse_of(next) else {
+                break;
+            };
+            let same =
+                largest(other - center) <= near && (other_square - square).abs() <= SAME_SQUARE;
+            if !same || end == first[0] {
+                break;
+            }
+            cubics.push(next);
+            end = next[3];
+        }
+        Some(Self {
+            center,
+            u,
+            v,
+            cubics,
+        })
+    }
+
+    /// The number of cubics.
+    pub(super) fn len(&self) -> usize {
+        self.cubics.len()
+    }
+
+    /// Keeps the first half of the cubics.
+    pub(super) fn halve(&mut self) {
+        self.cubics.truncate(self.cubics.len() / 2);
+    }
+
+    /// The end point.
+    pub(super) fn end(&self) -> DVec2 {
+        self.cubics.last().map_or(self.center, |cubic| cubic[3])
+    }
+
+    /// The arc that gives the same cubics when it is read again, up to rounding, if there is one.
+    pub(super) fn arc(&self) -> Option<SvgArc> {
+        let arc = self.ellipse();
+        let (from, to) = (self.cubics[0][0], self.end());
+        let largest = self
+            .cubics
+            .iter()
+            .flat_map(|cubic| cubic.iter())
+            .fold(0.0, |m: f64, p| m.max(p.x.abs()).max(p.y.abs()));
+        CANDIDATES.iter().find_map(|&(digits, less)| {
+            let round = |x: f64| digits.map_or(x, |digits| significant(x, digits));
+            let radii = arc.radii * (1.0 - less);
+            let rounded = SvgArc {
+                radii: DVec2::new(round(radii.x), round(radii.y)),
+                degrees: round(arc.degrees),
+                ..arc
+            };
+            self.is_read_from(&rounded, from, to, ROUNDING * largest)
+                .then_some(rounded)
+        })
+    }
+
+    /// Whether an arc between two points is read as these cubics, up to an error in each coordinate.
+    pub(super) fn is_read_from(&self, shape: &SvgArc, from: DVec2, to: DVec2, max: f64) -> bool {
+        let (mut found, mut same) = (0, true);
+        let mut compare = |points: &[DVec2]| {
+            let cubic = self.cubics.get(found);
+            found += 1;
+            same &= cubic.is_some_and(|cubic| {
+                let near = |(&a, &b): (&DVec2, &DVec2)| {
+                    (a.x - b.x).abs() <= max && (a.y - b.y).abs() <= max
+                };
+                cubic[1..].iter().zip(points).all(near)
+            });
+        };
+        let shape = Arc {
+            from,
+            to,
+            radii: shape.radii,
+            degrees: shape.degrees,
+            large: shape.large,
+            sweep: shape.sweep,
+        };
+        arc(&shape, None, &mut compare) && same && found == self.cubics.len()
+    }
+
+    /// The radii, the rotation and the flags.
+    pub(super) fn ellipse(&self) -> SvgArc {
+        let Self { center, u, v, .. } = *self;
+        let area = u.x * v.y - u.y * v.x;
+        let sweep = area > 0.0;
+        let (a, b, c) = (
+            u.x * u.x + v.x * v.x,
+            u.x * u.y + v.x * v.y,
+            u.y * u.y + v.y * v.y,
+        );
+        let (sum, half) = (a + c, (a - c) * 0.5);
+        let h = (half * half + b * b).sqrt();
+        let first = (0.5 * sum + h).sqrt();
+        let second = area.abs() / first;
+        let (radii, degrees) = if h <= SIMILAR * sum {
+            (DVec2::splat((0.5 * sum).sqrt()), 0.0)
+        } else if b.abs() <= SIMILAR * sum {
+            let radii = if half > 0.0 {
+                DVec2::new(first, second)
+            } else {
+                DVec2::new(second, first)
+            };
+            (radii, 0.0)
+        } else {
+            let turn = angle(DVec2::new(half.abs() / h, b.abs() / h));
+            let turn = if half < 0.0 { PI - turn } else { turn };
+            let signed = if b < 0.0 { -turn } else { turn };
+            (DVec2::new(first, second), signed * (90.0 / PI))
+        };
+        let e = self.end() - center;
+        let beyond = u.x * e.y - u.y * e.x;
+        let beyond = if sweep { beyond } else { -beyond };
+        SvgArc {
+            radii,
+            degrees,
+            large: beyond < -SIMILAR * area.abs(),
+            sweep,
+        }
+    }
+}
+
+/// The ellipse on which a cubic may be an arc: its center, the vectors u and v at the start, and tan²(θ/4).
+fn ellipse_of(points: &[DVec2]) -> Option<(DVec2, DVec2, DVec2, f64)> {
+    let &[p0, p1, p2, p3] = points else {
+        return None;
+    };
+    let (a, b, chord) = (p1 - p0, p3 - p2, p3 - p0);
+    let sum = a + b;
+    let dot = chord.x * sum.x + chord.y * sum.y;
+    let cross = chord.x * sum.y - chord.y * sum.x;
+    let q = 1.0 - 1.5 * (sum.x * sum.x + sum.y * sum.y) / dot;
+    if !(cross.abs() <= SIMILAR * dot && SQUARES.contains(&q)) {
+        return None;
+    }
+    let w = (1.0 + q) * (1.0 + q);
+    let cos = (1.0 - 6.0 * q + q * q) / w;
+    let handle_sin = 16.0 / 3.0 * q * (1.0 - q) / w;
+    let to_center = (b - a * cos) / handle_sin;
+    let v = a / (4.0 / 3.0 * q.sqrt());
+    Some((p0 + to_center, -to_center, v, q))
+}
+
+/// A number rounded to some significant digits.
+fn significant(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
+}
