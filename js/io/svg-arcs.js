@@ -1,7 +1,7 @@
 // Runs of cubics that are elliptical arcs, for the command A of SVG path data. src/io/svg_arcs.rs performs the same
 // operations and explains them.
 import { angleOf, arc } from "./svg-arc.js";
-import { roundTrip, shortNumber } from "./svg-write.js";
+import { MAX_DIGITS, roundTrip, shortNumber } from "./svg-write.js";
 
 const SIMILAR = 1e-9;
 /** tan²(θ/4) of a cubic over the angle θ is between these values. */
@@ -9,8 +9,7 @@ const [MIN_SQUARE, MAX_SQUARE] = [1e-9, 0.18];
 const SAME_SQUARE = 1e-12;
 const ROUNDING = 64 * Number.EPSILON;
 const MAX_CUBICS = 8;
-const MAX_DIGITS = 100;
-/** The rotation of an ellipse has so many more digits, because it moves points by its multiple with the radius. */
+/** The rotation of an ellipse has this many more digits, because an error of the angle moves points by its product with the radius. */
 const MORE_DIGITS = 3;
 /** The number of significant digits (0 for all), and the part by which the radii are smaller. */
 const CANDIDATES = [
@@ -43,7 +42,7 @@ const CANDIDATES = [
  *
  * @internal
  * @typedef {(packed: Float64Array, degrees: number, points: number, end: number, closed: boolean) =>
- *   ((writer: any, k: number, at: number) => number) | null} ArcTaker
+ *   ((writer: any, k: number, at: number) => number) | null} ArcFinder
  */
 
 /**
@@ -98,7 +97,7 @@ class ArcRun {
     this.#at = at;
     const { cx, cy, ux, uy, vx, vy, square } = ellipse;
     const near = SIMILAR * Math.max(largest(ux, uy), largest(vx, vy), largest(cx, cy));
-    for (; this.count < Math.min(cubics, MAX_CUBICS); this.count++) {
+    for (; this.count < cubics; this.count++) {
       const [x, y] = this.end();
       if (x === points[at - 2] && y === points[at - 1]) break;
       const other = ellipseOf(points, at + 6 * this.count);
@@ -136,8 +135,8 @@ class ArcRun {
    *
    * @returns {SvgArc | null}
    */
-  arc() {
-    const shape = this.ellipse();
+  exactArc() {
+    const shape = this.arc();
     const from = [this.#points[this.#at - 2], this.#points[this.#at - 1]];
     let size = 0;
     for (let k = this.#at - 2; k < this.#at + 6 * this.count; k++) size = Math.max(size, Math.abs(this.#points[k]));
@@ -165,11 +164,11 @@ class ArcRun {
   }
 
   /**
-   * The radii, the rotation and the flags.
+   * The arc of the ellipse from the start to the end.
    *
    * @returns {SvgArc}
    */
-  ellipse() {
+  arc() {
     const { cx, cy, ux, uy, vx, vy } = this.#ellipse;
     const area = ux * vy - uy * vx;
     const sweep = area > 0;
@@ -197,9 +196,9 @@ class ArcRun {
  * Finds and writes the arcs of a subpath.
  *
  * @internal
- * @type {ArcTaker}
+ * @type {ArcFinder}
  */
-export function takeArcs(packed, degrees, points, end, closed) {
+export function findArcs(packed, degrees, points, end, closed) {
   if (!packed.subarray(degrees, points).includes(3)) return null;
   const outline = new Float64Array(end - points + 2 * Number(closed));
   outline.set(packed.subarray(points, end));
@@ -220,7 +219,7 @@ export function takeArcs(packed, degrees, points, end, closed) {
 
 /** @param {ArcRun} run */
 function exactWords(run) {
-  const arc = run.arc();
+  const arc = run.exactArc();
   if (!arc) return null;
   const [large, sweep] = [`${Number(arc.large)}`, `${Number(arc.sweep)}`];
   return [...[...arc.radii, arc.degrees].map(roundTrip), large, sweep, ...run.end().map(roundTrip)];
@@ -236,7 +235,7 @@ function exactWords(run) {
  */
 function shortWords(run, writer, precision) {
   const unit = 10 ** -precision;
-  const arc = run.ellipse();
+  const arc = run.arc();
   const to = run.end().map((x) => shortNumber(x, precision));
   const degrees = shortNumber(arc.degrees, Math.min(precision + MORE_DIGITS, MAX_DIGITS));
   for (const less of [0, unit]) {

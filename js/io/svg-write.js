@@ -9,11 +9,11 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
 const MIN_EXPONENTIAL = 1e21;
 
 /** The maximum number of digits of `toFixed`. */
-const MAX_DIGITS = 100;
+export const MAX_DIGITS = 100;
 
 const COMMANDS = ["", "L", "Q", "C"];
 
-/** @import { ArcTaker } from "./svg-arcs.js" */
+/** @import { ArcFinder } from "./svg-arcs.js" */
 
 /**
  * The receiver of drawing commands: `move`, then `curve` with the degree (1 to 3), an array of coordinates and the
@@ -22,7 +22,7 @@ const COMMANDS = ["", "L", "Q", "C"];
  * @typedef {object} PathSink
  * @property {(x: number, y: number) => void} move
  * @property {(degree: number, list: Float64Array, at: number) => void} curve
- * @property {ArcTaker | null} [arcs]
+ * @property {ArcFinder | null} [arcs]
  * @property {(line: boolean) => void} close the argument says whether it has to draw the last line
  */
 
@@ -43,10 +43,10 @@ export function draw(packed, sink, tolerance, drawClosingLine) {
     const arcs = sink.arcs?.(packed, degrees, points, end, closed);
     for (let k = 0; k < segments; k++) {
       const degree = packed[degrees + k];
-      const taken = arcs && degree === 3 ? arcs(sink, k, at) : 0;
-      if (taken) {
-        k += taken - 1;
-        at += 6 * taken;
+      const cubics = arcs && degree === 3 ? arcs(sink, k, at) : 0;
+      if (cubics > 0) {
+        k += cubics - 1;
+        at += 6 * cubics;
         continue;
       }
       const after = at + 2 * degree;
@@ -149,21 +149,21 @@ export function traceOn(packed, target, options) {
  *
  * @internal
  * @param {Float64Array} packed
- * @param {PathSvgOptions | undefined} options `arcs` is an option only with a taker of arcs
- * @param {ArcTaker | null} [taker] finds cubics that are arcs
+ * @param {PathSvgOptions | undefined} options `arcs` is an option only with a finder of arcs
+ * @param {ArcFinder | null} [finder]
  * @returns {string}
  */
-export function svgOf(packed, options, taker = null) {
+export function svgOf(packed, options, finder = null) {
   const { precision, tolerance, arcs } = check.options(options, [
     "precision",
     "tolerance",
-    ...(taker ? /** @type {const} */ (["arcs"]) : []),
+    ...(finder ? /** @type {const} */ (["arcs"]) : []),
   ]);
   if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);
   const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
-  if (check.optionalBoolean(arcs, "arcs", true)) writer.arcs = taker;
+  if (check.optionalBoolean(arcs, "arcs", true)) writer.arcs = finder;
   draw(packed, writer, maxError, false);
   return writer.text;
 }
@@ -171,7 +171,7 @@ export function svgOf(packed, options, taker = null) {
 /** Writes absolute commands, each number with the fewest digits that round-trip. */
 class ExactWriter {
   text = "";
-  /** @type {ArcTaker | null} */
+  /** @type {ArcFinder | null} */
   arcs = null;
 
   /**
@@ -206,7 +206,7 @@ class ExactWriter {
 /** Writes the shortest absolute form, with a maximum number of digits after the decimal point. */
 class ShortWriter {
   text = "";
-  /** @type {ArcTaker | null} */
+  /** @type {ArcFinder | null} */
   arcs = null;
   /** The current point as text. */
   #x = "";

@@ -35,14 +35,6 @@ const CANDIDATES: [(Option<usize>, f64); 6] = [
     (None, 16.0 * f64::EPSILON),
 ];
 
-/// An arc as the arguments of the command A.
-pub(super) struct SvgArc {
-    pub(super) radii: DVec2,
-    pub(super) degrees: f64,
-    pub(super) large: bool,
-    pub(super) sweep: bool,
-}
-
 /// An elliptical arc and the cubics that it may consist of.
 pub(super) struct Run<'a> {
     /// The point at the angle φ from the start is center + u cos φ + v sin φ.
@@ -98,9 +90,8 @@ impl<'a> Run<'a> {
     }
 
     /// The arc that gives the same cubics when it is read again, up to rounding, if there is one.
-    pub(super) fn arc(&self) -> Option<SvgArc> {
-        let arc = self.ellipse();
-        let (from, to) = (self.cubics[0][0], self.end());
+    pub(super) fn exact_arc(&self) -> Option<Arc> {
+        let arc = self.arc();
         let largest = self
             .cubics
             .iter()
@@ -109,18 +100,18 @@ impl<'a> Run<'a> {
         CANDIDATES.iter().find_map(|&(digits, less)| {
             let round = |x: f64| digits.map_or(x, |digits| significant(x, digits));
             let radii = arc.radii * (1.0 - less);
-            let rounded = SvgArc {
+            let rounded = Arc {
                 radii: DVec2::new(round(radii.x), round(radii.y)),
                 degrees: round(arc.degrees),
                 ..arc
             };
-            self.is_read_from(&rounded, from, to, ROUNDING * largest)
+            self.is_read_from(&rounded, ROUNDING * largest)
                 .then_some(rounded)
         })
     }
 
-    /// Whether an arc between two points is read as these cubics, up to an error in each coordinate.
-    pub(super) fn is_read_from(&self, shape: &SvgArc, from: DVec2, to: DVec2, max: f64) -> bool {
+    /// Whether an arc is read as these cubics, up to an error in each coordinate.
+    pub(super) fn is_read_from(&self, shape: &Arc, max: f64) -> bool {
         let (mut found, mut same) = (0, true);
         let mut compare = |points: &[DVec2]| {
             let cubic = self.cubics.get(found);
@@ -132,19 +123,11 @@ impl<'a> Run<'a> {
                 cubic[1..].iter().zip(points).all(near)
             });
         };
-        let shape = Arc {
-            from,
-            to,
-            radii: shape.radii,
-            degrees: shape.degrees,
-            large: shape.large,
-            sweep: shape.sweep,
-        };
-        arc(&shape, None, &mut compare) && same && found == self.cubics.len()
+        arc(shape, None, &mut compare) && same && found == self.cubics.len()
     }
 
-    /// The radii, the rotation and the flags.
-    pub(super) fn ellipse(&self) -> SvgArc {
+    /// The arc of the ellipse from the start to the end.
+    pub(super) fn arc(&self) -> Arc {
         let Self { center, u, v, .. } = *self;
         let area = u.x * v.y - u.y * v.x;
         let sweep = area > 0.0;
@@ -175,7 +158,9 @@ impl<'a> Run<'a> {
         let e = self.end() - center;
         let beyond = u.x * e.y - u.y * e.x;
         let beyond = if sweep { beyond } else { -beyond };
-        SvgArc {
+        Arc {
+            from: self.cubics[0][0],
+            to: self.end(),
             radii,
             degrees,
             large: beyond < -SIMILAR * area.abs(),

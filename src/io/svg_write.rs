@@ -1,18 +1,19 @@
 //! Writing paths as SVG path data.
 
-use super::svg_arcs::{Run, SvgArc};
+use super::svg_arcs::Run;
 use super::text_write::{push, written_number};
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::path::Path;
+use crate::path::arc::Arc;
 use crate::spline::Spline;
 use glam::DVec2;
 
 /// The maximum number of digits, the limit of JavaScript's `toFixed`.
 const MAX_DIGITS: u8 = 100;
-/// The rotation of an ellipse has so many more digits, because it moves points by its multiple with the radius.
+/// The rotation of an ellipse has this many more digits, because an error of the angle moves points by its product with the radius.
 const MORE_DIGITS: u8 = 3;
 /// From this value on, numbers have no digits after the decimal point, and JavaScript writes them with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
@@ -229,10 +230,10 @@ impl Writer {
     }
 
     fn arc_exactly(&mut self, run: &Run<'_>) -> bool {
-        let Some(arc) = run.arc() else {
+        let Some(arc) = run.exact_arc() else {
             return false;
         };
-        let (radii, to) = (arc.radii, run.end());
+        let (radii, to) = (arc.radii, arc.to);
         let [rx, ry, degrees, x, y] =
             [radii.x, radii.y, arc.degrees, to.x, to.y].map(written_number);
         let [large, sweep] = [arc.large, arc.sweep].map(u8::from);
@@ -247,18 +248,20 @@ impl Writer {
     fn arc_briefly(&mut self, run: &Run<'_>, digits: u8) -> bool {
         let value = |word: &String| word.parse().unwrap_or(f64::NAN);
         let unit = 10_f64.powi(-i32::from(digits));
-        let (arc, end) = (run.ellipse(), run.end());
-        let to = [fixed(end.x, digits), fixed(end.y, digits)];
-        let at = DVec2::new(value(&self.at[0]), value(&self.at[1]));
+        let arc = run.arc();
+        let to = [fixed(arc.to.x, digits), fixed(arc.to.y, digits)];
+        let point = |words: &[String; 2]| DVec2::new(value(&words[0]), value(&words[1]));
         let degrees = fixed(arc.degrees, (digits + MORE_DIGITS).min(MAX_DIGITS));
         for less in [0.0, unit] {
             let radii = [arc.radii.x - less, arc.radii.y - less].map(|r| fixed(r, digits));
-            let rounded = SvgArc {
-                radii: DVec2::new(value(&radii[0]), value(&radii[1])),
+            let rounded = Arc {
+                from: point(&self.at),
+                to: point(&to),
+                radii: point(&radii),
                 degrees: value(&degrees),
                 ..arc
             };
-            if run.is_read_from(&rounded, at, DVec2::new(value(&to[0]), value(&to[1])), unit) {
+            if run.is_read_from(&rounded, unit) {
                 let [rx, ry] = radii;
                 let [large, sweep] = [arc.large, arc.sweep].map(|flag| u8::from(flag).to_string());
                 let [x, y] = to.clone();

@@ -18,6 +18,7 @@ const QUARTER_TURN_ROUNDING: f64 = 1e-13;
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// An arc in the SVG endpoint parametrisation; the end points differ.
+#[derive(Clone, Copy)]
 pub(crate) struct Arc {
     pub(crate) from: DVec2,
     pub(crate) to: DVec2,

@@ -8,7 +8,7 @@ use casteljau::mesh::TessellationOptions;
 use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
 use casteljau::spline::{Interpolation, JointMode};
 use casteljau::{Curve, Error, Patch, Path, Spline, Surface};
-use casteljau_generator::Rng;
+use casteljau_generator::{Rng, changed};
 
 /// The operations of a chain and the random numbers that choose them.
 struct Chain {

@@ -279,12 +279,3 @@ pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
     ensure!(error.to_string().contains("expected"), "no reason: {error}");
     Ok(())
 }
-
-/// A copy of a value after a change in place, which may be refused.
-pub(crate) fn changed<T: Clone>(
-    value: &T,
-    change: impl FnOnce(&mut T) -> Result<(), Error>,
-) -> Result<T, Error> {
-    let mut copy = value.clone();
-    change(&mut copy).map(|()| copy)
-}

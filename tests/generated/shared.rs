@@ -1,7 +1,7 @@
 //! What several types have in common: curves and splines; drawings; patches and surfaces.
 
 use crate::arguments::{Argument, Space};
-use crate::check::{changed, size};
+use crate::check::size;
 use crate::geometry::{growth, real, slack};
 use crate::numbers::Numbers;
 use crate::recorder::Recorder;
@@ -14,6 +14,7 @@ use casteljau::patch::PatchPoint;
 use casteljau::path::SvgOptions;
 use casteljau::surface::SurfacePoint;
 use casteljau::{Curve, Error, Grid, GridMethod, Mesh, Patch, Path, Spline, Surface};
+use casteljau_generator::changed;
 use std::fmt::Debug;
 use std::ops::Range;
 

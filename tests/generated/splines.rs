@@ -8,7 +8,7 @@ use crate::shared::*;
 use casteljau::Spline;
 use casteljau::glam::DVec3;
 use casteljau::spline::{FitOptions, Interpolation, JointMode};
-use casteljau_generator::SplineData;
+use casteljau_generator::{SplineData, changed};
 
 pub(crate) fn new<P: Space>(points: Vec<P>, degree: usize, closed: bool) -> Checked {
     let spline = answer!(Spline::new(&points, degree, closed), "points");

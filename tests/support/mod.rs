@@ -17,7 +17,7 @@ pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};
-pub(crate) use casteljau_generator::{Rng, adversarial, real};
+pub(crate) use casteljau_generator::{Rng, adversarial, changed, real};
 use std::fmt::{Debug, Display};
 
 /// The plane or space; points are made from three coordinates.
@@ -243,13 +243,4 @@ pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
         _ => format!("{error:?}"),
     };
     assert_eq!(found, expected, "{error}");
-}
-
-/// A copy of a value after a change in place, which may be refused.
-pub(crate) fn changed<T: Clone>(
-    value: &T,
-    change: impl FnOnce(&mut T) -> Result<(), Error>,
-) -> Result<T, Error> {
-    let mut copy = value.clone();
-    change(&mut copy).map(|()| copy)
 }

@@ -1,5 +1,5 @@
 // A scene of lines, seen in perspective and drawn on a 2D canvas: the teapot, a floor, the path.
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { cross, dot, minus, plus, times, unit } from "./path.js";
 
 /** @typedef {import("./path.js").Vector} Vector */

@@ -1,5 +1,6 @@
 // A computation for each erratum about curves: a sentence with the numbers, and whether they prove the correction.
-import { Curve, Path, Patch, Spline } from "casteljau";
+import { Curve, Path, Spline } from "casteljau";
+import { Patch } from "casteljau/surfaces";
 import { roundingErrors } from "./rounding.js";
 import { listed, rounded } from "./format.js";
 

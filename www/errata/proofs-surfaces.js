@@ -1,5 +1,6 @@
 // A computation for each erratum about surfaces: a sentence with the numbers, and whether they prove the correction.
-import { Curve, Patch, Surface } from "casteljau";
+import { Curve } from "casteljau";
+import { Patch, Surface } from "casteljau/surfaces";
 import { listed, rounded } from "./format.js";
 
 /** @typedef {import("./proofs-curves.js").Proof} Proof */

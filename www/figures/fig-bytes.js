@@ -1,6 +1,7 @@
 // How little control points weigh: bytes of a curve and of the teapot, as points and as pieces.
 import { html, svg } from "lit";
-import { Curve, Surface } from "casteljau";
+import { Curve } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { Figure, numeric, oneOf } from "./lib/figure.js";
 import { choice, slider } from "./lib/parts.js";
 import { grouped } from "./lib/numbers.js";

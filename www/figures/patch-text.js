@@ -1,5 +1,5 @@
 // <patch-text for="id">: a patch file to write in, shown by a figure.
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { button, element, uniqueId } from "../parts/dom.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
 

@@ -1,6 +1,6 @@
 // <reyes-dicing>: the steps of the REYES algorithm on the teapot: bound, split, dice, shade.
 import { css, html } from "lit";
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { frameOf, HOME, sightOf } from "../../js/elements/surface/camera.js";
 import { dice, screenBounds, splitPatch } from "./lib/dicing.js";
 import { Figure } from "./lib/figure.js";
@@ -35,7 +35,7 @@ export class ReyesDicing extends Figure {
 
   /** @type {IntersectionObserver | null} */
   #watch = null;
-  /** @type {import("casteljau").Patch[]} */
+  /** @type {import("casteljau/surfaces").Patch[]} */
   #patches = [];
   /** @type {import("../../js/elements/surface/camera.js").Frame | null} */
   #frame = null;
@@ -153,7 +153,7 @@ export class ReyesDicing extends Figure {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {import("casteljau").Patch[]} patches
+ * @param {import("casteljau/surfaces").Patch[]} patches
  * @param {import("./lib/dicing.js").Projection} project
  * @param {string} ink
  */

@@ -1,4 +1,4 @@
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { verdict } from "./utils/surfaces.js";
 
 export const predict = {

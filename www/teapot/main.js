@@ -1,5 +1,5 @@
 // The teapot turns: each frame is one matrix and one call of the core.
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 import { pixelsFromSurface, sphereAround } from "./matrix.js";
 
 const TURN_DEGREES_PER_SECOND = 24;

@@ -2,10 +2,9 @@
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { MISSING } from "../loading.js";
-import { LazyView } from "./loading.js";
 
 /**
- * @import { View, ViewClass } from "./loading.js"
+ * @import { LazyView, View, ViewClass } from "./loading.js"
  */
 
 /** A companion begins its work when it is so near to what is seen of the page. */
@@ -23,8 +22,8 @@ export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { theme: { reflect: true, useDefault: true }, label: { reflect: true, useDefault: true } };
   static styles = css`:host { display: block; min-block-size: 3rem; } :host([hidden]) { display: none; }`;
-  /** @type {LazyView<any>} */
-  static view = new LazyView(() => Promise.reject(new TypeError("each kind has its own view")), "View");
+  /** What shows this kind of companion; each subclass has its own. @type {LazyView<any>} */
+  static view;
 
   /**
    * @param {PropertyKey} name

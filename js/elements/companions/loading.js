@@ -5,11 +5,11 @@ import { once } from "../loading.js";
  */
 
 /**
- * What shows a companion. It is made once for each, when the companion comes near for the first time.
+ * What shows a companion. Each companion creates its own when it is about to become visible for the first time.
  *
  * @typedef {object} View
  * @property {() => unknown} content
- * @property {(event: Event) => void} [attended] the focus comes to the applet or leaves it
+ * @property {(event: Event) => void} [attended] the applet gets or loses the focus
  * @property {(done: boolean) => void} [chosen] the user has chosen
  * @property {() => void} [stop] the companion leaves the page
  */
@@ -17,14 +17,14 @@ import { once } from "../loading.js";
 /** @typedef {{ new (host: any): View, styles: CSSResult[] }} ViewClass */
 
 /**
- * The class of a view: a file of its own, fetched when a companion of this kind comes near.
+ * The class of a view, which is in a file of its own: fetched when a companion of this kind is about to become visible.
  *
  * @template {string} N
  */
 export class LazyView {
   #fetch;
   #name;
-  /** The class, as soon as a companion needed it. @type {ViewClass | null} */
+  /** The class, once it was fetched. @type {ViewClass | null} */
   loaded = null;
 
   /**

@@ -6,7 +6,7 @@ import { samePoints, writePoint } from "../points.js";
 import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
 import { cssOf, pathDataOf } from "../../io/path-data.js";
-import { takeArcs } from "../../io/svg-arcs.js";
+import { findArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { extents, packedSplines } from "../../wasm/packed-path.js";
 
@@ -81,7 +81,7 @@ export class PathValue {
    * @returns {string}
    */
   toSVG(options) {
-    return svgOf(this.#packed, options, takeArcs);
+    return svgOf(this.#packed, options, findArcs);
   }
 
   /**

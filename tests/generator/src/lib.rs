@@ -19,3 +19,12 @@ pub use arguments::case;
 pub use case::{Case, Mode, SplineData, SurfaceData, Value};
 pub use functions::{FUNCTIONS, Signature, find};
 pub use random::{Rng, real};
+
+/// A copy of a value after a change in place, which may be refused.
+pub fn changed<T: Clone, E>(
+    value: &T,
+    change: impl FnOnce(&mut T) -> Result<(), E>,
+) -> Result<T, E> {
+    let mut copy = value.clone();
+    change(&mut copy).map(|()| copy)
+}

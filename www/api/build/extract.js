@@ -67,7 +67,7 @@ function classDoc(name, symbol, checker) {
   const own = constructorOf(declaration, name, checker);
   const members = [
     ...(own ? [own] : []),
-    ...statics.filter(isPublic).map((s) => member(s, "static", `${name}.${s.name}`)),
+    ...baseClassesFirst(statics.filter(isPublic)).map((s) => member(s, "static", `${name}.${s.name}`)),
     ...instance.filter(isPublic).map((s) => member(s, isMethod(s) ? "method" : "property", s.name)),
   ];
   return { name, summary, details, members };

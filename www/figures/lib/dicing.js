@@ -1,6 +1,6 @@
 // The first steps of the REYES algorithm: bound, split and dice patches by their size on the screen.
 
-/** @import { Patch } from "casteljau" */
+/** @import { Patch } from "casteljau/surfaces" */
 
 /** @typedef {[number, number, number]} ScreenPoint x and y in pixels, y down, and the depth */
 /** @typedef {(point: ArrayLike<number>) => ScreenPoint} Projection a parallel projection: straight lines keep their ratios */

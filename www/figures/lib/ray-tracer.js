@@ -2,7 +2,7 @@
 import { rayThrough } from "../../../js/elements/surface/camera.js";
 
 /**
- * @import { Patch } from "casteljau"
+ * @import { Patch } from "casteljau/surfaces"
  * @import { Sight } from "../../../js/elements/surface/camera.js"
  */
 

@@ -1,5 +1,5 @@
 // The surfaces of the chapter that have no name in the element.
-import { Surface } from "casteljau";
+import { Surface } from "casteljau/surfaces";
 
 /** A square net over −3 … 3, row by row along u, with a height for each point. @param {number[]} heights @param {number} degree */
 function raised(heights, degree) {
