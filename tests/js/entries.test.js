@@ -99,6 +99,11 @@ test("entries: the paths of casteljau/paths have all but operations on regions",
   assert.equal(paths.Curve, complete.Curve);
   assert.equal(Spline, complete.Spline);
   assert.deepEqual(Path.nearestOf([whole, ring], [3, 0]), complete.Path.nearestOf([ring, whole], [3, 0]));
+  const { circle } = /** @type {any} */ (Path);
+  assert.throws(() => circle([0, 0], 2), {
+    name: "TypeError",
+    message: /^expected a call of a static method on its class, as Path\.circle/,
+  });
   assert.throws(
     () => Path.fromSVG("M0 0L"),
     (/** @type {any} */ error) => error.path instanceof Path,

@@ -291,8 +291,11 @@ export class CorePath extends PathMeasures {
  * @param {PathClass<P>} Class
  * @param {Float64Array} packed
  * @returns {P}
+ * @throws {TypeError} for a static method that was called without its class
  */
 export function pathFrom(Class, packed) {
+  if (typeof Class !== "function")
+    throw new TypeError("expected a call of a static method on its class, as Path.circle(…)");
   return new Class(/** @type {any} */ (new CheckedPath(packed)));
 }
 
