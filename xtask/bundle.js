@@ -36,8 +36,8 @@ function completeModule(name, bytes, imports = "") {
     regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
   };
   const setup = (build) =>
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.js$/ }, ({ path }) => ({
-      contents: contents[path.match(/(\w+)-module\.js$/)[1]],
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.ts$/ }, ({ path }) => ({
+      contents: contents[path.match(/(\w+)-module\.ts$/)[1]],
       resolveDir: resolve(sources, "wasm"),
     }));
   return { name, setup };
@@ -47,11 +47,11 @@ function completeModule(name, bytes, imports = "") {
 const useModules = (replacements) => ({
   name: "use-modules",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, async ({ path }) => {
-      const name = path.match(/(\w+)-module\.js$/)[1];
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.ts$/ }, async ({ path }) => {
+      const name = path.match(/(\w+)-module\.ts$/)[1];
       if (!replacements[name]) return undefined;
       const contents = (await readFile(path, "utf8")).replaceAll(`../glue/${name}`, `../glue/${replacements[name]}`);
-      return { contents, resolveDir: resolve(sources, "wasm") };
+      return { contents, loader: "ts", resolveDir: resolve(sources, "wasm") };
     });
   },
 });
@@ -60,7 +60,7 @@ const useModules = (replacements) => ({
 const coreSurfaces = {
   name: "core-surfaces",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, () => ({
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.ts$/ }, () => ({
       contents: `export { surfacesModule as curvesModule } from "./surfaces-module.js";`,
       resolveDir: resolve(sources, "wasm"),
     }));
@@ -90,7 +90,7 @@ const keepClassNames = {
         /^(export class (Curve|Spline|Path|PathBuilder|Patch|Surface|Mesh)\b[^{\n]*\{)$/m,
         '$1 static name = "$2";',
       );
-      return { contents: named };
+      return { contents: named, loader: "ts" };
     });
   },
 };
@@ -176,23 +176,23 @@ async function bundle(entry, name, options = {}) {
 
 /** The entry points that share their files; the last ones are loaded when an element of a kind is almost visible. */
 const SHARING = {
-  index: "index.js",
-  paths: "paths.js",
-  easing: "easing.js",
-  applet: "applet/index.js",
-  elements: "elements/index.js",
-  "elements/applet": "elements/define/applet.js",
-  "elements/bernstein": "elements/define/bernstein.js",
-  "elements/coordinates": "elements/define/coordinates.js",
-  "elements/easing": "elements/define/easing.js",
-  "elements/equation": "elements/define/equation.js",
-  "elements/surface": "elements/define/surface.js",
-  "elements-applet": "elements/applet/drawing.js",
-  "elements-bernstein": "elements/companions/bernstein-view.js",
-  "elements-coordinates": "elements/companions/coordinates-view.js",
-  "elements-easing": "elements/companions/easing-view.js",
-  "elements-equation": "elements/companions/equation-view.js",
-  "elements-surface": "elements/surface/drawing.js",
+  index: "index.ts",
+  paths: "paths.ts",
+  easing: "easing.ts",
+  applet: "applet/index.ts",
+  elements: "elements/index.ts",
+  "elements/applet": "elements/define/applet.ts",
+  "elements/bernstein": "elements/define/bernstein.ts",
+  "elements/coordinates": "elements/define/coordinates.ts",
+  "elements/easing": "elements/define/easing.ts",
+  "elements/equation": "elements/define/equation.ts",
+  "elements/surface": "elements/define/surface.ts",
+  "elements-applet": "elements/applet/drawing.ts",
+  "elements-bernstein": "elements/companions/bernstein-view.ts",
+  "elements-coordinates": "elements/companions/coordinates-view.ts",
+  "elements-easing": "elements/companions/easing-view.ts",
+  "elements-equation": "elements/companions/equation-view.ts",
+  "elements-surface": "elements/surface/drawing.ts",
 };
 
 /** Tells other bundlers to leave an import to the browser; esbuild removes comments, so it is added afterwards. */
@@ -218,7 +218,7 @@ async function sharing(entries, folder, options) {
     const contents = Object.entries(outputs[name].inputs).sort(([, a], [, b]) => b.bytesInOutput - a.bytesInOutput);
     const paths = contents.map(([path]) => path);
     const inElements = paths.some((path) => path.startsWith("js/elements/"));
-    const longest = basename(paths[0] ?? "nothing", ".js").replace(/-bytes$/, "");
+    const longest = basename(paths[0] ?? "nothing").replace(/(-bytes)?\.[jt]s$/, "");
     const title = `${inElements ? "elements-shared" : "shared"}-${longest}`;
     const taken = [...stable.values()].filter((each) => each.startsWith(title)).length;
     stable.set(basename(name, ".js"), `${title}${taken ? `-${taken + 1}` : ""}`);
@@ -235,6 +235,14 @@ async function sharing(entries, folder, options) {
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
 
+/** Writes js/ as JavaScript to target/js/, a file for each file: tests and the build of the site import parts of it in Node. */
+async function transpile() {
+  const names = (await readdir(sources, { recursive: true })).filter((name) => /(?<!\.d)\.[jt]s$/.test(name));
+  await rm("target/js", { recursive: true, force: true });
+  const entryPoints = names.map((name) => resolve(sources, name));
+  await build({ entryPoints, outbase: sources, outdir: "target/js", target: "es2022", charset: "utf8" });
+}
+
 // Remove the files of earlier builds, so that they are not published.
 for (const folder of ["dist/elements", "dist/node"]) await rm(folder, { recursive: true, force: true });
 await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, { recursive: true })));
@@ -242,15 +250,16 @@ const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(n
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   sharing(SHARING, "", { plugins: [surfacesExternal], inject: ["xtask/no-dom.js"] }),
-  sharing({ index: "index.js", paths: "paths.js" }, "node/", {
+  sharing({ index: "index.ts", paths: "paths.ts" }, "node/", {
     plugins: [fromFile],
     platform: "node",
     sourcemap: false,
   }),
-  bundle("core.js", "core.js", { plugins: [useModules({ curves: "core" })] }),
-  bundle("surfaces.js", "surfaces.js", { plugins: [coreSurfaces] }),
-  bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
-  bundle("index.js", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau" }),
-  bundle("applet/classic.js", "bezier-app.js", { ...CLASSIC, plugins: [useModules({ curves: "applet" })] }),
+  bundle("core.ts", "core.js", { plugins: [useModules({ curves: "core" })] }),
+  bundle("surfaces.ts", "surfaces.js", { plugins: [coreSurfaces] }),
+  bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
+  bundle("index.ts", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau" }),
+  bundle("applet/classic.ts", "bezier-app.js", { ...CLASSIC, plugins: [useModules({ curves: "applet" })] }),
 ]);
+await transpile();
 await writeFile("dist/THIRD-PARTY-NOTICES.txt", await noticesText([...inputs]));

@@ -1,6 +1,6 @@
 // Writes dist/custom-elements.json, the custom elements manifest, for editors and documentation. Called by
 // `cargo xtask build` after the bundles; runs from the repository's root. The members come from the sources and from the
-// built classes; the descriptions come from JSDoc: of js/elements/**/types.js for properties and methods, and of the tags
+// built classes; the descriptions come from comments: of js/elements/**/types.ts for properties and methods, and of the tags
 // @fires, @csspart, @cssprop and @slot in the sources of an element for the rest. With --check it fails if a public member
 // of an element has no description.
 import { create, ts } from "@custom-elements-manifest/analyzer/index.js";
@@ -8,8 +8,8 @@ import { readFile, writeFile } from "node:fs/promises";
 import { dirname, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const INDEX = resolve("js/elements/index.js");
-const TYPES = ["js/elements/types.js", "js/elements/companions/types.js"];
+const INDEX = resolve("js/elements/index.ts");
+const TYPES = ["js/elements/types.ts", "js/elements/companions/types.ts"];
 const MODULE = "dist/elements.js";
 const TAGS = { fires: "events", csspart: "cssParts", cssprop: "cssProperties", slot: "slots" };
 
@@ -17,12 +17,15 @@ const TAGS = { fires: "events", csspart: "cssParts", cssprop: "cssProperties", s
 const texts = new Map();
 const textOf = (path) => texts.get(path) ?? texts.set(path, readFile(path, "utf8")).get(path);
 
+/** The source of what a file imports. */
+const sourceOf = (file, path) => resolve(dirname(file), path).replace(/\.js$/, ".ts");
+
 /** A file and all files of the elements and the applet that it imports. */
 async function importedFiles(path, known = new Set()) {
   if (known.has(path)) return known;
   known.add(path);
   for (const [, target] of (await textOf(path)).matchAll(/(?:from |^import |import\()"(\.[^"]+)"/gm)) {
-    const file = resolve(dirname(path), target);
+    const file = sourceOf(path, target);
     if (/[\\/]js[\\/](elements|applet)[\\/]/.test(file) && file !== INDEX) await importedFiles(file, known);
   }
   return known;
@@ -31,12 +34,12 @@ async function importedFiles(path, known = new Set()) {
 /** Tag name, class and file of each element that the index exports. */
 async function elementsOf() {
   const files = [...(await textOf(INDEX)).matchAll(/export \{ \w+ \} from "([^"]+)"/g)].map(([, path]) =>
-    resolve(dirname(INDEX), path),
+    sourceOf(INDEX, path),
   );
   const element = async (file) => {
     const text = await textOf(file);
     const [, name, path] = text.match(/import \{ (\w+) as \w+ \} from "([^"]+)"/);
-    return { tagName: text.match(/define\("(bezier-[\w-]+)"/)[1], name, path: resolve(dirname(file), path) };
+    return { tagName: text.match(/define\("(bezier-[\w-]+)"/)[1], name, path: sourceOf(file, path) };
   };
   return Promise.all(files.map(element));
 }
@@ -46,7 +49,7 @@ const descriptionOf = (comment) =>
 
 /** All JSDoc comments of a file, parsed. */
 async function commentsOf(path) {
-  const source = ts.createSourceFile(path, await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.JS);
+  const source = ts.createSourceFile(path, await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.TS);
   const found = [];
   const visit = (node) => {
     found.push(...(node.jsDoc ?? []));
@@ -57,32 +60,28 @@ async function commentsOf(path) {
   return [...new Set(found)];
 }
 
-/** The typedefs of TYPES: description, type and properties, by name. */
-async function typedefs() {
-  const all = (await Promise.all(TYPES.map((path) => commentsOf(resolve(path))))).flat();
-  return Object.fromEntries(
-    all.flatMap((comment) =>
-      (comment.tags ?? [])
-        .filter(ts.isJSDocTypedefTag)
-        .map((tag) => [
-          tag.name.getText(),
-          { description: descriptionOf(comment.comment), ...typeOf(tag.typeExpression) },
-        ]),
-    ),
-  );
+/** The types of TYPES: description, text of the type and members, by name. */
+async function declaredTypes() {
+  const all = [];
+  for (const path of TYPES) {
+    const source = ts.createSourceFile(path, await textOf(resolve(path)), ts.ScriptTarget.ES2022, true);
+    for (const node of source.statements) {
+      if (!ts.isInterfaceDeclaration(node) && !ts.isTypeAliasDeclaration(node)) continue;
+      const description = documentedAs(node);
+      const members = (node.members ?? []).map((member) => ({
+        name: member.name.getText(),
+        type: member.type.getText().replace(/\s+/g, " "),
+        description: documentedAs(member),
+      }));
+      all.push([node.name.text, { description, type: node.type?.getText() ?? "", members }]);
+    }
+  }
+  return Object.fromEntries(all);
 }
 
-function typeOf(expression) {
-  if (!expression || !ts.isJSDocTypeLiteral(expression)) return { type: expression?.getText() ?? "", members: [] };
-  const member = ({ name, typeExpression, comment }) => ({
-    name: name.getText(),
-    type: typeExpression.type.getText().replace(/\s+/g, " "),
-    description: descriptionOf(comment),
-  });
-  return { type: "", members: (expression.jsDocPropertyTags ?? []).map(member) };
-}
+const documentedAs = (node) => descriptionOf(node.jsDoc?.at(-1)?.comment);
 
-/** The description and the members of a class: the typedefs that `<class>Element` combines. */
+/** The description and the members of a class: the types that `<class>Element` combines. */
 function documentationOf(types, name) {
   const parts = types[`${name}Element`].type.match(/\w+Properties/g).map((each) => types[each]);
   return { description: parts.at(-1).description, members: parts.flatMap(({ members }) => members) };
@@ -213,13 +212,13 @@ const LIFECYCLE_METHODS = new Set([
 
 async function main() {
   const elements = await elementsOf();
-  const types = await typedefs();
+  const types = await declaredTypes();
   const files = [
     ...new Set((await Promise.all(elements.map(({ path }) => importedFiles(path)))).flatMap((set) => [...set])),
   ];
   const modules = await Promise.all(
     files.map(async (path) =>
-      ts.createSourceFile(relative(".", path), await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.JS),
+      ts.createSourceFile(relative(".", path), await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.TS),
     ),
   );
   const analysed = create({ modules });

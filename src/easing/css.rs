@@ -1,4 +1,4 @@
-//! Timing functions as CSS text. `js/geometry/easing-css.js` reads and writes the same text, with the same error
+//! Timing functions as CSS text. `js/geometry/easing-css.ts` reads and writes the same text, with the same error
 //! messages.
 
 use super::piecewise::{Linear, StepPosition, Steps, Stop};

@@ -1,6 +1,6 @@
 //! The CSS timing function `cubic-bezier()`.
 //!
-//! `js/geometry/easing-bezier.js` performs the same operations in the same order and gives bit-identical results.
+//! `js/geometry/easing-bezier.ts` performs the same operations in the same order and gives bit-identical results.
 
 use super::piecewise::clamp_to_finite;
 

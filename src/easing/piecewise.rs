@@ -1,6 +1,6 @@
 //! The CSS timing functions `steps()` and `linear()`.
 //!
-//! `js/geometry/easing-piecewise.js` performs the same operations in the same order.
+//! `js/geometry/easing-piecewise.ts` performs the same operations in the same order.
 
 use crate::geometry::error::Error;
 

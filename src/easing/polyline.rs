@@ -1,6 +1,6 @@
 //! The fewest links of a polyline within a tolerance of another one.
 //!
-//! `js/geometry/easing-polyline.js` performs the same operations in the same order.
+//! `js/geometry/easing-polyline.ts` performs the same operations in the same order.
 //!
 //! Each link is extended as far as a line stays within the tolerance. The longest line touches one boundary and ends at
 //! the other one; the next link may begin anywhere between these two points.

@@ -1,6 +1,6 @@
 //! The fewest stops of a CSS `linear()` within a tolerance of a cubic timing function.
 //!
-//! `js/geometry/easing-stops.js` performs the same operations in the same order.
+//! `js/geometry/easing-stops.ts` performs the same operations in the same order.
 
 use super::piecewise::{Linear, Stop};
 use super::polyline::approximate;

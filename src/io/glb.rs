@@ -1,4 +1,4 @@
-//! Binary glTF 2.0 (GLB) export of meshes; `js/io/glb.js` produces the same bytes.
+//! Binary glTF 2.0 (GLB) export of meshes; `js/io/glb.ts` produces the same bytes.
 
 use super::file_size::checked_length;
 use super::text_write::{push, written};

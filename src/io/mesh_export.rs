@@ -1,4 +1,4 @@
-//! Mesh export as OBJ, STL and GLB; `js/io/obj.js`, `stl.js` and `glb.js` produce the same files.
+//! Mesh export as OBJ, STL and GLB; `js/io/obj.ts`, `stl.js` and `glb.js` produce the same files.
 
 use super::file_size::checked_length;
 use super::glb::glb;

@@ -1,4 +1,4 @@
-//! Parsing a surface from arrays of C source code; `js/io/surface-arrays.js` does the same with the same messages.
+//! Parsing a surface from arrays of C source code; `js/io/surface-arrays.ts` does the same with the same messages.
 
 use super::text_reader::{END, ParseError, number, refuse, shown, whole};
 use crate::geometry::check::MAX_COORDINATE;

@@ -2,7 +2,7 @@
 //!
 //! A cubic with the ends, the tangents and the midpoint of an arc of angle θ has the handles 4/3 tan(θ/4) times the
 //! derivatives by the angle. Their sum is parallel to the chord, and the ratio of the two lengths determines θ. This holds for the
-//! arcs of every ellipse, because an ellipse is an affine image of a circle. `js/io/svg-arcs.js` performs the same operations.
+//! arcs of every ellipse, because an ellipse is an affine image of a circle. `js/io/svg-arcs.ts` performs the same operations.
 
 use crate::numeric::trigonometry::angle;
 use crate::path::arc::{Arc, arc};

@@ -1,4 +1,4 @@
-//! Tokens of SVG path data: separators, numbers, flags. `js/io/svg-number.js` reads the same grammar.
+//! Tokens of SVG path data: separators, numbers, flags. `js/io/svg-number.ts` reads the same grammar.
 
 use super::text_reader::{END, shown};
 

@@ -50,7 +50,7 @@ const SHOWN_CHARACTERS: usize = 40;
 /// A reader of text as rows of words.
 ///
 /// Spaces, tabs and commas separate words; `#` starts a comment up to the end of the line; lines end with a line feed,
-/// a carriage return or both. Lines without words are counted but skipped. `js/io/surface-text.js` reads the same format.
+/// a carriage return or both. Lines without words are counted but skipped. `js/io/surface-text.ts` reads the same format.
 pub(crate) struct Reader<'a> {
     text: &'a str,
     at: usize,

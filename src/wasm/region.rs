@@ -101,7 +101,7 @@ pub fn region_clip(even_odd: bool) -> isize {
     })
 }
 
-/// A join by its index in `JOINS` of js/geometry/path/path-stroke.js.
+/// A join by its index in `JOINS` of js/geometry/path/path-stroke.ts.
 fn offset_join(index: u32) -> OffsetJoin {
     match index {
         0 => OffsetJoin::Miter,
@@ -110,7 +110,7 @@ fn offset_join(index: u32) -> OffsetJoin {
     }
 }
 
-/// A cap by its index in `CAPS` of js/geometry/path/path-stroke.js.
+/// A cap by its index in `CAPS` of js/geometry/path/path-stroke.ts.
 fn stroke_cap(index: u32) -> StrokeCap {
     match index {
         0 => StrokeCap::Butt,

@@ -50,7 +50,7 @@ pub(crate) fn changed(
     })
 }
 
-/// The joint mode of a code, as in `js/geometry/joints.js`.
+/// The joint mode of a code, as in `js/geometry/joints.ts`.
 fn mode(code: usize) -> JointMode {
     const MODES: [JointMode; 6] = [
         JointMode::Free,

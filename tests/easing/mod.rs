@@ -225,7 +225,7 @@ fn never_nan_nor_infinite() {
     }
 }
 
-/// js/geometry/easing.js must give the same bits: tests/js/easing.test.js has the same cases and the same sum.
+/// js/geometry/easing.ts must give the same bits: tests/js/easing.test.js has the same cases and the same sum.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_same_bits_as_in_javascript() {
     let mut rng = Rng(95);

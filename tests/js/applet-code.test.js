@@ -1,11 +1,11 @@
 // The code that <bezier-applet> gives along: it runs, and finds the point that is shown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { codeOf } from "../../js/elements/applet/export.js";
-import { FIELDS, stateOf } from "../../js/elements/applet/fields.js";
-import { figureOf } from "../../js/elements/applet/figure.js";
-import { BASES, firstState } from "../../js/elements/applet/state.js";
-import { Curve, Spline } from "../../js/index.js";
+import { codeOf } from "#js/elements/applet/export.js";
+import { FIELDS, stateOf } from "#js/elements/applet/fields.js";
+import { figureOf } from "#js/elements/applet/figure.js";
+import { BASES, firstState } from "#js/elements/applet/state.js";
+import { Curve, Spline } from "#js/index.js";
 
 const { points } = firstState();
 const pointOf = (code) =>

@@ -1,13 +1,13 @@
 // What <bezier-applet> does with its points, without a page: joints that are held, bases and degrees, points that are removed.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as small from "../../js/applet/state.js";
-import * as edits from "../../js/elements/applet/edits.js";
-import { FIELDS } from "../../js/elements/applet/fields.js";
-import { figureOf } from "../../js/elements/applet/figure.js";
-import { jointsOf } from "../../js/elements/applet/joints.js";
-import { continuityOf } from "../../js/elements/applet/report.js";
-import { BASES, firstState, withPoints } from "../../js/elements/applet/state.js";
+import * as small from "#js/applet/state.js";
+import * as edits from "#js/elements/applet/edits.js";
+import { FIELDS } from "#js/elements/applet/fields.js";
+import { figureOf } from "#js/elements/applet/figure.js";
+import { jointsOf } from "#js/elements/applet/joints.js";
+import { continuityOf } from "#js/elements/applet/report.js";
+import { BASES, firstState, withPoints } from "#js/elements/applet/state.js";
 import { near, pointsOf } from "./reference.js";
 
 const stateWith = (points, changes = {}) => ({ ...withPoints(firstState(), points), ...changes });

@@ -1,11 +1,11 @@
 // The rules of the small applet without a page: the joint, random points, the edge of the picture, refusals, texts.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pointPair } from "../../js/applet/check.js";
-import { continuityAtP3, derive } from "../../js/applet/derive.js";
-import { generator, randomized, roomiestPlace } from "../../js/applet/random.js";
-import * as states from "../../js/applet/state.js";
-import { description, jointLabel, place, shownWords } from "../../js/applet/words.js";
+import { pointPair } from "#js/applet/check.js";
+import { continuityAtP3, derive } from "#js/applet/derive.js";
+import { generator, randomized, roomiestPlace } from "#js/applet/random.js";
+import * as states from "#js/applet/state.js";
+import { description, jointLabel, place, shownWords } from "#js/applet/words.js";
 
 const first = states.firstState(states.DEFAULT_BOX);
 const { pointsOf, withJoint, withPointAt, withPoints } = states;

@@ -1,12 +1,12 @@
 // The state behind <bezier-applet>, without a page: fields, edits, figures, undo.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as edits from "../../js/elements/applet/edits.js";
-import { FIELDS, jsonOf, stateOf } from "../../js/elements/applet/fields.js";
-import { figureOf, nameOf } from "../../js/elements/applet/figure.js";
-import { withText } from "../../js/elements/applet/files.js";
-import { History } from "../../js/elements/applet/history.js";
-import { snapped, turnedBy15 } from "../../js/elements/applet/snap.js";
+import * as edits from "#js/elements/applet/edits.js";
+import { FIELDS, jsonOf, stateOf } from "#js/elements/applet/fields.js";
+import { figureOf, nameOf } from "#js/elements/applet/figure.js";
+import { withText } from "#js/elements/applet/files.js";
+import { History } from "#js/elements/applet/history.js";
+import { snapped, turnedBy15 } from "#js/elements/applet/snap.js";
 import {
   BASES,
   firstState,
@@ -18,8 +18,8 @@ import {
   withPoints,
   withView,
   zoomed,
-} from "../../js/elements/applet/state.js";
-import { generator } from "../../js/applet/random.js";
+} from "#js/elements/applet/state.js";
+import { generator } from "#js/applet/random.js";
 import { near, pointsOf } from "./reference.js";
 
 /** A chain of so many random cubics, some points waiting. */

@@ -1,8 +1,8 @@
 // The arena's view, from the sources: it is no part of the public interface.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arena, trimArena } from "../../js/wasm/arena.js";
-import { core, memory } from "../../js/wasm/init.js";
+import { arena, trimArena } from "#js/wasm/arena.js";
+import { core, memory } from "#js/wasm/init.js";
 
 test("the view is long enough and stays the same", () => {
   const view = arena(8);

@@ -1,17 +1,17 @@
 // The pure parts of the companions: reading and writing numbers, weights, what a figure amounts to, timing functions.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, easing, Spline } from "../../js/index.js";
-import { quoted, readNumber, readPoints, shown, shownFraction } from "../../js/elements/companions/numbers.js";
-import { ownMatrix, ownSubject } from "../../js/elements/companions/own.js";
-import { ownPoints, pointsText } from "../../js/elements/companions/points.js";
-import { plotOf, tAt, xOf, yOf } from "../../js/elements/companions/plot.js";
-import { inPoints, subjectOf } from "../../js/elements/companions/subject.js";
-import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "../../js/elements/companions/timing.js";
-import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
+import { Curve, easing, Spline } from "#js/index.js";
+import { quoted, readNumber, readPoints, shown, shownFraction } from "#js/elements/companions/numbers.js";
+import { ownMatrix, ownSubject } from "#js/elements/companions/own.js";
+import { ownPoints, pointsText } from "#js/elements/companions/points.js";
+import { plotOf, tAt, xOf, yOf } from "#js/elements/companions/plot.js";
+import { inPoints, subjectOf } from "#js/elements/companions/subject.js";
+import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "#js/elements/companions/timing.js";
+import { binomial, matrixOf, throughMatrix, weightsAt } from "#js/elements/companions/weights.js";
 import { near, pointsOf } from "./reference.js";
 
-/** @typedef {import("../../js/elements/companions/subject.js").Subject} Subject */
+/** @typedef {import("#js/elements/companions/subject.js").Subject} Subject */
 
 const POINTS = pointsOf("70,330 110,90 235,120 325,230");
 const TS = [-0.4, 0, 0.1, 0.5, 0.9, 1, 1.3];

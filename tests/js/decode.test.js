@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { decodeBytes } from "../../js/wasm/decode-bytes.js";
+import { decodeBytes } from "#js/wasm/decode-bytes.js";
 import * as curves from "../../js/glue/curves-bytes.js";
 import * as surfaces from "../../js/glue/surfaces-bytes.js";
 

@@ -1,17 +1,17 @@
 // <bezier-applet> as an object, without a page: properties and attributes, methods, events, undo, actions and what is announced.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Acting } from "../../js/elements/applet/acting.js";
-import { BezierApplet } from "../../js/elements/applet/element.js";
+import { Acting } from "#js/elements/applet/acting.js";
+import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
-import * as edits from "../../js/elements/applet/edits.js";
-import { FIELDS } from "../../js/elements/applet/fields.js";
-import { figureOf } from "../../js/elements/applet/figure.js";
-import { withText } from "../../js/elements/applet/files.js";
-import { jointsOf } from "../../js/elements/applet/joints.js";
-import { turnedBy15 } from "../../js/elements/applet/snap.js";
-import { BASES, firstState, MODES, withPoints } from "../../js/elements/applet/state.js";
-import { description, jointWords } from "../../js/elements/applet/words.js";
+import * as edits from "#js/elements/applet/edits.js";
+import { FIELDS } from "#js/elements/applet/fields.js";
+import { figureOf } from "#js/elements/applet/figure.js";
+import { withText } from "#js/elements/applet/files.js";
+import { jointsOf } from "#js/elements/applet/joints.js";
+import { turnedBy15 } from "#js/elements/applet/snap.js";
+import { BASES, firstState, MODES, withPoints } from "#js/elements/applet/state.js";
+import { description, jointWords } from "#js/elements/applet/words.js";
 
 /** An element with these attributes, and the events that it has fired. */
 function element(attributes = {}) {

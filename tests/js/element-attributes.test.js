@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { elementOf } from "./element-node.js";
 
 const { BezierApplet, BezierBernstein, BezierEasing, BezierEquation, BezierSurface } = /** @type {any} */ (
-  await import("../../js/elements/index.js")
+  await import("#js/elements/index.js")
 );
 
 /** What React 19 does with the attributes of a custom element; undefined for those that are no longer given. */

@@ -2,15 +2,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { Surface as SurfaceOfOtherEntry } from "../../js/surfaces.js";
-import { frameOf, HOME, moved, sightOf } from "../../js/elements/surface/camera.js";
-import { figureOf } from "../../js/elements/surface/figure.js";
-import { Geometry } from "../../js/elements/surface/geometry.js";
-import { settingsOf } from "../../js/elements/surface/settings.js";
-import { Subject } from "../../js/elements/surface/subject.js";
+import { Surface as SurfaceOfOtherEntry } from "#js/surfaces.js";
+import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
+import { figureOf } from "#js/elements/surface/figure.js";
+import { Geometry } from "#js/elements/surface/geometry.js";
+import { settingsOf } from "#js/elements/surface/settings.js";
+import { Subject } from "#js/elements/surface/subject.js";
 import { elementOf } from "./element-node.js";
 
-const { BezierSurface } = await import("../../js/elements/surface/element.js");
+const { BezierSurface } = await import("#js/elements/surface/element.js");
 
 /** What the element shows with these attributes, or of a surface of the page's own. */
 function scene(attributes, given = /** @type {Surface | null} */ (null)) {

@@ -208,8 +208,8 @@ async function exportedFunctions(name) {
 }
 
 test("entries: the modules of casteljau/core and casteljau/surfaces export what their classes call, and no more", async () => {
-  assert.deepEqual(await exportedFunctions("core"), await calledFunctions("js/core.js"));
-  assert.deepEqual(await exportedFunctions("core-surfaces"), await calledFunctions("js/surfaces.js"));
+  assert.deepEqual(await exportedFunctions("core"), await calledFunctions("js/core.ts"));
+  assert.deepEqual(await exportedFunctions("core-surfaces"), await calledFunctions("js/surfaces.ts"));
 });
 
 /** Node prints the line of the script in which an error was thrown; with the text of a wasm module that would be 400 kB. */

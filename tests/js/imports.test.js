@@ -15,7 +15,7 @@ const ENTRIES = [
   "applet/index",
   "applet/classic",
   "elements/index",
-].map((name) => `js/${name}.js`);
+].map((name) => `js/${name}.ts`);
 
 /** For each file, the files that it imports, statically or on demand. */
 async function importGraph() {
@@ -46,7 +46,7 @@ const below = (folder) => [...graph.keys()].filter((file) => file.startsWith(`js
 
 test("imports: curves and splines are the only files that import each other", () => {
   const inCycles = [...graph.keys()].filter((file) => reachable(graph, file).has(file));
-  assert.deepEqual(inCycles.sort(), ["js/geometry/curve/curve.js", "js/geometry/spline/spline.js"]);
+  assert.deepEqual(inCycles.sort(), ["js/geometry/curve/curve.ts", "js/geometry/spline/spline.ts"]);
 });
 
 test("imports: wasm/ imports nothing from other folders, and only its modules import the bytes", () => {
@@ -57,13 +57,13 @@ test("imports: wasm/ imports nothing from other folders, and only its modules im
   }
   const importers = [...graph].filter(([, paths]) => paths.some((path) => path.startsWith("js/glue/")));
   assert.ok(importers.length > 0);
-  for (const [file] of importers) assert.match(file, /^js\/wasm\/\w+-module\.js$/);
+  for (const [file] of importers) assert.match(file, /^js\/wasm\/\w+-module\.ts$/);
 });
 
 test("imports: the classes that all entry points share import none of the complete classes", () => {
-  for (const file of ["js/geometry/curve/core-curve.js", "js/geometry/spline/core-spline.js"]) {
+  for (const file of ["js/geometry/curve/core-curve.ts", "js/geometry/spline/core-spline.ts"]) {
     const names = [...reachable(graph, file)].map((path) => posix.basename(path));
     assert.ok(names.length > 5, `${names}`);
-    for (const name of ["curve.js", "spline.js", "path.js", "patch.js"]) assert.ok(!names.includes(name), file + name);
+    for (const name of ["curve.ts", "spline.ts", "path.ts", "patch.ts"]) assert.ok(!names.includes(name), file + name);
   }
 });

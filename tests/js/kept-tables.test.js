@@ -1,10 +1,10 @@
 // What splines and paths keep between calls: the results are those of the core, and repeated queries ask the core less.
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
-import { Path, Spline } from "../../js/index.js";
-import { curvesModule } from "../../js/wasm/curves-module.js";
-import { core } from "../../js/wasm/init.js";
-import { readResult, writeArguments } from "../../js/wasm/transfer.js";
+import { Path, Spline } from "#js/index.js";
+import { curvesModule } from "#js/wasm/curves-module.js";
+import { core } from "#js/wasm/init.js";
+import { readResult, writeArguments } from "#js/wasm/transfer.js";
 import { near, pointsOf, refused, untyped } from "./reference.js";
 
 const SEGMENTS = 2000;

@@ -1,14 +1,14 @@
 // What the layers of <bezier-applet> find, against closed forms and definitions.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve } from "../../js/index.js";
-import { figureOf } from "../../js/elements/applet/figure.js";
-import { nameAt, namesOf } from "../../js/elements/applet/layers/names.js";
-import { deviation, treeOf } from "../../js/elements/applet/layers/halving.js";
-import { envelopeLines } from "../../js/elements/applet/layers/envelope.js";
-import { combOf, ways } from "../../js/elements/applet/layers/ways.js";
-import { weightsAt } from "../../js/elements/applet/layers/weights.js";
-import { BASES } from "../../js/elements/applet/state.js";
+import { Curve } from "#js/index.js";
+import { figureOf } from "#js/elements/applet/figure.js";
+import { nameAt, namesOf } from "#js/elements/applet/layers/names.js";
+import { deviation, treeOf } from "#js/elements/applet/layers/halving.js";
+import { envelopeLines } from "#js/elements/applet/layers/envelope.js";
+import { combOf, ways } from "#js/elements/applet/layers/ways.js";
+import { weightsAt } from "#js/elements/applet/layers/weights.js";
+import { BASES } from "#js/elements/applet/state.js";
 import { derived, stateWith } from "./layers-page.js";
 import { near, pointsOf } from "./reference.js";
 

@@ -17,8 +17,8 @@ const declared = (tagName) => declarations.find((each) => each.tagName === tagNa
 async function sources(...paths) {
   const texts = await Promise.all(
     paths.map(async (path) => {
-      if (path.endsWith(".js")) return read(path);
-      const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".js"));
+      if (path.endsWith(".ts")) return read(path);
+      const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".ts"));
       return (await Promise.all(names.map((name) => read(`${path}/${name}`)))).join("\n");
     }),
   );
@@ -26,9 +26,9 @@ async function sources(...paths) {
   return texts.join("\n").replace(/\/\*\*[\s\S]*?\*\//g, "");
 }
 
-const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.js`);
+const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.ts`);
 const SOURCES = {
-  "bezier-applet": ["js/elements/applet", "js/applet/handles.js", "js/applet/style.js"],
+  "bezier-applet": ["js/elements/applet", "js/applet/handles.ts", "js/applet/style.ts"],
   "bezier-surface": ["js/elements/surface"],
   "bezier-bernstein": companion("bernstein", "bernstein-view"),
   "bezier-equation": companion("equation", "equation-view", "fields"),
@@ -43,8 +43,8 @@ const names = (list = []) => list.map(({ name }) => name).sort();
 const without = (list, others) => list.filter((each) => !others.includes(each));
 
 test("every element that is defined", async () => {
-  const files = all(await read("js/elements/index.js"), /export \{ \w+ \} from "\.\/(define\/\w+\.js)"/g);
-  const texts = await Promise.all(files.map((file) => read(`js/elements/${file}`)));
+  const files = all(await read("js/elements/index.ts"), /export \{ \w+ \} from "\.\/(define\/\w+)\.js"/g);
+  const texts = await Promise.all(files.map((file) => read(`js/elements/${file}.ts`)));
   const defined = texts.flatMap((text) => all(text, /define\("([\w-]+)"/g)).sort();
   assert.ok(defined.length >= 6);
   assert.deepEqual(declarations.map(({ tagName }) => tagName).sort(), defined);

@@ -1,8 +1,8 @@
 // Results outlive what comes after them, and large ones do not fill the memory: from the sources, to see the memory.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { memory } from "../../js/wasm/init.js";
-import { Curve, Spline } from "../../js/index.js";
+import { memory } from "#js/wasm/init.js";
+import { Curve, Spline } from "#js/index.js";
 import { CUBIC, deCasteljau, near, SEVEN } from "./reference.js";
 
 const cubic = new Curve(CUBIC);

@@ -1,7 +1,7 @@
 // Offsets, reduction, interpolation and fitting of curves and splines; tests/offset in Rust compares many with references.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "../../js/index.js";
+import { Curve, Spline } from "#js/index.js";
 import { near, pointsOf, refusedAll, SPACE, untyped } from "./reference.js";
 
 const ARCH = new Curve([0, 0, 0, 100, 200, 100, 200, 0]);

@@ -2,7 +2,7 @@
 // distances or closed forms. The geometry is tested in Rust (tests/path_boolean, tests/stroke).
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Path } from "../../js/index.js";
+import { Path } from "#js/index.js";
 import { near, refusedAll, untyped } from "./reference.js";
 
 const circle = (x, y, radius) => Path.circle([x, y], radius, { tolerance: 3e-4 * radius });

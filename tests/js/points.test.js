@@ -6,7 +6,7 @@ import { CUBIC, near, owned, pairs, SEVEN, SPACE } from "./reference.js";
 
 const { Curve, Spline } = casteljau;
 
-/** @typedef {import("../../js/geometry/check.js").PointsLike} PointsLike */
+/** @typedef {import("#js/geometry/check.js").PointsLike} PointsLike */
 
 /** Has the fields of a DOMPoint. */
 const domPoint = (x, y, z, w = 1) => ({ x, y, z, w });

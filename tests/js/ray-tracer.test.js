@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { frameOf, HOME, rayThrough, sightOf } from "../../js/elements/surface/camera.js";
+import { frameOf, HOME, rayThrough, sightOf } from "#js/elements/surface/camera.js";
 import { boxEntry, progressiveBlocks, RayTracer } from "../../www/figures/lib/ray-tracer.js";
 import { pointsOf } from "./reference.js";
 

@@ -3,10 +3,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { frameOf, HOME, moved, sightOf } from "../../js/elements/surface/camera.js";
-import { figureOf } from "../../js/elements/surface/figure.js";
-import { Geometry } from "../../js/elements/surface/geometry.js";
-import { settingsOf } from "../../js/elements/surface/settings.js";
+import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
+import { figureOf } from "#js/elements/surface/figure.js";
+import { Geometry } from "#js/elements/surface/geometry.js";
+import { settingsOf } from "#js/elements/surface/settings.js";
 
 const surface = Surface.teapot();
 const [WIDTH, HEIGHT] = [600, 400];

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Patch } from "casteljau";
-import { casteljau } from "../../js/elements/surface/lines.js";
+import { casteljau } from "#js/elements/surface/lines.js";
 
 const net = Array.from({ length: 16 }, (_, k) => /** @type {const} */ ([k % 4, Math.floor(k / 4), (k * 7) % 5]));
 const patch = new Patch(net);

@@ -1,8 +1,8 @@
 // What the attributes of <bezier-surface> amount to, without a page.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { settingsOf } from "../../js/elements/surface/settings.js";
-import { Surface } from "../../js/index.js";
+import { settingsOf } from "#js/elements/surface/settings.js";
+import { Surface } from "#js/index.js";
 
 test("any number in an attribute is one that can be drawn with", () => {
   for (const name of ["segments", "tolerance", "pixels", "flatness", "lines", "u", "v", "step"]) {

@@ -1,7 +1,7 @@
 // Numbers below the picture of <bezier-surface>.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { figures, upperBound } from "../../js/elements/surface/words.js";
+import { figures, upperBound } from "#js/elements/surface/words.js";
 
 test("an upper bound with two figures is rounded up", () => {
   assert.deepEqual([0.105, 0.0921, 0.1, 0.0999, 12.01, 0].map(upperBound), ["0.11", "0.093", "0.1", "0.1", "13", "0"]);

@@ -1,8 +1,8 @@
 // Draws every <bezier-surface …></bezier-surface> into the page while the site is built, as lines: the picture that is there
 // before the element starts, without JavaScript, and on paper where it was not seen yet.
-import { frameOf, HOME, moved, placeOf, sightOf } from "../../js/elements/surface/camera.js";
-import { framingPoints, surfaceNamed } from "../../js/elements/surface/models.js";
-import { settingsOf } from "../../js/elements/surface/settings.js";
+import { frameOf, HOME, moved, placeOf, sightOf } from "#js/elements/surface/camera.js";
+import { framingPoints, surfaceNamed } from "#js/elements/surface/models.js";
+import { settingsOf } from "#js/elements/surface/settings.js";
 import { SURFACES } from "../figures/lib/surfaces.js";
 
 const [WIDTH, HEIGHT] = [600, 400];
@@ -47,7 +47,7 @@ export function surfacePoster(attributes) {
   return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
 }
 
-/** @param {import("casteljau/surfaces").Curve} curve @param {import("../../js/elements/surface/camera.js").Sight} sight */
+/** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").Sight} sight */
 function pathOf(curve, sight) {
   const points = curve.controlPoints();
   const places = Array.from(

@@ -1,6 +1,6 @@
 // <ray-tracing for="id">: the view of a <bezier-surface>, ray traced from its patches in a Web Worker.
 import { css, html } from "lit";
-import { frameOf, sightOf } from "../../js/elements/surface/camera.js";
+import { frameOf, sightOf } from "#js/elements/surface/camera.js";
 import { Figure } from "./lib/figure.js";
 import { check } from "./lib/parts.js";
 

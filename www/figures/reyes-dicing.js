@@ -1,7 +1,7 @@
 // <reyes-dicing>: the steps of the REYES algorithm on the teapot: bound, split, dice, shade.
 import { css, html } from "lit";
 import { Surface } from "casteljau/surfaces";
-import { frameOf, HOME, sightOf } from "../../js/elements/surface/camera.js";
+import { frameOf, HOME, sightOf } from "#js/elements/surface/camera.js";
 import { dice, screenBounds, splitPatch } from "./lib/dicing.js";
 import { Figure } from "./lib/figure.js";
 import { grouped } from "./lib/numbers.js";
@@ -37,7 +37,7 @@ export class ReyesDicing extends Figure {
   #watch = null;
   /** @type {import("casteljau/surfaces").Patch[]} */
   #patches = [];
-  /** @type {import("../../js/elements/surface/camera.js").Frame | null} */
+  /** @type {import("#js/elements/surface/camera.js").Frame | null} */
   #frame = null;
 
   constructor() {
@@ -113,7 +113,7 @@ export class ReyesDicing extends Figure {
 
   /** A parallel projection in the direction of the elements' first view. @param {number} width @param {number} height */
   #camera(width, height) {
-    const frame = /** @type {import("../../js/elements/surface/camera.js").Frame} */ (this.#frame);
+    const frame = /** @type {import("#js/elements/surface/camera.js").Frame} */ (this.#frame);
     const { right, upward, forward } = sightOf(HOME, frame, width, height);
     const scale = (this.zoom * FILLED * width) / frame.radius;
     const along = (/** @type {ArrayLike<number>} */ p, /** @type {number[]} */ axis) =>

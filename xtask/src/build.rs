@@ -77,7 +77,7 @@ const SITE_SCRIPTS: [&str; 7] = [
     "bezier-app.js",
 ];
 
-/// Builds the bundles and copies the wasm file.
+/// Builds the bundles and the scripts in target/js/, and copies the wasm file.
 fn bundles() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("js"));
@@ -108,6 +108,7 @@ fn bundles() -> Result<()> {
         .iter()
         .chain(&others)
         .map(|name| root.join("dist").join(name))
+        .chain([root.join("target/js/index.js")])
         .collect();
     stamp::unless_current(
         &Work {
@@ -128,7 +129,7 @@ fn bundles() -> Result<()> {
     )
 }
 
-/// Builds dist/types from the JSDoc of js/; a type error fails the build.
+/// Builds dist/types from js/; a type error fails the build.
 fn types() -> Result<()> {
     let root = shell::root();
     let mut inputs: Vec<PathBuf> = files_below(&root.join("js"));

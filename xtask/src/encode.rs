@@ -1,4 +1,4 @@
-//! Encoding bytes as text that gzip compresses well; `js/wasm/decode-bytes.js` is the decoder.
+//! Encoding bytes as text that gzip compresses well; `js/wasm/decode-bytes.ts` is the decoder.
 //!
 //! Base64 encodes three bytes as four characters, so repeated byte strings start at different phases and gzip does not
 //! find them (+30 %). Here every byte starts a new character: the 60 most frequent byte values take one character, the
@@ -66,7 +66,7 @@ pub(crate) fn module(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    /// The decoder of `js/wasm/decode-bytes.js`, implemented independently from the description.
+    /// The decoder of `js/wasm/decode-bytes.ts`, implemented independently from the description.
     fn decode(encoded: &Encoded) -> Vec<u8> {
         let rank = |c: u8| {
             ALPHABET

@@ -97,7 +97,7 @@ pub(crate) const PARTS: [Part; 6] = [
 
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
 
-/// The functions that js/geometry/curve/core-curve.js and the classes that it extends call.
+/// The functions that js/geometry/curve/core-curve.ts and the classes that it extends call.
 const CORE_CURVES: &[&str] = &[
     "basis_matrix",
     "bernstein_weights",
@@ -124,7 +124,7 @@ const CORE_CURVES: &[&str] = &[
     "path_check_tolerance",
 ];
 
-/// The functions that js/geometry/spline/core-spline.js and the classes that it extends call.
+/// The functions that js/geometry/spline/core-spline.ts and the classes that it extends call.
 const CORE_SPLINES: &[&str] = &[
     "spline_append",
     "spline_bounds",

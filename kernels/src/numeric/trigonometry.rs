@@ -2,7 +2,7 @@
 //!
 //! Sums, products, quotients and square roots are identical on every platform; library functions such as sine are not,
 //! and take 8 kB of the wasm module. The Rust and the JavaScript parser must return bit-identical paths:
-//! `js/io/svg-arc.js` performs the same operations.
+//! `js/io/svg-arc.ts` performs the same operations.
 
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;

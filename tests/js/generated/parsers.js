@@ -1,7 +1,7 @@
 // The readers of the site: addresses (figures, camera, glyph, easing) and timing functions of CSS.
 import assert from "node:assert/strict";
 import { easing } from "casteljau";
-import { readTiming, timingText } from "../../../js/elements/companions/timing.js";
+import { readTiming, timingText } from "#js/elements/companions/timing.js";
 import { read, SHARED, write } from "../../../www/parts/address.js";
 import { checked } from "../../../www/camera/state.js";
 import { css, parse } from "../../../www/easing/value.js";

@@ -1,9 +1,8 @@
 // Reads the public interface from the declarations in dist/types: every exported class, function and type with its signatures, its
 // documentation and its members. The compiler API of TypeScript 6 is used because TypeScript 7 has none.
-import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import ts from "typescript-api";
-import { docOf, fieldsIn, typedefDocs } from "./jsdoc.js";
+import { docOf, fieldsIn } from "./jsdoc.js";
 
 const TYPES = fileURLToPath(new URL("../../../dist/types/", import.meta.url));
 
@@ -52,10 +51,7 @@ function addExport(found, name, symbol, checker) {
   if (ts.isClassDeclaration(declaration)) found.classes.push(classDoc(name, symbol, checker));
   else if (ts.isFunctionDeclaration(declaration)) found.functions.push(member(symbol, "function", name));
   else if (ts.isVariableDeclaration(declaration)) found.functions.push(variable(name, declaration, checker));
-  else if (ts.isTypeAliasDeclaration(declaration)) {
-    const type = typeDoc(name, declaration, checker);
-    if (type) found.types.push(type);
-  }
+  else if (isTypeDeclaration(declaration)) found.types.push(typeDoc(name, declaration, checker));
 }
 
 /** @param {string} name @param {ts.Symbol} symbol @param {ts.TypeChecker} checker @returns {ClassDoc} */
@@ -166,10 +162,10 @@ function parameterOf(parameter, doc) {
 /**
  * The fields of an object type: of a literal in place, or of a type alias of this package that is an object.
  *
- * @param {ts.TypeNode} node @param {Map<string, string>} documented @returns {Field[]}
+ * @param {ts.TypeNode | ts.InterfaceDeclaration} node @param {Map<string, string>} documented @returns {Field[]}
  */
 function fieldsOf(node, documented) {
-  if (!ts.isTypeLiteralNode(node)) return [];
+  if (!ts.isTypeLiteralNode(node) && !ts.isInterfaceDeclaration(node)) return [];
   return node.members.filter(ts.isPropertySignature).map((field) => {
     const name = field.name.getText() + (field.questionToken ? "?" : "");
     const doc = docOf(field).text || (documented.get(field.name.getText()) ?? "");
@@ -177,42 +173,38 @@ function fieldsOf(node, documented) {
   });
 }
 
-/** @param {string} name @param {ts.TypeAliasDeclaration} alias @param {ts.TypeChecker} checker @returns {TypeDoc | undefined} */
+/** @param {ts.Node} node @returns {node is ts.TypeAliasDeclaration | ts.InterfaceDeclaration} */
+const isTypeDeclaration = (node) => ts.isTypeAliasDeclaration(node) || ts.isInterfaceDeclaration(node);
+
+/** The members of an interface, in braces. @param {ts.InterfaceDeclaration} node */
+const bodyOf = (node) => `{ ${node.members.map((each) => each.getText()).join(" ")} }`;
+
+/** @param {string} name @param {ts.TypeAliasDeclaration | ts.InterfaceDeclaration} alias @param {ts.TypeChecker} checker @returns {TypeDoc} */
 function typeDoc(name, alias, checker) {
   const target = targetOf(alias, checker);
-  const docs = typedefDocs(sourceOf(target)).get(target.name.text) ?? docOf(target);
+  const { summary, details } = docOf(target);
   const parameters = target.typeParameters?.map((p) => p.getText()).join(", ");
-  const text = `type ${name}${parameters ? `<${parameters}>` : ""} = ${cleanType(target.type.getText())}`;
+  const text = `type ${name}${parameters ? `<${parameters}>` : ""} = ${cleanType(ts.isInterfaceDeclaration(target) ? bodyOf(target) : target.type.getText())}`;
   return {
     name,
     text,
-    summary: docs.summary,
-    details: docs.details,
-    fields: fieldsOf(target.type, new Map()),
+    summary,
+    details,
+    fields: ts.isInterfaceDeclaration(target) ? fieldsOf(target, new Map()) : fieldsOf(target.type, new Map()),
   };
 }
 
 /**
  * Follows `type A = import("…").A` to the declaration that says what A is.
  *
- * @param {ts.TypeAliasDeclaration} alias @param {ts.TypeChecker} checker @returns {ts.TypeAliasDeclaration}
+ * @param {ts.TypeAliasDeclaration | ts.InterfaceDeclaration} alias @param {ts.TypeChecker} checker @returns {ts.TypeAliasDeclaration | ts.InterfaceDeclaration}
  */
 function targetOf(alias, checker) {
-  if (!ts.isImportTypeNode(alias.type) || !alias.type.qualifier) return alias;
+  if (ts.isInterfaceDeclaration(alias) || !ts.isImportTypeNode(alias.type) || !alias.type.qualifier) return alias;
   const symbol = checker.getSymbolAtLocation(alias.type.qualifier);
-  const next = symbol?.declarations?.find(ts.isTypeAliasDeclaration);
+  const next = symbol?.declarations?.find(isTypeDeclaration);
   return next ? targetOf(next, checker) : alias;
 }
-
-/** The JavaScript that a declaration comes from: declarations lose the comment of a type that precedes something internal. @param {ts.Node} node */
-const sourceOf = (node) =>
-  readFileSync(
-    node
-      .getSourceFile()
-      .fileName.replace("/dist/types/", "/js/")
-      .replace(/\.d\.ts$/, ".js"),
-    "utf8",
-  );
 
 /** A type as it is shown: without comments and imports, on one line. @param {string} text */
 function cleanType(text) {

@@ -51,20 +51,3 @@ export function fieldsIn(text) {
   }
   return { fields, rest: rest.trim() };
 }
-
-/**
- * The comments of all `@typedef`s in a file: in declarations they stand apart from the types.
- *
- * @param {string} source
- * @returns {Map<string, { summary: string, details: string[] }>}
- */
-export function typedefDocs(source) {
-  const docs = new Map();
-  for (const [, comment] of source.matchAll(/\/\*\*((?:(?!\*\/)[\s\S])*@typedef(?:(?!\*\/)[\s\S])*)\*\//g)) {
-    const text = comment.replace(/^\s*\* ?/gm, "");
-    const before = text.slice(0, text.search(/^@/m));
-    const name = /@typedef\s+(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}\s*)(\w+)/.exec(text)?.[1];
-    if (name) docs.set(name, paragraphs(before));
-  }
-  return docs;
-}

@@ -1,9 +1,9 @@
 // Ray traces a surface: one ray through each pixel, one more to the light from each hit.
-import { rayThrough } from "../../../js/elements/surface/camera.js";
+import { rayThrough } from "#js/elements/surface/camera.js";
 
 /**
  * @import { Patch } from "casteljau/surfaces"
- * @import { Sight } from "../../../js/elements/surface/camera.js"
+ * @import { Sight } from "#js/elements/surface/camera.js"
  */
 
 /** @typedef {readonly number[]} Vector three numbers */

@@ -96,7 +96,7 @@ pub(crate) const STEPS: [Step; 20] = [
     },
     Step {
         name: "types",
-        title: "JSDoc types of the package, the site, tests and benchmarks, and of a program that uses the package",
+        title: "Types of the package, the site, tests and benchmarks, and of a program that uses the package",
         needs: &["build"],
         act: types,
         lane: Lane::JavaScript,

@@ -1,0 +1,38 @@
+// What comes from outside is checked here; every refusal names the argument, what was expected and what came.
+
+/** How a refused value is shown in a message. */
+export function kindOf(value: unknown): string {
+  if (typeof value === "string") return JSON.stringify(value);
+  if (value === null || typeof value !== "object") return typeof value === "function" ? "a function" : String(value);
+  if ("localName" in value) return `a <${value.localName}> element`;
+  return Array.isArray(value)
+    ? `an array of ${value.length}`
+    : Object.prototype.toString.call(value).slice("[object ".length, -1);
+}
+
+export function finiteNumber(value: unknown, name: string, expected: string): number {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected ${expected}, got ${kindOf(value)}`);
+  if (!Number.isFinite(value)) throw new RangeError(`${name}: expected ${expected}, got ${value}`);
+  return value;
+}
+
+export function pointPair(value: unknown, name: string): [number, number] {
+  const { 0: x, 1: y, length } = (isList(value) ? value : []) as ArrayLike<unknown>;
+  if (length !== 2) throw new TypeError(`${name}: expected [x, y], got ${kindOf(value)}`);
+  return [finiteNumber(x, `x of ${name}`, "a finite number"), finiteNumber(y, `y of ${name}`, "a finite number")];
+}
+
+/** Chains of cubics only: 4, 7, 10 … points. */
+export function pointsArray(value: unknown): [number, number][] {
+  if (!Array.isArray(value)) {
+    throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
+  }
+  if (value.length < 4 || value.length % 3 !== 1) {
+    throw new RangeError(`points: expected 4, 7, 10 … points (3n + 1), got ${value.length}`);
+  }
+  return Array.from(value, (point, i) => pointPair(point, `points[${i}]`));
+}
+
+function isList(value: unknown): boolean {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
+}

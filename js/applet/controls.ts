@@ -1,0 +1,118 @@
+// The bar below the picture: native form controls that call the applet and are set from its state.
+import { element } from "./dom.js";
+import { FEWEST_POINTS, JOINT_MODES, pointCount } from "./state.js";
+import type { State } from "./state.js";
+import type { JointMode } from "./state.js";
+import type { Layers } from "./state.js";
+
+/** What the controls do. */
+export interface ControlPort {
+  randomize: () => void;
+  toggle: () => void;
+  append: () => void;
+  setJoint: (mode: JointMode) => void;
+  setT: (t: number, done: boolean) => void;
+  setLayer: (name: keyof Layers, on: boolean) => void;
+}
+
+export interface Controls {
+  update: (state: State) => void;
+  /** Whether `r` and `m` count on the whole page */
+  pageWide: () => boolean;
+}
+
+const JOINT_NAMES: Record<JointMode, string> = { free: "Free", g1: "G1", c1: "C1" };
+const JOINT_TITLES: Record<JointMode, string> = {
+  free: "Points move alone",
+  g1: "P2, P3 and P4 stay aligned",
+  c1: "P2, P3 and P4 stay aligned, and P3 stays half-way",
+};
+const LAYER_NAMES: Record<keyof Layers, string> = {
+  polygon: "control polygon",
+  hull: "hull",
+  construction: "de Casteljau at t",
+  halves: "two halves at t",
+};
+const T_STEP = 0.01;
+/** Up to so many points P3 is the only joint. */
+const TWO_CUBICS = 7;
+
+/** Fills the bar. */
+export function createControls(bar: HTMLElement, port: ControlPort): Controls {
+  const page = bar.ownerDocument;
+  const [joints, layers, t, buttons] = [
+    jointSwitch(page, port),
+    layerBoxes(page, port),
+    tSlider(page, port),
+    pointButtons(page, port),
+  ];
+  const keys = element(page, "input", { type: "checkbox", checked: true });
+  const hint = element(
+    page,
+    "p",
+    { className: "hint" },
+    "Drag a point, or Tab to it and use the arrow keys. A double click adds a point.",
+    element(page, "label", {}, keys, "r and m on the whole page"),
+  );
+  bar.append(buttons.row, joints.group, t.label, layers.group, hint);
+  const update = (state: State) => [joints, layers, t, buttons].forEach((part) => part.update(state));
+  return { update, pageWide: () => keys.checked };
+}
+
+function pointButtons(page: Document, port: ControlPort) {
+  const button = (key: string, onclick: () => void, ...words: (Node | string)[]) =>
+    element(page, "button", { type: "button", onclick, ...(key && { "aria-keyshortcuts": key }) }, ...words);
+  const key = (letter: string) => element(page, "kbd", {}, letter);
+  const label = element(page, "span");
+  const toggle = button("m", port.toggle, label, " ", key("m"));
+  const randomize = button("r", port.randomize, "Randomize ", key("r"));
+  const row = element(page, "div", { className: "row" }, randomize, toggle, button("", port.append, "Add a point"));
+  const update = (state: State) => {
+    const most = pointCount(state);
+    label.textContent = state.shown === FEWEST_POINTS ? `Show ${most} points` : `Show ${FEWEST_POINTS} points`;
+    toggle.disabled = most === FEWEST_POINTS;
+  };
+  return { row, update };
+}
+
+function jointSwitch(page: Document, port: ControlPort) {
+  const radios = JOINT_MODES.map((mode) =>
+    element(page, "input", { type: "radio", name: "joint", value: mode, onchange: () => port.setJoint(mode) }),
+  );
+  const labels = JOINT_MODES.map((mode, i) =>
+    element(page, "label", { title: JOINT_TITLES[mode] }, radios[i], JOINT_NAMES[mode]),
+  );
+  const legend = element(page, "legend", {}, "At P3 hold");
+  const group = element(page, "fieldset", {}, legend, ...labels);
+  const update = (state: State) => {
+    legend.textContent = state.shown > TWO_CUBICS ? "At every joint hold" : "At P3 hold";
+    for (const radio of radios) radio.checked = radio.value === state.joint;
+  };
+  return { group, update };
+}
+
+function tSlider(page: Document, port: ControlPort) {
+  const slider = element(page, "input", { type: "range", min: "0", max: "1", step: String(T_STEP), "aria-label": "t" });
+  slider.addEventListener("input", () => port.setT(Number(slider.value), false));
+  slider.addEventListener("change", () => port.setT(Number(slider.value), true));
+  const output = element(page, "span", { className: "value", "aria-hidden": "true" }); // the slider tells its value itself
+  const label = element(page, "label", { className: "t" }, element(page, "i", {}, "t"), slider, output);
+  const update = ({ t }: State) => {
+    slider.value = String(t);
+    output.textContent = t.toFixed(2);
+  };
+  return { label, update };
+}
+
+function layerBoxes(page: Document, port: ControlPort) {
+  const names = Object.keys(LAYER_NAMES) as (keyof Layers)[];
+  const boxes = names.map((name) => {
+    const box = element(page, "input", { type: "checkbox", name });
+    box.addEventListener("change", () => port.setLayer(name, box.checked));
+    return box;
+  });
+  const labels = names.map((name, i) => element(page, "label", {}, boxes[i], LAYER_NAMES[name]));
+  const group = element(page, "fieldset", {}, element(page, "legend", {}, "Show"), ...labels);
+  const update = ({ layers }: State) => names.forEach((name, i) => (boxes[i].checked = layers[name]));
+  return { group, update };
+}

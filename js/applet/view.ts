@@ -1,0 +1,135 @@
+// The frame around the canvas: a host element with a shadow root, in which the canvas is slotted.
+import { element } from "./dom.js";
+import { adoptStyle } from "./style.js";
+import { INSTRUCTIONS, TITLE } from "./words.js";
+import type { Box } from "./state.js";
+
+export interface View {
+  /** Stands where the canvas stood */
+  host: HTMLElement;
+  /** The picture with its handles */
+  stage: HTMLElement;
+  /** Lies exactly over the canvas; holds the handles */
+  overlay: HTMLElement;
+  /** The picture in words, for screen readers */
+  description: HTMLElement;
+  /** The short form of what holds at P3 */
+  verdict: HTMLElement;
+  /** The long form */
+  label: HTMLElement;
+  /** Where changes are announced */
+  live: HTMLElement;
+  /** From which colours are read */
+  probe: HTMLElement;
+  /** Empty at first */
+  controls: HTMLElement;
+  /** Puts the page back as it was */
+  unwrap: () => void;
+}
+
+/** The host carries this attribute, so that pages can style it. */
+const HOST_ATTRIBUTE = "data-bezier-applet";
+
+/** Wraps the canvas. */
+export function createView(canvas: HTMLCanvasElement, box: Box): View {
+  const page = canvas.ownerDocument;
+  const parts = createParts(page);
+  const host = element(page, "div", { [HOST_ATTRIBUTE]: "" });
+  host.style.setProperty("inline-size", `${box.width}px`);
+  host.style.setProperty("--bz-box", `${box.width} / ${box.height}`);
+  host.style.margin = margins(canvas);
+  const root = host.attachShadow({ mode: "open" });
+  adoptStyle(root);
+  root.append(parts.frame);
+  const unwrap = wrap(canvas, host);
+  return { host, ...parts, unwrap };
+}
+
+function createParts(page: Document) {
+  const make = element.bind(null, page);
+  const overlay = make("div", { className: "overlay", part: "overlay" });
+  const description = make("p", { className: "away", id: "description" });
+  const verdict = make("span", { className: "verdict", part: "verdict" });
+  const label = make("span", {});
+  const live = make("p", { className: "away", role: "status" });
+  const probe = make("span", { className: "probe", hidden: true });
+  const controls = make("div", { className: "controls", part: "controls" });
+  const stage = make(
+    "div",
+    { className: "stage", part: "stage", role: "figure", "aria-label": TITLE, "aria-describedby": "description" },
+    make("p", { className: "away" }, INSTRUCTIONS),
+    description,
+    make("slot"),
+    overlay,
+  );
+  const status = make("p", { className: "status", part: "status" }, verdict, label);
+  const frame = make("div", { className: "frame", part: "frame" }, stage, status, controls, live, probe);
+  return { frame, stage, overlay, description, verdict, label, live, probe, controls };
+}
+
+/** The canvas's own margins, which the host takes over; a block with equal ones at its sides is taken to be centred. */
+function margins(canvas: HTMLCanvasElement): string {
+  const { display, marginTop, marginRight, marginBottom, marginLeft } = getComputedStyle(canvas);
+  const centred = display === "block" && marginLeft === marginRight && marginLeft !== "0px";
+  return centred ? `${marginTop} auto ${marginBottom}` : `${marginTop} ${marginRight} ${marginBottom} ${marginLeft}`;
+}
+
+/** Puts the host in the canvas's place and the canvas into the host; returns what undoes it. */
+function wrap(canvas: HTMLCanvasElement, host: HTMLElement): () => void {
+  const changed = ["width", "height", "aria-hidden"].map((name) => ({ name, value: canvas.getAttribute(name) }));
+  canvas.replaceWith(host);
+  canvas.setAttribute("aria-hidden", "true"); // else its fallback text is read, though the picture is there
+  host.append(canvas);
+  return () => {
+    for (const { name, value } of changed) {
+      if (value === null) canvas.removeAttribute(name);
+      else canvas.setAttribute(name, value);
+    }
+    host.replaceWith(canvas);
+  };
+}
+
+/**
+ * Keeps the canvas as sharp as the display, and the overlay over it.
+ *
+ * @param resized called with the width in CSS pixels after every change of size, and once at the start
+ * @returns ends it
+ */
+export function followSize(canvas: HTMLCanvasElement, view: View, resized: (width: number) => void): () => void {
+  const observer = new ResizeObserver((entries) => {
+    const { width, height } = devicePixels(canvas, entries[entries.length - 1]);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    coverCanvas(canvas, view.overlay);
+    resized(canvas.clientWidth);
+  });
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas); // Safari before 26 does not know device pixels
+  }
+  return () => observer.disconnect();
+}
+
+/**
+ * The exact number of device pixels where the browser tells it. The tools that pretend to be another display do not
+ * (Chromium then reports CSS pixels): what differs from the ratio by more than rounding is not believed.
+ */
+function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
+  const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
+  const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
+  const told = entry.devicePixelContentBoxSize?.[0];
+  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
+  return {
+    width: Math.max(1, exact ? told.inlineSize : Math.round(width)),
+    height: Math.max(1, exact ? told.blockSize : Math.round(height)),
+  };
+}
+
+/** The canvas lies at the stage's upper left corner; the overlay leaves a border of it free. */
+function coverCanvas({ clientLeft, clientTop, clientWidth, clientHeight }: HTMLCanvasElement, overlay: HTMLElement) {
+  overlay.style.left = `${clientLeft}px`;
+  overlay.style.top = `${clientTop}px`;
+  overlay.style.width = `${clientWidth}px`;
+  overlay.style.height = `${clientHeight}px`;
+}

@@ -1,0 +1,89 @@
+// Words on the page: the label at P3 at once; for screen readers, a little later, what has changed.
+import { description, jointLabel } from "./words.js";
+import type { State } from "./state.js";
+import type { Derived } from "./derive.js";
+import type { View } from "./view.js";
+
+/** So long after the last change something is said: a drag is told once. */
+const PAUSE_MS = 500;
+
+/** Announces what has changed, once nothing has changed for a while. */
+export class Speaker {
+  #live;
+  #news;
+  #words = "";
+  #timer = 0;
+
+  /**
+   * @param news asked for just before something is said: what else there is to say
+   */
+  constructor(live: HTMLElement, news: () => string) {
+    this.#live = live;
+    this.#news = news;
+  }
+
+  say(words: string = this.#words) {
+    this.#words = words;
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => this.#speak(), PAUSE_MS);
+  }
+
+  end() {
+    clearTimeout(this.#timer);
+  }
+
+  #speak() {
+    const words = [this.#words, this.#news()].filter(Boolean).join(". ");
+    if (words) this.#live.textContent = words;
+    this.#words = "";
+  }
+}
+
+export class Voice {
+  #view;
+  #shown: { state: State; derived: Derived } | null = null;
+  #told = "";
+  #speaker;
+
+  constructor(view: View) {
+    this.#view = view;
+    this.#speaker = new Speaker(view.live, () => this.#news());
+  }
+
+  show(state: State, derived: Derived) {
+    const { verdict, text } = jointLabel(derived);
+    setText(this.#view.verdict, verdict);
+    this.#view.verdict.dataset.verdict = verdict;
+    setText(this.#view.label, text);
+    if (this.#shown?.state === state) return;
+    const first = this.#shown === null;
+    this.#shown = { state, derived };
+    if (!first) return this.#speaker.say();
+    this.#told = verdict; // what is there from the start is described, not announced
+    this.#news();
+  }
+
+  /** @param words announced together with what has changed at P3 */
+  say(words: string) {
+    this.#speaker.say(words);
+  }
+
+  end() {
+    this.#speaker.end();
+  }
+
+  #news() {
+    if (!this.#shown) return "";
+    const { state, derived } = this.#shown;
+    setText(this.#view.description, description(state, derived));
+    const { verdict, text } = jointLabel(derived);
+    const news = verdict === this.#told ? "" : text;
+    this.#told = verdict;
+    return news;
+  }
+}
+
+/** Only where it differs: a text node that is replaced for nothing costs a layout. */
+export function setText(element: HTMLElement, text: string) {
+  if (element.textContent !== text) element.textContent = text;
+}

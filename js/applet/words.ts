@@ -1,0 +1,66 @@
+// What the applet says: the label at P3, the description of the figure, the announcements.
+import { FEWEST_POINTS, POINTS_PER_SEGMENT } from "./state.js";
+import type { State } from "./state.js";
+import type { Derived } from "./derive.js";
+
+export type Label = { verdict: "C1" | "G1" | "C0" | ""; text: string };
+
+const RADIAN_IN_DEGREES = 180 / Math.PI;
+
+export const TITLE = "Bézier curve with control points that can be moved";
+
+export const INSTRUCTIONS =
+  "Every control point is a pair of sliders, x and y. Tab goes from point to point in the order of the curve. " +
+  "The arrow keys move a point by 1 pixel, with Shift by 10, with Alt by a tenth.";
+
+/** What is true at P3, and nothing else. */
+export function jointLabel({ continuity, points }: Derived): Label {
+  if (!continuity) return { verdict: "", text: "One cubic Bézier curve: P0 to P3, no joint." };
+  if (continuity.c1) return { verdict: "C1", text: "P2, P3, P4 aligned and |P2P3| = |P3P4|: G1 and C1 at P3." };
+  const lengths = `${distance(points[2], points[3])} and ${distance(points[3], points[4])}`;
+  if (continuity.g1) {
+    return {
+      verdict: "G1",
+      text: `P2, P3, P4 aligned: G1 at P3. C1 when |P2P3| = |P3P4|; now ${lengths}.`,
+    };
+  }
+  const angle = degrees(continuity.angle);
+  const turn = Number.isFinite(continuity.angle) ? `the tangent turns by ${angle}` : "no tangent on one side";
+  return { verdict: "C0", text: `Broken at P3: ${turn}. P2, P3, P4 are not aligned.` };
+}
+
+function distance(a: number[], b: number[]): string {
+  return String(Math.round(10 * Math.hypot(a[0] - b[0], a[1] - b[1])) / 10);
+}
+
+/** Two digits at least, so that a small angle does not read as none. */
+function degrees(radians: number): string {
+  const value = Math.abs(radians) * RADIAN_IN_DEGREES;
+  return `${value >= 10 ? Math.round(value) : Number(value.toPrecision(2))}°`;
+}
+
+export function isOnCurve(index: number): boolean {
+  return index % POINTS_PER_SEGMENT === 0;
+}
+
+/** The picture in words. */
+export function description(state: State, derived: Derived): string {
+  const { points } = derived;
+  const segments = (points.length - 1) / POINTS_PER_SEGMENT;
+  const kind = segments === 1 ? "One cubic Bézier curve" : `${segments} cubic Bézier curves joined end to end`;
+  const anchors = points.map(place).filter((_, i) => isOnCurve(i));
+  const handles = points.map(place).filter((_, i) => !isOnCurve(i));
+  return (
+    `${kind} through ${anchors.join(", ")}, with ${handles.join(", ")} off the curve. ` +
+    `${jointLabel(derived).text} t is ${state.t.toFixed(2)}.`
+  );
+}
+
+export function place([x, y]: number[], index: number): string {
+  return `P${index} at ${Math.round(x)}, ${Math.round(y)}`;
+}
+
+/** How many points are shown, for the button and the announcement. */
+export function shownWords(state: State): string {
+  return state.shown === FEWEST_POINTS ? "4 points shown: one cubic" : `${state.shown} points shown`;
+}

@@ -1,0 +1,149 @@
+// The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
+import { LitElement } from "lit";
+import { acceptAttributeText } from "../attribute-text.js";
+import { withJoints } from "./edits.js";
+import { FIELDS } from "./fields.js";
+import { firstState } from "./state.js";
+import type { State } from "./state.js";
+
+/** What goes without saying is no attribute. */
+const text = (first: string) => ({
+  converter: {
+    fromAttribute: (value: string | null) => value ?? first,
+    toAttribute: (value: unknown) => (value === first ? null : String(value)),
+  },
+  reflect: true,
+});
+/** true and false as well as the words of an attribute. */
+const converter = {
+  fromAttribute: (value: string | null) => value,
+  toAttribute: (value: unknown) => (value === true ? "" : value === false || value === null ? null : String(value)),
+};
+
+/** Keeps the state and the attributes the same. */
+export class AppletAttributes extends LitElement {
+  declare controls: string | boolean | null;
+  declare readonly: boolean;
+  declare hotkeys: string;
+  declare theme: string;
+  declare label: string;
+
+  static properties = {
+    controls: { converter, reflect: true },
+    readonly: { type: Boolean, reflect: true },
+    hotkeys: text("on"),
+    theme: text("auto"),
+    label: text(""),
+  };
+
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+    return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
+  }
+
+  static get observedAttributes() {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on
+    return [...super.observedAttributes, ...Object.keys(FIELDS)];
+  }
+
+  #state: State = firstState();
+  /** Attributes that have been written from outside and not yet been read. */
+  #unread: Set<string> = new Set();
+  /** What was wrong with an attribute. */
+  #problems: Map<string, string> = new Map();
+  /** What the attributes say, or what the state said when they were read. */
+  #known: Map<string, string> = new Map(Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#state)]));
+  #writing = false;
+
+  constructor() {
+    super();
+    this.controls = null;
+    this.readonly = false;
+    this.hotkeys = "on";
+    this.theme = "auto";
+    this.label = "";
+  }
+
+  /**
+   * @internal
+   * @returns what is shown now, the attributes read
+   */
+  now(): State {
+    if (this.#unread.size) this.#read();
+    return this.#state;
+  }
+
+  /**
+   * @internal
+   */
+  become(state: State) {
+    this.now();
+    this.#state = state;
+  }
+
+  /** @internal What is wrong with the attributes. */
+  get problems() {
+    return [...this.#problems.values()];
+  }
+
+  attributeChangedCallback(name: string, before: string | null, value: string | null) {
+    if (!Object.hasOwn(FIELDS, name)) return super.attributeChangedCallback(name, before, value);
+    if (this.#writing) return;
+    this.#unread.add(name);
+    this.requestUpdate();
+  }
+
+  /** What cannot be used is told of, and the last good one stays. */
+  #read() {
+    const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
+    this.#unread.clear();
+    for (const name of names) {
+      this.#problems.delete(name);
+      try {
+        this.#state = this.#readOne(name, this.getAttribute(name));
+      } catch (error) {
+        this.#problems.set(name, error instanceof Error ? error.message : String(error));
+      }
+    }
+    if (names.includes("joints")) this.#state = withJoints(this.#state, this.#state.joints);
+    for (const name of names) this.#known.set(name, FIELDS[name].write(this.#state));
+  }
+
+  /**
+   * @param given null: as at first
+   */
+  #readOne(name: string, given: string | null): State {
+    const { parse, put, get } = FIELDS[name];
+    return put(this.#state, given === null ? get(firstState()) : parse(given));
+  }
+
+  /** @internal What has changed otherwise than by an attribute is written into it. */
+  reflectState() {
+    const state = this.now();
+    this.#writing = true;
+    for (const [name, { write }] of Object.entries(FIELDS)) {
+      const value = write(state);
+      if (value === this.#known.get(name)) continue;
+      this.#known.set(name, value);
+      this.#problems.delete(name);
+      if (name === "mode" && value === "") this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    }
+    this.#writing = false;
+  }
+}
+
+for (const name of Object.keys(FIELDS)) {
+  if (["points", "joints", "t"].includes(name)) continue; // these are data, see element.js
+  Object.defineProperty(AppletAttributes.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: any) {
+      return FIELDS[name].write(this.now());
+    },
+    set(this: HTMLElement, value: unknown) {
+      if (value === null || value === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, String(value));
+    },
+  });
+}

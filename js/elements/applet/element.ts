@@ -1,0 +1,104 @@
+import { css, html } from "lit";
+import { adoptProperties } from "../adopt.js";
+import { AppletEditing } from "./editing.js";
+import { FIELDS } from "./fields.js";
+import { MISSING } from "../loading.js";
+import { loadDrawing } from "./loading.js";
+import { reportOf } from "./report.js";
+
+/** The element begins its work when it is so near to what is seen of the page. */
+const NEAR = "300px";
+
+/** `<bezier-applet>`; what can be set from outside is documented in ../types.js. */
+export class BezierApplet extends AppletEditing {
+  /** Until the rest has come: as large as it will be, with what the page put into it. */
+  static styles = css`
+    :host { display: block; box-sizing: border-box; inline-size: 670px; max-inline-size: 100%; }
+    :host([hidden]) { display: none; }
+    .poster { aspect-ratio: 670 / 480; }
+    .poster ::slotted(*) { inline-size: 100%; block-size: 100%; }
+  `;
+  #watch: IntersectionObserver | null = null;
+  #hands: import("./hands.js").Hands | null = null;
+  /** Whether it is near, or was since it came into the page. */
+  #near = false;
+  #told: import("./state.js").State | null = null;
+
+  /** What is shown, as companions read it. */
+  get figure() {
+    return reportOf(this.now(), this.made());
+  }
+
+  /** The picture with all its layers. */
+  async toSVG(): Promise<string> {
+    return (await this.#loaded()).toSVG();
+  }
+
+  /** The picture as a PNG; null before it has been near. */
+  async toBlob(): Promise<Blob | null> {
+    return (await this.#loaded()).toBlob();
+  }
+
+  /** A program that makes the same curve. */
+  async toCode(language: import("./export.js").Language): Promise<string> {
+    return (await this.#loaded()).toCode(language);
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    adoptProperties(this, ["state", "points", "joints", ...Object.keys(FIELDS)]);
+    this.#watch ??= new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), {
+      rootMargin: NEAR,
+    });
+    this.#watch.observe(this);
+  }
+
+  disconnectedCallback() {
+    super.disconnectedCallback();
+    this.#watch?.disconnect();
+    this.#near = false;
+    this.#hands?.end();
+    this.settle();
+  }
+
+  async #seen(near: boolean) {
+    if (!near || this.#near || !this.isConnected) return;
+    this.#near = true;
+    try {
+      await this.#loaded();
+      if (this.message === MISSING) this.say("");
+    } catch {
+      this.#near = false;
+      this.say(MISSING);
+    }
+    this.requestUpdate();
+  }
+
+  async #loaded() {
+    if (this.#hands) return this.#hands;
+    const { Hands, style } = await loadDrawing();
+    if (this.#hands) return this.#hands; // two have waited
+    const root = (this.renderRoot ?? this.createRenderRoot()) as ShadowRoot;
+    root.adoptedStyleSheets = [...root.adoptedStyleSheets, style.styleSheet as CSSStyleSheet];
+    this.#hands = new Hands(this);
+    this.requestUpdate();
+    await this.updateComplete;
+    return this.#hands;
+  }
+
+  updated() {
+    if (this.#near && this.isConnected) this.#hands?.start();
+    if (!this.history.open) this.reflectState();
+    if (this.#told === this.now()) return;
+    this.#told = this.now();
+    this.#hands?.speaker?.say();
+    this.dispatchEvent(new Event("update"));
+  }
+
+  render() {
+    return (
+      this.#hands?.template() ??
+      html`<slot name="label"></slot><div class="poster"><slot name="poster"><slot></slot></slot></div>${this.message}<slot name="caption"></slot>`
+    );
+  }
+}

@@ -1,0 +1,66 @@
+import { html, nothing } from "lit";
+import { panel } from "./panel.js";
+import { keys } from "./tools.js";
+import { INSTRUCTIONS } from "./words.js";
+
+/**
+ * Everything in the shadow root.
+ *
+ * @slot label - a title above the picture
+ * @slot caption - a text below it
+ * @slot default - the poster, if no element has `slot="poster"`
+ * @slot poster - shown before the picture is drawn, without scripts and in print: for example an SVG
+ * @slot coordinates - the table of the panel
+ * @csspart frame - picture, message and panel
+ * @csspart stage - the picture with its handles
+ * @csspart canvas - the picture
+ * @csspart overlay - the layer of the handles
+ * @csspart handle - each handle (its hit area)
+ * @csspart message - an error message
+ * @csspart controls - the panel
+ * @csspart joints - the continuity at each joint
+ * @fires input - during a change by the user
+ * @fires change - at the end of a change by the user
+ * @fires update - after every change, by the user or the page; does not bubble
+ * @param parts.name what the picture is called
+ * @param parts.message an error message
+ * @param parts.good whether the message is good news
+ * @param parts.cursor how the picture can be used
+ * @param parts.panel null: none
+ */
+export function frame({
+  name,
+  message,
+  good,
+  cursor,
+  panel: port,
+}: {
+  name: string;
+  message: string;
+  good: boolean;
+  cursor: string;
+  panel: import("./panel.js").PanelPort | null;
+}) {
+  return html`<slot name="label"></slot>
+    <div class="frame" part="frame" @input=${stop} @change=${stop}>
+      <div class="stage" part="stage" role="figure" aria-label=${name} aria-describedby="description">
+        ${picture(cursor)}
+      </div>
+      <p class=${good ? "message good" : "message"} part="message" ?hidden=${!message}>${message}</p>
+      ${port ? panel(port) : nothing} ${keys}
+      <p class="away" role="status"></p>
+      <span class="probe" hidden></span>
+    </div>
+    <slot name="caption"></slot>`;
+}
+
+const picture = (cursor: string) => html`<p class="away">${INSTRUCTIONS}</p>
+  <p class="away" id="description"></p>
+  <canvas part="canvas" aria-hidden="true" width="1" height="1"></canvas>
+  <div class=${`overlay ${cursor}`} part="overlay"></div>`;
+
+/** Events of the controls stay inside, as the element fires its own; those of what the page put in go on. */
+function stop(event: Event) {
+  const [target, here] = [event.target as Node, event.currentTarget as Node];
+  if (target.getRootNode() === here.getRootNode()) event.stopPropagation();
+}

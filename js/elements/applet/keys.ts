@@ -1,0 +1,83 @@
+// The keyboard: `r` and `m` from the whole page, everything else while the focus is inside.
+import { addKeyTarget, keyTarget } from "../../applet/key-targets.js";
+import { arrowStep, isForText, isPlain } from "../../applet/keys.js";
+
+export interface KeyPort {
+  /** Whether there are no keys but the arrows */
+  off: () => boolean;
+  /** The point that has the focus; −1 for none */
+  pointOf: (event: Event) => number;
+  nudge: (index: number, step: [number, number]) => void;
+  /** The key is up again */
+  settled: () => void;
+  escape: () => boolean;
+  remove: (index: number, bare: boolean) => void;
+  /** Another mode for a joint; false where there is none */
+  cycle: (index: number) => boolean;
+  insert: () => void;
+  undo: () => void;
+  redo: () => void;
+  randomize: () => void;
+  toggle: () => void;
+  help: () => void;
+}
+
+export function listenToKeys(host: HTMLElement, port: KeyPort) {
+  host.addEventListener("keydown", (event) => {
+    const elsewhere =
+      event.defaultPrevented ||
+      isForText(event) ||
+      event.composedPath().some((each) => each instanceof HTMLDialogElement);
+    if (!elsewhere && pressed(event, port)) event.preventDefault();
+  });
+  for (const type of ["keyup", "focusout"]) host.addEventListener(type, () => port.settled());
+}
+
+/**
+ * Listens to `r` and `m` on the page, which count if the element is under the pointer or the only applet in view.
+ *
+ * @returns stops listening
+ */
+export function listenToPage(host: HTMLElement, port: KeyPort): () => void {
+  const page = host.ownerDocument;
+  const removeTarget = addKeyTarget(host);
+  const listener = (event: KeyboardEvent) => {
+    const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()];
+    if (!act || port.off() || !isPlain(event) || isForText(event)) return;
+    const target = keyTarget(event, page);
+    if (target.focused || target.host !== host) return;
+    event.preventDefault();
+    act();
+  };
+  page.addEventListener("keydown", listener);
+  return () => {
+    removeTarget();
+    page.removeEventListener("keydown", listener);
+  };
+}
+
+/**
+ * @returns whether it was used
+ */
+function pressed(event: KeyboardEvent, port: KeyPort): boolean {
+  const index = port.pointOf(event);
+  const step = index < 0 ? null : arrowStep(event);
+  if (step) return used(port.nudge(index, step));
+  if (event.key === "Escape") return port.escape();
+  if (port.off() || event.isComposing) return false;
+  if (event.ctrlKey || event.metaKey) return commanded(event, port);
+  if (event.altKey || event.repeat) return false;
+  if (index >= 0 && event.key === "Enter") return port.cycle(index);
+  if (index >= 0 && ["Delete", "Backspace"].includes(event.key)) return used(port.remove(index, event.shiftKey));
+  const act = { r: port.randomize, m: port.toggle, i: port.insert, "?": port.help }[(event.key ?? "").toLowerCase()];
+  return act !== undefined && used(act());
+}
+
+function commanded(event: KeyboardEvent, port: KeyPort) {
+  const key = (event.key ?? "").toLowerCase();
+  if (key === "y" || (key === "z" && event.shiftKey)) return used(port.redo());
+  return key === "z" && used(port.undo());
+}
+
+/** @param _ what was done */
+const used = (_: unknown) => true;

@@ -1,0 +1,120 @@
+// Places of the curve that stand out: its exact box, extrema, inflections.
+import { POLYGON_WIDTH, stroke, TANGENT_WIDTH } from "../../../applet/pen.js";
+import { strokesAcross } from "./base.js";
+import { dashed, hollows } from "./sheet.js";
+import { ways } from "./ways.js";
+import type { Curve } from "../../../index.js";
+import type { Sheet } from "./sheet.js";
+import type { Figure } from "../figure.js";
+
+const EXTREMUM_HALF = 26;
+const INFLECTION_HALF = 10;
+
+export const bounds = {
+  name: "bounds",
+  title: "Exact boxes",
+  costly: true as const,
+
+  derive: ({ pieces }: Figure) => ({
+    boxes: pieces.map(({ curve }) => curve.bounds()),
+    touches: pieces.flatMap(({ curve }) => extremaOf(curve).points),
+  }),
+
+  draw(sheet: Sheet, { boxes, touches }: { boxes: ReturnType<Curve["bounds"]>[]; touches: number[] }) {
+    for (const { min, max } of boxes) {
+      sheet.lens.polygon([min.x, min.y, max.x, min.y, max.x, max.y, min.x, max.y]);
+      dashed(sheet, sheet.theme.quiet, POLYGON_WIDTH);
+    }
+    hollows(sheet, touches, sheet.theme.quiet);
+  },
+
+  tell({ boxes }: { boxes: ReturnType<Curve["bounds"]>[] }) {
+    const range = (axis: "x" | "y") =>
+      `${axis} from ${short(Math.min(...boxes.map(({ min }) => min[axis])))} to ${short(Math.max(...boxes.map(({ max }) => max[axis])))}`;
+    return boxes.length ? `Exact box: ${range("x")}, ${range("y")}` : "";
+  },
+};
+
+export const extrema = {
+  name: "extrema",
+  title: "Extrema",
+  costly: true as const,
+
+  derive({ pieces }: Figure) {
+    const found = pieces.map(({ curve }) => extremaOf(curve));
+    return {
+      points: found.flatMap(({ points }) => points),
+      strokes: found.flatMap(({ strokes }) => strokes),
+      ts: found.map(({ ts }) => ts),
+    };
+  },
+
+  draw(sheet: Sheet, { points, strokes }: { points: number[]; strokes: number[] }) {
+    strokesAcross(sheet, strokes, EXTREMUM_HALF);
+    stroke(sheet, sheet.theme.level1, TANGENT_WIDTH);
+    hollows(sheet, points, sheet.theme.level1);
+  },
+
+  tell: ({ ts }: { ts: number[][] }) => list("Extrema", ts),
+};
+
+/**
+ * Inner extrema of x, then of y.
+ *
+ * @returns `strokes`: the points with the directions of their tangents
+ */
+export function extremaOf(curve: Curve): { ts: number[]; points: number[]; strokes: number[] } {
+  const { x, y } = curve.extrema();
+  const ts = [...x, ...y];
+  const points = [...curve.evalAt(ts)];
+  const strokes = ts.flatMap((_, k) => [points[2 * k], points[2 * k + 1], ...(k < x.length ? [0, 1] : [1, 0])]);
+  return { ts, points, strokes };
+}
+
+export const inflections = {
+  name: "inflections",
+  title: "Inflections",
+  costly: true as const,
+
+  derive({ pieces }: Figure) {
+    const ts = pieces.map(({ curve }) => [...curve.inflections()]);
+    const across = pieces.flatMap(({ curve }, k) => [...ways(curve, ts[k])]);
+    return { ts, across, kinds: pieces.map(({ curve }) => curve.classify()) };
+  },
+
+  /** A stroke along the curve's normal, and a hollow mark. */
+  draw(sheet: Sheet, { across }: { across: number[] }) {
+    const strokes = across.map((value, i) => (i % 4 === 2 ? -across[i + 1] : i % 4 === 3 ? across[i - 1] : value));
+    strokesAcross(sheet, strokes, INFLECTION_HALF);
+    stroke(sheet, sheet.theme.level2, 2);
+    hollows(
+      sheet,
+      across.filter((_, i) => i % 4 < 2),
+      sheet.theme.level2,
+    );
+  },
+
+  tell: ({ ts, kinds }: { ts: number[][]; kinds: string[] }) =>
+    kinds.length ? `${list("Inflections", ts)} (${few(kinds).join(", ")})` : "",
+};
+
+/** More than these are not listed. */
+const MOST_LISTED = 6;
+
+/**
+ * @param ts of each piece
+ */
+function list(what: string, ts: number[][]) {
+  const all = ts.flatMap((each, k) =>
+    each.map((t) => (ts.length > 1 ? `${t.toFixed(3)} on piece ${k + 1}` : t.toFixed(3))),
+  );
+  return all.length ? `${what} at t = ${few(all).join(", ")}` : `${what}: none inside`;
+}
+
+function few(all: string[]) {
+  return all.length > MOST_LISTED ? [...all.slice(0, MOST_LISTED), "…"] : all;
+}
+
+export function short(value: number) {
+  return String(Math.round(10 * value) / 10);
+}

@@ -1,0 +1,132 @@
+// The controls below the picture: native form controls, in groups; what is used less is folded.
+import { html, nothing } from "lit";
+import { box, button, choice, icon, slider } from "./controls.js";
+import { savings } from "./saving.js";
+import { LAYERS } from "./layers/index.js";
+import { tools } from "./tools.js";
+import { BASES, BASIS_NAMES, LABELS, LAYER_NAMES, MODES, rangeOfT, withLayer } from "./state.js";
+import { jointWords, MODE_NAMES } from "./words.js";
+import type { State } from "./state.js";
+
+/** What the panel knows and does. */
+export interface PanelPort {
+  state: State;
+  figure: import("./figure.js").Figure;
+  joints: import("./words.js").JointFacts[];
+  modes: import("./state.js").JointMode[];
+  /** What the layers tell */
+  tells: readonly { name: string; words: string }[];
+  /** Whether a group of controls is wanted */
+  shows: (group: string) => boolean;
+  readonly: boolean;
+  playing: boolean;
+  /** Whether taps move the chosen point */
+  tapping: boolean;
+  /** The point that was touched last; −1 for none */
+  chosen: number;
+  can: { undo: boolean; redo: boolean; insert: boolean };
+  set: (change: (state: State) => State) => void;
+  /** A field of the state */
+  put: (name: string, value: unknown, done?: boolean) => void;
+  act: import("./acting.js").Actions;
+  hold: (joint: number, mode: string) => void;
+  zoom: (factor: number) => void;
+  code: string;
+  language: string;
+}
+
+export function panel(port: PanelPort) {
+  const { shows, readonly } = port;
+  return html`${shows("joints") ? joints(port) : nothing}
+    <div class="controls" part="controls">
+      ${shows("t") ? parameter(port) : nothing} ${shows("points") && !readonly ? actions(port) : nothing}
+      ${shows("curve") ? kind(port) : nothing} ${shows("show") ? layers(port) : nothing}
+      ${shows("coordinates") && !readonly ? coordinates : nothing} ${shows("save") ? savings(port) : nothing}
+    </div>`;
+}
+
+/** A row for each joint: what is true there, and what is held. */
+function joints({ joints: facts, modes, hold, readonly }: PanelPort) {
+  if (!facts.length) return nothing;
+  return html`<ul class="joints" part="joints">${facts.map(
+    (each, k) => html`<li>
+    <span class="verdict" data-verdict=${each.verdict}>${each.verdict}</span>
+    ${modes[k] ? choice(html`At <b>${each.at}</b> hold`, MODES, modes[k], MODE_NAMES, (mode) => hold(k + 1, mode), readonly) : html`<span>At <b>${each.at}</b></span>`}
+    <span class="fact">${jointWords(each)}</span></li>`,
+  )}</ul>`;
+}
+
+function parameter(port: PanelPort) {
+  const { state, figure, playing, act, put, shows } = port;
+  const [least, most] = rangeOfT(state);
+  const count = figure.pieces.length;
+  const segments = Array.from({ length: count }, (_, k) => String(k));
+  const names = Object.fromEntries(segments.map((k) => [k, String(Number(k) + 1)]));
+  return html`<div class="t">
+    <button type="button" class="icon" aria-label=${playing ? "Pause" : "Play t"} title=${playing ? "Pause" : "Play t"} @click=${act.play}>${playing ? icon("M8 5v14M16 5v14") : icon("M7 4l13 8-13 8z", true)}</button>
+    ${slider(html`<i>t</i>`, "t", state.t, { min: least, max: most, step: 0.01 }, (t, done) => put("t", t, done))}
+    ${count > 1 ? choice("segment", segments, String(Math.min(state.segment, count - 1)), names, (k) => put("segment", Number(k))) : nothing}
+    ${shows("zoom") ? tools(port) : nothing}
+  </div>`;
+}
+
+function actions({ state, figure, act, can, chosen, tapping }: PanelPort) {
+  const all = state.shown === state.points.length;
+  const name = figure.names[chosen];
+  return html`<div class="row" role="group" aria-label="Points">
+    ${button(icon("M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5"), act.undo, { name: "Undo", off: !can.undo })}
+    ${button(icon("M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5"), act.redo, { name: "Redo", off: !can.redo })}
+    ${button("Add a point", act.append)} ${button(name ? `Remove ${name}` : "Remove", act.removeChosen, { off: !name })}
+    ${button(html`Split at <i>t</i>`, act.insert, { key: "i", off: !can.insert })} ${button(all ? "Fewer points" : `All ${state.points.length} points`, act.toggle, { key: "m" })}
+    ${button("Randomize", act.randomize, { key: "r" })} ${button("Move by taps", act.tapping, { pressed: tapping })}
+    ${button("Reset", act.reset)} ${button("Keys", act.help, { key: "?" })}
+  </div>`;
+}
+
+function kind({ state, put, readonly }: PanelPort) {
+  const degrees = ["1", "2", "3", "4", "5", "6", "n"];
+  const degree = String(state.degree);
+  return html`<fieldset ?disabled=${readonly}><legend class="away">Curve</legend>
+    ${choice("Basis", BASES, state.basis, BASIS_NAMES, (basis) => put("basis", basis))}
+    ${state.basis === "bezier" || state.basis === "b-spline" ? choice("Degree", degrees.includes(degree) ? degrees : [degree, ...degrees], degree, { n: "n: one curve" }, (n) => put("degree", n === "n" ? n : Number(n))) : nothing}
+    ${choice("Names", LABELS, state.labels, { P0: "P0 P1 …", P1: "P1 P2 …", b0: "b₀ b₁ …", p0: "p0 p1 …" }, (labels) => put("labels", labels))}
+    ${state.basis === "matrix" ? matrix(state, put) : nothing}
+  </fieldset>`;
+}
+
+function matrix({ matrix: numbers }: State, put: PanelPort["put"]) {
+  const entry = (x: number, i: number) => {
+    const changed = (event: Event) =>
+      put(
+        "matrix",
+        numbers.map((old, k) => (k === i ? (event.target as HTMLInputElement).valueAsNumber : old)),
+      );
+    return html`<input class="number" type="number" step="any" aria-label=${`row ${Math.floor(i / 4) + 1}, column ${(i % 4) + 1}`} .value=${String(Number(x.toFixed(4)))} @change=${changed}>`;
+  };
+  return html`<div class="matrix" role="group" aria-label="Basis matrix">${numbers.map(entry)}</div>`;
+}
+
+/** Layers with a number of their own. */
+const MEASURES: Record<
+  string,
+  [string, "tolerance" | "segments" | "offset" | "ticks", { min: number; max: number; step: number }]
+> = {
+  tree: ["Tolerance, px", "tolerance", { min: 0.1, max: 20, step: 0.1 }],
+  segments: ["Even steps", "segments", { min: 1, max: 50, step: 1 }],
+  offset: ["Offset curve at", "offset", { min: -150, max: 150, step: 1 }],
+  ticks: ["Equal lengths", "ticks", { min: 1, max: 50, step: 1 }],
+};
+
+function layers({ state, set, put, tells }: PanelPort) {
+  const titles = Object.fromEntries(LAYERS.map(({ name, title }) => [name, title]));
+  const layer = (name: (typeof LAYER_NAMES)[number]) =>
+    box(titles[name] ?? name, state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
+  const measures = Object.entries(MEASURES).filter(([layerName]) => state.layers.has(layerName as any));
+  return html`<fieldset><legend>Show</legend><div class="layers">${LAYER_NAMES.map(layer)}</div>
+    <div class="measure">${measures.map(([, [label, name, range]]) => slider(label, name, state[name], range, (value, done) => put(name, value, done)))}</div>
+    ${tells.length ? html`<ul class="tells">${tells.map(({ words }) => html`<li>${words}</li>`)}</ul>` : nothing}
+  </fieldset>`;
+}
+
+/** A table of the page's own, or ours. */
+const coordinates = html`<details><summary>Coordinates</summary><slot name="coordinates"><bezier-coordinates for=":host"></bezier-coordinates></slot></details>`;

@@ -1,0 +1,234 @@
+// The picture: a canvas, a handle over each point, and the hands that move them; drawn at most once a frame.
+import { Drags } from "../../applet/drag.js";
+import { Handles } from "../../applet/handles.js";
+import { clamped } from "../../applet/state.js";
+import { onDoubleTap } from "../../applet/taps.js";
+import { followTheme, readTheme } from "../../applet/theme.js";
+import { followSize } from "../../applet/view.js";
+import { nameOf } from "./figure.js";
+import { listenToGestures } from "./gestures.js";
+import { drawFigure, ROLES } from "./layers/index.js";
+import { isHome, scaleOf, toPlane } from "./state.js";
+import type { State } from "./state.js";
+import type { Place } from "./state.js";
+import type { Figure } from "./figure.js";
+
+/** A tap that wanders farther is none. */
+const TAP_PX = 8;
+
+export interface StagePort {
+  now: () => { state: State; figure: Figure };
+  /** Whether nothing can be moved */
+  fixed: () => boolean;
+  begun: () => void;
+  move: (index: number, to: Place, drag: { from: Place; event?: PointerEvent }) => void;
+  restored: () => void;
+  ended: (moved: number[]) => void;
+  grabbed: (index: number) => void;
+  /** What a screen reader does to a slider */
+  slide: (index: number, to: Place) => void;
+  slid: () => void;
+  doubleTap: (at: Place) => unknown;
+  /** On an empty place */
+  tap: (at: Place) => unknown;
+  /** The pointer has moved */
+  point: (at: Place | null) => unknown;
+  look: (factor: number, from: Place, to: Place) => void;
+  /** With what the layers tell */
+  drawn: (told: { name: string; words: string }[]) => void;
+}
+
+export class Stage {
+  /** The length of a CSS pixel in the box's units. */
+  px = 1;
+  #canvas;
+  #overlay;
+  #probe;
+  #port;
+  #handles;
+  #drags;
+  #context;
+  #theme;
+  #frame = 0;
+  /** What the canvas shows. */
+  #drawn: State | null = null;
+  #drawnFixed = false;
+  #endings: (() => void)[] = [];
+
+  constructor(
+    { canvas, overlay, probe }: { canvas: HTMLCanvasElement; overlay: HTMLElement; probe: HTMLElement },
+    port: StagePort,
+  ) {
+    this.#canvas = canvas;
+    this.#overlay = overlay;
+    this.#probe = probe;
+    this.#port = port;
+    this.#context = canvas.getContext("2d") as CanvasRenderingContext2D;
+    this.#theme = readTheme(probe, ROLES);
+    this.#handles = new Handles(overlay, port.now().state.box);
+    this.#drags = new Drags(overlay, this.#dragPort());
+    this.#listen();
+  }
+
+  get handles() {
+    return this.#handles;
+  }
+
+  get dragging() {
+    return this.#drags.active;
+  }
+
+  get theme() {
+    return this.#theme;
+  }
+
+  /** Begins to follow the size and the colours. */
+  start() {
+    if (this.#endings.length) return;
+    this.#endings = [
+      // Draws immediately, because a printer does not wait for a frame.
+      followTheme(
+        this.#probe,
+        (theme) => {
+          this.#theme = theme;
+          this.draw();
+        },
+        ROLES,
+      ),
+      followSize(this.#canvas, { overlay: this.#overlay } as any, (width) => this.#resized(width)),
+      () => cancelAnimationFrame(this.#frame),
+    ];
+    this.recolour();
+  }
+
+  /** Leaves nothing running. */
+  end() {
+    this.#drags.cancel();
+    for (const ending of this.#endings.splice(0)) ending();
+    this.#frame = 0;
+  }
+
+  /** The colours may be others. */
+  recolour() {
+    this.#theme = readTheme(this.#probe, ROLES);
+    this.schedule();
+  }
+
+  schedule() {
+    if (this.#frame === 0 && this.#endings.length) this.#frame = requestAnimationFrame(() => this.#nextFrame());
+  }
+
+  /** Draws what is not drawn yet. */
+  refresh() {
+    if (this.#port.now().state !== this.#drawn || this.#port.fixed() !== this.#drawnFixed) this.schedule();
+  }
+
+  /** Lets go of all points, which return. @returns whether there was one */
+  cancel(): boolean {
+    return this.#drags.cancel();
+  }
+
+  /** Lets go of all points, which stay where they are. */
+  release() {
+    this.#drags.end();
+  }
+
+  draw() {
+    const { state, figure } = this.#port.now();
+    this.#drawn = state;
+    this.#drawnFixed = this.#port.fixed();
+    const { width, height } = this.#canvas;
+    this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
+    const told = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
+    this.place();
+    this.#port.drawn(told);
+  }
+
+  /** Puts the handles where the points are. */
+  place() {
+    const { state, figure } = this.#port.now();
+    const { names, kinds, points } = figure;
+    this.#handles.update(points, state.view, {
+      nameOf: (i) => (state.labels === "none" ? nameOf("P0", i) : names[i]),
+      kindOf: (i) => kinds[i],
+    });
+    for (const input of this.#overlay.getElementsByTagName("input")) input.disabled = this.#port.fixed();
+  }
+
+  #nextFrame() {
+    this.#frame = 0;
+    this.#drags.apply();
+    this.draw();
+  }
+
+  /** @param width in CSS pixels */
+  #resized(width: number) {
+    this.px = width > 0 ? this.#port.now().state.box.width / width : 1;
+    this.draw(); // at once: a canvas of a new size is empty
+  }
+
+  /**
+   * @returns in the plane
+   */
+  #placeAt({ clientX, clientY }: { clientX: number; clientY: number }): Place {
+    const { left, top, width, height } = this.#overlay.getBoundingClientRect();
+    const { state } = this.#port.now();
+    return toPlane(state, [
+      ((clientX - left) / width) * state.box.width,
+      ((clientY - top) / height) * state.box.height,
+    ]);
+  }
+
+  #listen() {
+    const [overlay, port] = [this.#overlay, this.#port];
+    onDoubleTap(overlay, (event) => port.doubleTap(this.#placeAt(event)));
+    overlay.addEventListener("input", (event) => this.#slide(event.target as HTMLInputElement));
+    overlay.addEventListener("change", port.slid);
+    let [x, y] = [0, 0];
+    overlay.addEventListener("pointerdown", (event) => ([x, y] = [event.clientX, event.clientY]));
+    overlay.addEventListener("click", (event) => {
+      const still = Math.hypot(event.clientX - x, event.clientY - y) <= TAP_PX;
+      if (event.target === overlay && still) port.tap(this.#placeAt(event));
+    });
+    overlay.addEventListener("pointermove", (event) => port.point(this.#placeAt(event)));
+    overlay.addEventListener("pointerleave", () => port.point(null));
+    listenToGestures(overlay, {
+      place: (event) => this.#placeAt(event),
+      enlarged: () => !isHome(port.now().state),
+      look: port.look,
+    });
+  }
+
+  #slide(input: HTMLInputElement) {
+    const index = this.#handles.indexOf(input);
+    const { state } = this.#port.now();
+    const [x, y] = state.points[index];
+    const value = Number(input.value);
+    this.#port.slide(index, input.dataset.axis === "x" ? [value, y] : [x, state.box.height - value]); // more is higher up
+  }
+
+  #dragPort(): import("../../applet/drag.js").DragPort {
+    const port = this.#port;
+    return {
+      placeOf: (index) => clamped(port.now().state.view, port.now().figure.points[index]),
+      toBox: (event) => this.#placeAt(event),
+      boxOf: (index) => this.#handles.boxOf(index),
+      count: () => (port.fixed() ? 0 : this.#handles.count),
+      grabbed: (index) => {
+        this.#handles.focus(index);
+        port.grabbed(index);
+      },
+      schedule: () => this.schedule(),
+      move: (index, to, drag) =>
+        index < port.now().figure.points.length && port.move(index, clamped(port.now().state.view, to), drag),
+      begun: port.begun,
+      restored: port.restored,
+      ended: port.ended,
+    };
+  }
+
+  /** The length of a CSS pixel in the plane. */
+  get reach() {
+    return this.px * scaleOf(this.#port.now().state);
+  }
+}

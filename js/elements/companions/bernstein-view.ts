@@ -1,0 +1,217 @@
+import { css, html, nothing, svg } from "lit";
+import { shown } from "./numbers.js";
+import { intervalOf, lookOf, PLOT, plotOf, tAt, xOf, yOf } from "./plot.js";
+import { slider } from "./slider.js";
+import { style } from "./style.js";
+import { isVector, subjectOf } from "./subject.js";
+import { BASES, MATRIX_DEGREE, MOST_DEGREE, weightsAt } from "./weights.js";
+import type { BezierBernstein } from "./bernstein.js";
+import type { Frame, Line } from "./plot.js";
+import type { Subject } from "./subject.js";
+import type { Basis } from "./weights.js";
+
+const DEFAULTS = { degree: 3, t: 0.5, basis: "bezier" as Basis };
+const TITLES: Record<string, string> = {
+  bezier: "Bernstein polynomials",
+  hermite: "Hermite weights",
+  "b-spline": "B-spline weights",
+  "catmull-rom": "Catmull-Rom weights",
+  matrix: "Weights of the matrix",
+};
+/** So many values are read out; of more, the greatest. */
+const MOST_SPOKEN = 8;
+/** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
+const HERMITE_SLOTS = [0, 2, 3, 1];
+
+/**
+ * What `<bezier-bernstein>` shows.
+ *
+ * @csspart plot - the picture of the weights
+ * @csspart values - the list of the weights at t
+ * @csspart sum - the sum of the weights
+ */
+export class BernsteinView {
+  static styles = [
+    style,
+    css`
+    svg { display: block; inline-size: 100%; background: var(--bz-paper); touch-action: pan-y; cursor: ew-resize; user-select: none; -webkit-user-select: none; }
+    text { font-size: 12.5px; fill: var(--bz-ink); paint-order: stroke; stroke: var(--bz-paper); stroke-width: 3px; stroke-linejoin: round; }
+    @container (min-width: 560px) { text { font-size: 9.5px; } }
+    .axis { stroke: var(--bz-field); } .grid { stroke: var(--bz-rim); } .axis, .grid { stroke-width: 1; }
+    .tick { fill: var(--bz-quiet); }
+    .line { fill: none; stroke-width: 2; }
+    .c0 { stroke: var(--bz-curve); } .c1 { stroke: var(--bz-handle); } .c2 { stroke: var(--bz-level1); } .c3 { stroke: var(--bz-level2); } .c4 { stroke: var(--bz-quiet); }
+    .dot { fill: var(--bz-paper); stroke-width: 2; }
+    .marker { stroke: var(--bz-ink); stroke-width: 1.5; } .grip { fill: var(--bz-ink); }
+    .marked .line:not(.chosen) { opacity: 0.28; } .line.chosen { stroke-width: 3.5; }
+    ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(7.2rem, 1fr)); gap: 0.2rem 0.3rem; margin: 0; padding: 0 0.7rem 0.5rem; list-style: none; max-block-size: 10rem; overflow: auto; }
+    li button { display: flex; gap: 0.4rem; align-items: center; inline-size: 100%; min-block-size: 1.8rem; padding: 0 0.35rem; border-color: transparent; background: none; font-size: 0.875rem; }
+    li button svg { flex: none; inline-size: 26px; background: none; cursor: inherit; } li .value { margin-inline-start: auto; }
+    li button[aria-pressed="true"] { border-color: var(--bz-accent); background: var(--bz-paper); }
+    .sum { padding: 0 0.8rem 0.6rem; }
+    @media print { ul { max-block-size: none; } li button { display: flex; } }
+  `,
+  ];
+
+  /** The polynomial that was chosen here, and the one of the applet's focused point. */
+  #chosen: number | null = null;
+  #attended: number | null = null;
+  #drag = { pointer: -1, start: 0 };
+  /** The lines of the last picture, and what they depend on. */
+  #plot: { key: string; frame: Frame; lines: Line[] } = { key: "", frame: { x: [0, 1], y: [0, 1] }, lines: [] };
+
+  #host;
+
+  constructor(host: BezierBernstein) {
+    this.#host = host;
+  }
+
+  #subject(): Subject | (Pick<Subject, "basis" | "degree" | "matrix" | "t"> & { names: string[] }) {
+    const host = this.#host;
+    const linked = subjectOf(host.target?.figure);
+    if (linked) return linked;
+    const known = BASES.some((name) => name === host.basis);
+    const basis = host.checked("basis", host.basis as Basis, known, `one of ${BASES.join(", ")}`, DEFAULTS.basis);
+    const whole = Number.isInteger(host.degree) && host.degree >= 1 && host.degree <= MOST_DEGREE;
+    const free = host.checked("degree", host.degree, whole, `a whole number from 1 to ${MOST_DEGREE}`, DEFAULTS.degree);
+    const degree = basis === "bezier" || basis === "b-spline" ? free : MATRIX_DEGREE;
+    const t = host.checked("t", host.t, Number.isFinite(host.t), "a number", DEFAULTS.t);
+    const names =
+      basis === "hermite" ? ["P0", "P3", "P1−P0", "P3−P2"] : Array.from({ length: degree + 1 }, (_, i) => `P${i}`);
+    return { basis, degree, t, matrix: null, names };
+  }
+
+  content() {
+    const subject = this.#subject();
+    const { basis, degree, matrix, t, names } = subject;
+    const key = JSON.stringify([basis, degree, matrix, intervalOf(t)]);
+    if (key !== this.#plot.key) this.#plot = { key, ...plotOf(subject) };
+    const { frame, lines } = this.#plot;
+    const values = weightsAt(subject, t);
+    const marked = [this.#chosen, this.#attended].find((i) => i !== null && i < values.length) ?? null;
+    const title = `${TITLES[basis]}${basis === "bezier" || basis === "b-spline" ? ` of degree ${degree}` : ""}`;
+    return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
+      ${this.#picture({ frame, lines, values, marked, t, names, title })}
+      ${slider(t, frame.x, (to, done) => this.#host.setT(to, done))}
+      <ul part="values" aria-label="Values at t">${values.map((value, i) => this.#entry(names[i], value, i, marked))}</ul>
+      <p class="sum quiet" part="sum">${sumWords(basis, values)}</p>
+    </div>`;
+  }
+
+  #picture({
+    frame,
+    lines,
+    values,
+    marked,
+    t,
+    names,
+    title,
+  }: {
+    frame: Frame;
+    lines: Line[];
+    values: number[];
+    marked: number | null;
+    t: number;
+    names: string[];
+    title: string;
+  }) {
+    const x = xOf(frame, t);
+    const [top, bottom] = [PLOT.top, PLOT.height - PLOT.bottom];
+    const inside = { width: PLOT.width, height: bottom + 4 };
+    return html`<svg part="plot" role="img" aria-label=${`${title}. ${spoken(values, names, t)}`} viewBox="0 0 ${PLOT.width} ${PLOT.height}" class=${marked === null ? "" : "marked"}
+      @pointerdown=${this.#grabbed} @pointermove=${this.#moved} @pointerup=${this.#released} @pointercancel=${this.#released} @lostpointercapture=${this.#released}>
+      ${axes(frame)}
+      <svg width=${inside.width} height=${inside.height}>
+        ${lines.map((line, i) => svg`<polyline class="line ${lookOf(i).colour} ${i === marked ? "chosen" : ""}" stroke-dasharray=${lookOf(i).dash || nothing} points=${line.points} />`)}
+        <line class="marker" x1=${x} x2=${x} y1=${top - 8} y2=${bottom} />
+        ${values.map((value, i) => svg`<circle class="dot ${lookOf(i).colour}" r=${i === marked ? 5 : 3.5} cx=${x} cy=${yOf(frame, value)} />`)}
+      </svg>
+      <path class="grip" d="M${x - 7},${top - 20}h14v7l-7,7l-7,-7z" />
+      ${lines.map(({ peak, labelled }, i) => (labelled || i === marked ? label(peak, names[i]) : nothing))}
+    </svg>`;
+  }
+
+  #entry(name: string, value: number, i: number, marked: number | null) {
+    const { colour, dash } = lookOf(i);
+    return html`<li><button type="button" aria-pressed=${i === marked} @click=${() => this.#choose(i)}>
+      <svg viewBox="0 0 26 8" aria-hidden="true"><line class="line ${colour}" stroke-dasharray=${dash || nothing} x2="26" y1="4" y2="4" /></svg>
+      ${name} <span class="value">${shown(value, 4)}</span></button></li>`;
+  }
+
+  #choose(i: number) {
+    this.#chosen = this.#chosen === i ? null : i;
+    this.#host.requestUpdate();
+  }
+
+  attended(event: Event) {
+    const handle = event.composedPath().find((node) => node instanceof HTMLElement && node.dataset.index !== undefined);
+    const subject = subjectOf(this.#host.target?.figure);
+    const index = Number(handle instanceof HTMLElement && handle.dataset.index);
+    const slot = handle && subject && event.type === "focusin" ? subject.indices.indexOf(index) : -1;
+    this.#attended = slot < 0 ? null : subject?.basis === "hermite" ? HERMITE_SLOTS[slot] : slot;
+    this.#host.requestUpdate();
+  }
+
+  #grabbed = (event: PointerEvent) => {
+    if (event.button !== 0 || this.#drag.pointer >= 0) return;
+    const picture = event.currentTarget as SVGSVGElement;
+    picture.setPointerCapture(event.pointerId);
+    this.#drag = { pointer: event.pointerId, start: this.#subject().t };
+    this.#moved(event);
+  };
+
+  #moved = (event: PointerEvent) => {
+    if (event.pointerId === this.#drag.pointer) this.#host.setT(this.#place(event), false);
+  };
+
+  #released = (event: PointerEvent) => {
+    if (event.pointerId !== this.#drag.pointer) return;
+    this.#drag.pointer = -1;
+    this.#host.setT(event.type === "pointerup" ? this.#place(event) : this.#drag.start, true);
+  };
+
+  #place(event: PointerEvent) {
+    const { left, width } = (event.currentTarget as SVGSVGElement).getBoundingClientRect();
+    return tAt(this.#plot.frame, ((event.clientX - left) / width) * PLOT.width);
+  }
+}
+
+function axes(frame: Frame) {
+  const {
+    x: [from, to],
+    y: [low, high],
+  } = frame;
+  const ts = [from, 0, 0.5, 1, to].filter((t, k, all) => all.indexOf(t) === k);
+  const levels = [0, 0.5, 1].filter((y) => y >= low && y <= high);
+  return svg`${levels.map(
+    (
+      y,
+    ) => svg`<line class=${y ? "grid" : "axis"} x1=${PLOT.left} x2=${PLOT.width - PLOT.right} y1=${yOf(frame, y)} y2=${yOf(frame, y)} />
+      <text class="tick" x=${PLOT.left - 6} y=${yOf(frame, y) + 4} text-anchor="end">${y}</text>`,
+  )}
+    ${ts.map(
+      (
+        t,
+      ) => svg`<line class=${t ? "grid" : "axis"} x1=${xOf(frame, t)} x2=${xOf(frame, t)} y1=${PLOT.top} y2=${PLOT.height - PLOT.bottom} />
+      <text class="tick" x=${xOf(frame, t)} y=${PLOT.height - 9} text-anchor=${t > 1 ? "end" : "middle"}>${shown(t, 2)}</text>`,
+    )}`;
+}
+
+function label({ x, y, above }: Line["peak"], name: string) {
+  const anchor = x < PLOT.left + 12 ? "start" : x > PLOT.width - PLOT.right - 12 ? "end" : "middle";
+  const shift = { start: 6, middle: 0, end: -6 }[anchor];
+  return svg`<text class="name" x=${x + shift} y=${y + (above ? -6 : 16)} text-anchor=${anchor}>${name}</text>`;
+}
+
+function spoken(values: number[], names: string[], t: number) {
+  const told = values.map((value, i) => ({ name: names[i], value }));
+  if (told.length > MOST_SPOKEN) told.sort((a, b) => b.value - a.value).splice(3);
+  const list = told.map(({ name, value }) => `${name} ${shown(value)}`).join(", ");
+  return `At t = ${shown(t)}: ${values.length > MOST_SPOKEN ? "the greatest are " : ""}${list}.`;
+}
+
+/** What the weights of points sum to; vectors do not count. */
+function sumWords(basis: string, values: number[]) {
+  const sum = values.reduce((all, value, i) => (isVector(basis, i) ? all : all + value), 0);
+  return `Sum of the weights${basis === "hermite" ? " of the two points" : ""}: ${shown(sum, 9)}`;
+}

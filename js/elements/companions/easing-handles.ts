@@ -1,0 +1,111 @@
+import { html } from "lit";
+import { arrowStep } from "../../applet/keys.js";
+import { shown } from "./numbers.js";
+import { across, down, placeAt, rounded, SQUARE } from "./timing.js";
+import type { Handles, Heights } from "./timing.js";
+
+/** What an arrow key moves a handle by; ten times that with Shift, a tenth with Alt. */
+const KEY_STEP = 0.01;
+const NAMES = ["First handle", "Second handle"];
+
+export interface DragPort {
+  handles: () => Handles;
+  heights: () => Heights;
+  move: (handles: Handles, done: boolean) => void;
+}
+
+/** Pointers and keys on both handles; two fingers may move both. */
+export class HandleDrag {
+  #port;
+  /** Which handle each pointer holds, how far from its middle, and what was before. */
+  #held: Map<number, { which: number; grip: [number, number]; before: Handles }> = new Map();
+
+  constructor(port: DragPort) {
+    this.#port = port;
+  }
+
+  /** Whether a pointer holds one. */
+  get busy() {
+    return this.#held.size > 0;
+  }
+
+  to(which: number, x: number, y: number, done: boolean) {
+    const handles = [...this.#port.handles()] as Handles;
+    [handles[2 * which], handles[2 * which + 1]] = [Math.min(Math.max(x, 0), 1), y];
+    this.#port.move(handles, done);
+  }
+
+  grab(which: number, event: PointerEvent) {
+    if (event.button !== 0) return;
+    const box = event.currentTarget as HTMLElement;
+    const { left, top, width, height } = box.getBoundingClientRect();
+    box.setPointerCapture(event.pointerId);
+    box.querySelector("input")?.focus({ preventScroll: true });
+    event.preventDefault(); // the focus stays
+    this.#held.set(event.pointerId, {
+      which,
+      grip: [event.clientX - left - width / 2, event.clientY - top - height / 2],
+      before: this.#port.handles(),
+    });
+  }
+
+  drag(event: PointerEvent) {
+    const held = this.#held.get(event.pointerId);
+    if (held) this.to(held.which, ...this.#place(event, held.grip), false);
+  }
+
+  release(event: PointerEvent) {
+    const held = this.#held.get(event.pointerId);
+    if (!held) return;
+    this.#held.delete(event.pointerId);
+    if (event.type === "pointerup") this.to(held.which, ...this.#place(event, held.grip), true);
+    else this.#port.move(held.before, true);
+  }
+
+  press(which: number, event: KeyboardEvent) {
+    if (event.key === "Escape") return this.#restore(event);
+    const step = arrowStep(event);
+    if (!step) return;
+    event.preventDefault();
+    const [x, y] = this.#port.handles().slice(2 * which);
+    const finer = event.altKey ? (value: number) => Math.round(1e4 * value) / 1e4 : rounded;
+    this.to(which, finer(x + step[0] * KEY_STEP), finer(y - step[1] * KEY_STEP), false);
+    this.to(which, ...pairOf(this.#port.handles(), which), true);
+  }
+
+  #restore(event: Event) {
+    for (const [pointer, { before }] of this.#held) {
+      this.#held.delete(pointer);
+      event.preventDefault();
+      this.#port.move(before, true);
+    }
+  }
+
+  #place(event: PointerEvent, [gripX, gripY]: [number, number]) {
+    const stage = (event.currentTarget as HTMLElement).parentElement as HTMLElement;
+    const { left, top, width, height } = stage.getBoundingClientRect();
+    return placeAt(
+      this.#port.heights(),
+      (event.clientX - gripX - left) / width,
+      (event.clientY - gripY - top) / height,
+    );
+  }
+}
+
+const pairOf = (handles: Handles, which: number): [number, number] => [handles[2 * which], handles[2 * which + 1]];
+
+/** A hit box with two sliders inside, as the applet's points have. */
+export function handle(which: number, handles: Handles, heights: Heights, drag: HandleDrag) {
+  const [x, y] = pairOf(handles, which);
+  const release = (event: PointerEvent) => drag.release(event);
+  const slider = (axis: string, value: number, range: number[], place: (value: number) => [number, number]) => {
+    const slid = (event: Event) =>
+      drag.to(which, ...place(Number((event.target as HTMLInputElement).value)), event.type === "change");
+    return html`<input type="range" aria-label="${NAMES[which]} ${axis}" tabindex=${axis === "x" ? 0 : -1} min=${range[0]} max=${range[1]} step="0.01" .value=${String(value)} aria-valuetext=${shown(value)} @input=${slid} @change=${slid}>`;
+  };
+  // The place as a property: a strict policy forbids the attribute.
+  return html`<div class="handle" part="handle" data-index=${which} .style=${`left: ${(100 * across(x)) / SQUARE.width}%; top: ${(100 * down(heights, y)) / SQUARE.height}%`}
+    @pointerdown=${(event: PointerEvent) => drag.grab(which, event)} @pointermove=${(event: PointerEvent) => drag.drag(event)}
+    @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release} @keydown=${(event: KeyboardEvent) => drag.press(which, event)}>
+    ${slider("x", x, [0, 1], (to) => [to, y])}${slider("y", y, heights, (to) => [x, to])}</div>`;
+}

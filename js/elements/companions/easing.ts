@@ -1,0 +1,96 @@
+import { FormField } from "./form-field.js";
+import { LazyView } from "./loading.js";
+import { PRESETS, readTiming, timingText } from "./timing.js";
+import type { Handles } from "./timing.js";
+
+const MISSING = "Choose an easing.";
+
+/** `<bezier-easing>`; what can be set from outside is documented in types.js. */
+export class BezierEasing extends FormField {
+  static properties: import("lit").PropertyDeclarations = { value: { attribute: false, noAccessor: true } };
+  static view = new LazyView(() => import("./easing-view.js"), "EasingView");
+
+  /** @internal */
+  handles: Handles = [...PRESETS.ease];
+  /** Whether someone has chosen; and whether it was other than the attribute. */
+  #chosen = false;
+  #dirty = false;
+  #custom = "";
+
+  /** The timing function as CSS writes it; empty while it is required and not chosen. */
+  get value() {
+    return this.#chosen || !this.required ? timingText(this.handles) : "";
+  }
+
+  set value(text) {
+    this.#dirty = true;
+    this.#adopt(String(text ?? ""));
+  }
+
+  get type() {
+    return "bezier-easing";
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    this.#report();
+  }
+
+  attributeChangedCallback(name: string, old: string | null, text: string | null) {
+    super.attributeChangedCallback(name, old, text);
+    if (name === "value" && !this.#dirty) this.#adopt(text ?? "");
+    if (name === "required") this.#report();
+  }
+
+  formResetCallback() {
+    this.#dirty = false;
+    this.#adopt(this.defaultValue ?? "");
+  }
+
+  formStateRestoreCallback(state: string) {
+    this.value = state;
+  }
+
+  /** @param message what is wrong with it besides; empty: nothing */
+  setCustomValidity(message: string) {
+    this.#custom = String(message);
+    this.#report();
+  }
+
+  /**
+   * @internal
+   * The user chooses.
+   */
+  choose(handles: Handles, done: boolean) {
+    this.handles = handles;
+    this.#chosen = this.#dirty = true;
+    this.say("");
+    this.#report();
+    this.requestUpdate();
+    this.tell(done);
+    this.view?.chosen?.(done);
+  }
+
+  /** A text from outside; what cannot be read changes nothing and is told. */
+  #adopt(text: string) {
+    this.say("");
+    try {
+      this.handles = text ? readTiming(text) : [...PRESETS.ease];
+      this.#chosen = text !== "";
+    } catch (error) {
+      this.say(`value: ${error instanceof Error ? error.message : error}; ${timingText(this.handles)} is kept.`);
+    }
+    this.#report();
+    this.requestUpdate();
+  }
+
+  /** What the form is to know. */
+  #report() {
+    const missing = this.required && !this.#chosen;
+    this.internals.setFormValue(this.value, this.value);
+    this.internals.setValidity(
+      { valueMissing: missing, customError: this.#custom !== "" },
+      this.#custom || (missing ? MISSING : ""),
+    );
+  }
+}

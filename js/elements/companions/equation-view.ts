@@ -1,0 +1,237 @@
+import { css, html, mathml, nothing } from "lit";
+import { Fields } from "./fields.js";
+import {
+  bernsteinTerm,
+  factor,
+  matrix,
+  name,
+  number,
+  pair,
+  point,
+  polynomial,
+  powers,
+  sign,
+  square,
+  symbol,
+} from "./formulas.js";
+import { shown } from "./numbers.js";
+import { ownMatrix, ownSubject } from "./own.js";
+import { slider } from "./slider.js";
+import { style } from "./style.js";
+import { bezierForm, inPoints, subjectOf } from "./subject.js";
+import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weights.js";
+import type { BezierEquation } from "./equation.js";
+import type { Check } from "./points.js";
+import type { Subject } from "./subject.js";
+
+const FORMS = ["sum", "matrix", "casteljau"];
+const BASIS_NAMES: Record<string, string> = {
+  bezier: "Bézier",
+  hermite: "Hermite",
+  "b-spline": "B-spline",
+  "catmull-rom": "Catmull-Rom",
+  matrix: "own numbers",
+};
+/** Of higher degrees, a page has no room for the matrix, */
+const MOST_MATRIX = 10;
+/** and of de Casteljau's triangle for the last levels only. */
+const MOST_LEVELS = 6;
+
+/**
+ * What `<bezier-equation>` shows.
+ *
+ * @csspart equation - the formula, which scrolls
+ * @csspart field - each number of a matrix that can be edited
+ */
+export class EquationView {
+  static styles = [
+    style,
+    css`
+    .scroll { padding: 0.7rem 0.8rem; background: var(--bz-paper); max-block-size: 26rem; }
+    math { font-size: 1.05em; math-style: normal; } math[display="block"] { inline-size: max-content; margin: 0 0 0.5rem; }
+    .lines mtd { text-align: start; padding: 0.12em 0.35em; } .lines mtd.sign { text-align: end; padding-inline-end: 0; }
+    .lines mtr.total mtd { border-block-start: 1px solid var(--bz-field); }
+    .matrix { border-inline: 1.5px solid currentColor; border-radius: 4px; margin-inline: 0.2em; } .matrix mtd { padding: 0.1em 0.35em; }
+    .product { display: flex; flex-wrap: wrap; gap: 0.4rem; align-items: center; margin-block-end: 0.5rem; }
+    .product math { margin: 0; }
+    .cells { display: grid; grid-template-columns: repeat(4, 4.3rem); gap: 3px; padding: 4px; border-inline: 2px solid currentColor; border-radius: 4px; }
+    .cells input { inline-size: 100%; min-inline-size: 0; appearance: textfield; } .cells .error { grid-column: 1 / -1; }
+    .note { padding: 0 0.8rem 0.5rem; }
+    @media print { .scroll { max-block-size: none; } }
+  `,
+  ];
+  #host;
+  #fields = new Fields({
+    read: (key) => this.#matrix()[Number(key)],
+    write: (key, value, done) => this.#setMatrix(Number(key), value, done),
+    changed: () => this.#host.requestUpdate(),
+    paste: (_, text) => this.#pasteMatrix(text),
+  });
+
+  constructor(host: BezierEquation) {
+    this.#host = host;
+  }
+
+  #subject() {
+    const check = ((...args) => this.#host.checked(...args)) as Check;
+    return this.#host.target ? subjectOf(this.#host.target.figure) : ownSubject(this.#host, check);
+  }
+
+  content() {
+    const subject = this.#subject();
+    if (!subject) return html`<p class="quiet">No curve yet.</p>`;
+    const form = this.#host.checked(
+      "form",
+      this.#host.form,
+      FORMS.includes(this.#host.form),
+      `one of ${FORMS.join(", ")}`,
+      FORMS[0],
+    );
+    const body =
+      form === "matrix" ? this.#matrixForm(subject) : form === "casteljau" ? casteljauForm(subject) : sumForm(subject);
+    return html`<div class="frame" part="frame">
+      ${slider(subject.t, [Math.min(0, subject.t), Math.max(1, subject.t)], (t, done) => this.#host.setT(t, done))}
+      ${form === "matrix" ? this.#chooser(subject) : nothing}
+      <div class="scroll" part="equation" role="group" tabindex="0" aria-label=${this.#host.label || "Equation"}>${body}</div>
+    </div>`;
+  }
+
+  #chooser({ basis }: Subject) {
+    const words = [...BASES, ...(this.#host.editable || basis === "matrix" ? ["matrix"] : [])];
+    const option = (word: string) =>
+      html`<option value=${word} .selected=${word === basis}>${BASIS_NAMES[word]}</option>`;
+    const chosen = (event: Event) => this.#setBasis((event.target as HTMLSelectElement).value);
+    return html`<label class="bar">Basis <select @change=${chosen}>${words.map(option)}</select></label>`;
+  }
+
+  #matrixForm(subject: Subject) {
+    if (this.#host.editable) subject = editableForm(subject);
+    const { basis, degree, t, points, names } = subject;
+    const numbers = degree <= MOST_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
+    if (!numbers)
+      return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MOST_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
+    const weights = throughMatrix(numbers, t);
+    const column = matrix(names.map((each) => [name(each)]));
+    const editable = this.#host.editable && numbers.length === 16;
+    const before = html`<math>${symbol}${sign("=")}${powers(degree)}</math>`;
+    const cell = (_: unknown, k: number) =>
+      this.#fields.field(String(k), `Row ${(k >> 2) + 1}, column ${(k & 3) + 1}`, { step: "0.1", decimals: 4 });
+    const amid = editable
+      ? html`<div class="cells" role="group" aria-label="Matrix">${numbers.map(cell)}</div>`
+      : html`<math aria-label=${`the matrix ${rowsSpoken(numbers)}`}>${square(numbers)}</math>`;
+    const row = matrix([weights.map(number)]);
+    const at = numbersAt(points, weights);
+    return html`<div class="product">${before}${amid}<math>${column}</math></div>
+      <math display="block" aria-label=${`The powers of t times the matrix are the weights ${weights.map((x) => shown(x)).join(", ")}`}>${matrix([t0(degree, t)])}<mi>M</mi>${sign("=")}${row}</math>
+      <math display="block" aria-label=${spoken(t, at)}>${point(t)}${sign("=")}${row}${matrix(points.map((p) => p.map(number)))}${sign("=")}${pair(at)}</math>`;
+  }
+
+  #matrix() {
+    const given = this.#subject();
+    const subject = given && editableForm(given);
+    return (subject && matrixOf(subject.basis, subject.degree, subject.matrix)) ?? [];
+  }
+
+  #setMatrix(k: number, value: number, done: boolean) {
+    this.#giveMatrix(
+      this.#matrix().map((x, i) => (i === k ? value : x)),
+      done,
+    );
+  }
+
+  #giveMatrix(numbers: number[], done: boolean) {
+    const { target } = this.#host;
+    if (target) target.steer({ basis: "matrix", matrix: numbers }, done);
+    else this.#host.basis = "matrix";
+    this.#host.matrix = numbers.join(" ");
+    this.#host.tell(done);
+  }
+
+  /** Sixteen numbers at once. */
+  #pasteMatrix(text: string) {
+    const numbers = ownMatrix(text);
+    if (numbers) this.#giveMatrix(numbers, true);
+    return numbers !== null;
+  }
+
+  #setBasis(basis: string) {
+    if (basis === "matrix") return this.#giveMatrix(this.#matrix(), true);
+    if (this.#host.target) this.#host.target.steer({ basis }, true);
+    else this.#host.basis = basis;
+    this.#fields.clear();
+    this.#host.tell(true);
+  }
+}
+
+/** With a matrix that acts on points. */
+function editableForm(subject: Subject) {
+  return subject.basis === "hermite" ? inPoints(subject, matrixOf("hermite", MATRIX_DEGREE, null) ?? []) : subject;
+}
+
+/** Of the weights in a sum. */
+const MAX_WEIGHT_DECIMALS = 6;
+
+function sumForm(subject: Subject) {
+  const { t, points, names } = subject;
+  const weights = weightsAt(subject, t);
+  const at = numbersAt(points, weights);
+  const formula = symbolic(subject);
+  const decimals = Math.min(Math.max(2 * subject.degree, 3), MAX_WEIGHT_DECIMALS); // t has two: the products add up
+  const plus = (i: number, minus = false) => mathml`<mtd class="sign">${sign(i === 0 ? "=" : minus ? "−" : "+")}</mtd>`;
+  const numeric = (i: number, axis: 0 | 1) => mathml`${plus(i, weights[i] < 0)}
+      <mtd>${number(i ? Math.abs(weights[i]) : weights[i], decimals)}${sign("·")}${factor(points[i][axis])}</mtd>`;
+  const head = (letter: string) => mathml`<mrow><mi>${letter}</mi><mo>(</mo>${number(t)}<mo>)</mo></mrow>`;
+  return html`<math class="lines" aria-label=${`${spoken(t, at)}, from ${weights.map((w, i) => `${shown(w)} ${names[i]}`).join(" plus ")}`}><mtable>
+    <mtr><mtd class="sign"></mtd><mtd>${symbol}</mtd><mtd class="sign"></mtd><mtd>${head("x")}</mtd><mtd class="sign"></mtd><mtd>${head("y")}</mtd></mtr>
+    ${points.map((_, i) => mathml`<mtr>${plus(i)}<mtd>${formula(i)}${name(names[i])}</mtd>${numeric(i, 0)}${numeric(i, 1)}</mtr>`)}
+    <mtr class="total"><mtd></mtd><mtd></mtd><mtd class="sign">${sign("=")}</mtd><mtd>${number(at[0])}</mtd><mtd class="sign">${sign("=")}</mtd><mtd>${number(at[1])}</mtd></mtr>
+  </mtable></math>`;
+}
+
+/** The formula of each weight. */
+function symbolic({ basis, degree, matrix }: Subject): (i: number) => unknown {
+  if (basis === "bezier") return (i) => bernsteinTerm(degree, i);
+  const numbers = matrixOf(basis, degree, matrix);
+  const size = degree + 1;
+  if (numbers) return (i) => polynomial(numbers.filter((_, k) => k % size === i));
+  return (i) => mathml`<mrow><msub><mi>N</mi><mn>${i}</mn></msub><mo>(</mo><mi>t</mi><mo>)</mo></mrow>`;
+}
+
+function casteljauForm({ curve, names, basis, t }: Subject) {
+  if (!curve) return nothing;
+  const levels = curve
+    .deCasteljau(t)
+    .map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
+  const first = Math.max(0, levels.length - MOST_LEVELS);
+  const bezier = basis === "bezier" ? names : bezierForm(curve).names;
+  const own = (level: number, i: number) =>
+    level ? mathml`<msubsup><mi>b</mi><mn>${i}</mn><mn>${level}</mn></msubsup>` : name(bezier[i]);
+  const cell = (level: number, i: number) =>
+    mathml`<mtd>${levels[level][i] && mathml`${own(level, i)}${sign("=")}${pair(levels[level][i])}`}</mtd>`;
+  const columns = Array.from({ length: levels.length - first }, (_, k) => first + k);
+  const at = levels[levels.length - 1][0];
+  return html`<math display="block" aria-label="Each point lies between two of the level before, at t of the way"><mrow><msubsup><mi>b</mi><mi>i</mi><mi>k</mi></msubsup>${sign("=")}
+      ${number(1 - t)}<msubsup><mi>b</mi><mi>i</mi><mrow><mi>k</mi><mo>−</mo><mn>1</mn></mrow></msubsup>${sign("+")}${number(t)}<msubsup><mi>b</mi><mrow><mi>i</mi><mo>+</mo><mn>1</mn></mrow><mrow><mi>k</mi><mo>−</mo><mn>1</mn></mrow></msubsup></mrow></math>
+    ${first ? html`<p class="quiet">The last ${columns.length} of ${levels.length} levels:</p>` : nothing}
+    <math class="lines" aria-label=${`De Casteljau: ${levels.length - 1} steps. ${spoken(t, at)}`}><mtable>
+      ${levels[first].map((_, i) => mathml`<mtr>${columns.map((level) => cell(level, i))}</mtr>`)}
+    </mtable></math>`;
+}
+
+function numbersAt(points: number[][], weights: number[]) {
+  return [0, 1].map((axis) => points.reduce((sum, p, i) => sum + weights[i] * p[axis], 0));
+}
+
+const t0 = (degree: number, t: number) => Array.from({ length: degree + 1 }, (_, k) => number(t ** (degree - k)));
+
+const spoken = (t: number, at: number[]) => `B of ${shown(t)} is x ${shown(at[0])}, y ${shown(at[1])}`;
+
+function rowsSpoken(numbers: number[]) {
+  const size = Math.sqrt(numbers.length);
+  return Array.from({ length: size }, (_, row) =>
+    numbers
+      .slice(row * size, (row + 1) * size)
+      .map((x) => shown(x))
+      .join(", "),
+  ).join("; ");
+}

@@ -1,0 +1,75 @@
+// A companion that stands alone: what its attributes say.
+import { Curve } from "../../paths.js";
+import { readNumber } from "./numbers.js";
+import { FIRST_POINTS, ownPoints } from "./points.js";
+import { withTangents } from "./subject.js";
+import { BASES, MATRIX_DEGREE, MOST_DEGREE } from "./weights.js";
+import type { Check, Place, PointsLike } from "./points.js";
+import type { Subject } from "./subject.js";
+import type { Basis } from "./weights.js";
+
+const FIRST_T = 0.5;
+
+export function ownSubject(
+  {
+    given: points,
+    t: given,
+    degree,
+    basis: word,
+    matrix: numbers,
+  }: { given: PointsLike; t: number; degree: number | null; basis: string; matrix: string },
+  check: Check,
+): Subject {
+  const matrix = ownMatrix(numbers);
+  const known = BASES.some((name) => name === word) || (word === "matrix" && matrix !== null);
+  const basis = check(
+    "basis",
+    word,
+    known,
+    `one of ${BASES.join(", ")}, or matrix and 16 numbers in matrix`,
+    BASES[0],
+  ) as Basis;
+  const t = check("t", given, Number.isFinite(given), "a number", FIRST_T);
+  const all = ownPoints(points, check);
+  const free = basis === "bezier" || basis === "b-spline";
+  const most = Math.min(all.length - 1, MOST_DEGREE);
+  const wanted = degree ?? (free ? most : MATRIX_DEGREE);
+  const count = check(
+    "degree",
+    wanted,
+    Number.isInteger(wanted) && wanted >= 1 && wanted <= most,
+    `a whole number from 1 to ${most}, for ${all.length} points`,
+    most,
+  );
+  const chosen = free
+    ? all.slice(0, count + 1)
+    : all.length > MATRIX_DEGREE
+      ? all.slice(0, MATRIX_DEGREE + 1)
+      : FIRST_POINTS;
+  const names = chosen.map((_, i) => `P${i}`);
+  const geometry = basis === "hermite" ? withTangents(chosen, names) : { points: chosen, names };
+  return {
+    basis,
+    degree: chosen.length - 1,
+    matrix,
+    t,
+    ...geometry,
+    curve: curveOf(basis, geometry.points, matrix),
+    indices: [],
+  };
+}
+
+function curveOf(basis: Basis, points: Place[], matrix: number[] | null) {
+  if (basis === "bezier") return new Curve(points);
+  if (points.length !== MATRIX_DEGREE + 1) return null;
+  return Curve.fromBasis(basis === "matrix" ? (matrix ?? []) : basis, points);
+}
+
+/** Sixteen numbers, or null. */
+export function ownMatrix(text: string | null) {
+  const numbers = (text ?? "")
+    .split(/[\s,;]+/)
+    .filter(Boolean)
+    .map(readNumber);
+  return numbers.length === 16 && !numbers.some(Number.isNaN) ? numbers : null;
+}

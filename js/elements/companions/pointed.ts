@@ -1,0 +1,42 @@
+import { Linked } from "./linked.js";
+import { ownPoints, pointsText } from "./points.js";
+import type { Place, PointsLike } from "./points.js";
+
+/** A companion with points of its own while it is linked to nothing. */
+export class Pointed extends Linked {
+  /** @internal As it was given, good or not. */
+  declare given: PointsLike;
+
+  static properties: import("lit").PropertyDeclarations = {
+    given: {
+      attribute: "points",
+      reflect: true,
+      useDefault: true,
+      converter: { fromAttribute: (text: string | null) => text, toAttribute: pointsText },
+    },
+    points: { attribute: false, noAccessor: true },
+  };
+
+  constructor() {
+    super();
+    /** @internal */
+    this.given = null;
+  }
+
+  get points() {
+    return this.places().map((place) => [...place]);
+  }
+
+  /** @param given pairs, or text as in the attribute */
+  set points(given: PointsLike) {
+    this.given = given;
+  }
+
+  /**
+   * @internal
+   * @returns what is shown: the applet's points, or its own
+   */
+  places(): Place[] {
+    return this.target ? (this.target.figure?.points ?? []) : ownPoints(this.given, (...args) => this.checked(...args));
+  }
+}

@@ -1,0 +1,9 @@
+// casteljau/elements/applet: defines `<bezier-applet>`.
+import { BezierApplet as Applet } from "../applet/element.js";
+import { define } from "./define.js";
+import type { BezierAppletConstructor } from "../types.js";
+
+export type { BezierAppletElement } from "../types.js";
+
+/** The class of `<bezier-applet>`. */
+export const BezierApplet = define("bezier-applet", Applet) as BezierAppletConstructor;

@@ -1,0 +1,167 @@
+// Where the eye is: it circles about the surface's middle, always upright.
+import { aboutX, aboutZ, image, multiply, perspective, translation } from "./matrix.js";
+import type { Matrix, Vector } from "./matrix.js";
+
+/**
+ * Degrees about the upright axis and above the horizon, enlargement, and the shift of the picture in radii of the sphere.
+ */
+export type View = { turn: number; tilt: number; zoom: number; panX: number; panY: number };
+
+export type Frame = { centre: Vector; radius: number; up: "z" | "y" };
+
+/**
+ * What drawing needs: the matrices, the size of a world unit at the middle in clip units, the directions of the picture.
+ */
+export type Sight = {
+  view: Matrix;
+  projection: Matrix;
+  viewProjection: Matrix;
+  right: Vector;
+  upward: Vector;
+  forward: Vector;
+  eye: Vector;
+};
+
+export const HOME: View = Object.freeze({ turn: -35, tilt: 24, zoom: 1, panX: 0, panY: 0 });
+const MOST_TILT = 90;
+const [LEAST_ZOOM, MOST_ZOOM] = [0.25, 40];
+const MOST_PAN = 2;
+/** Of a key or a button. */
+export const ZOOM_STEP = 1.2;
+/** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
+const SLOPE = 0.25;
+/** So much of the picture the sphere takes; a little air remains. */
+const FILLED = 0.95;
+/** Most things are wider than they are tall: a picture that is too, by so much at most, is filled by its width. */
+const WIDER = 1.2;
+/** Points that are dragged out of the sphere remain visible within so many radii. */
+const DEPTH_RADII = 8;
+const NEAREST = 0.02;
+
+/** The view with some of its numbers changed, within its limits. */
+export function moved(view: View, changes: Partial<View>): View {
+  const finite = Object.fromEntries(Object.entries(changes).filter(([, value]) => Number.isFinite(value)));
+  const { turn, tilt, zoom, panX, panY } = { ...view, ...finite };
+  const clamp = (x: number, least: number, most: number) => Math.min(Math.max(x, least), most);
+  return {
+    turn: ((((turn + 180) % 360) + 360) % 360) - 180,
+    tilt: clamp(tilt, -MOST_TILT, MOST_TILT),
+    zoom: clamp(zoom, LEAST_ZOOM, MOST_ZOOM),
+    panX: clamp(panX, -MOST_PAN, MOST_PAN),
+    panY: clamp(panY, -MOST_PAN, MOST_PAN),
+  };
+}
+
+/** The length that the sphere is fitted into. */
+function fittedSide(width: number, height: number) {
+  return Math.min(width, WIDER * height);
+}
+
+/** Radii of the sphere that a pixel spans, in the plane through the middle. */
+export function radiiPerPixel({ zoom }: View, width: number, height: number) {
+  return 2 / FILLED / zoom / fittedSide(width, height);
+}
+
+/** A sphere about some points, about the middle of their box. */
+export function frameOf(points: ArrayLike<number>, up: "z" | "y"): Frame {
+  const [min, max] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  for (let i = 0; i < points.length; i++) {
+    min[i % 3] = Math.min(min[i % 3], points[i]);
+    max[i % 3] = Math.max(max[i % 3], points[i]);
+  }
+  if (points.length === 0) return { centre: [0, 0, 0], radius: 1, up };
+  const centre = min.map((low, k) => low / 2 + max[k] / 2) as Vector;
+  let radius = 0;
+  for (let i = 0; i < points.length; i += 3)
+    radius = Math.max(radius, Math.hypot(...centre.map((c, k) => points[i + k] - c)));
+  return { centre, radius: radius || 1, up };
+}
+
+/**
+ * @param width of the picture
+ */
+export function sightOf(
+  { turn, tilt, zoom, panX, panY }: View,
+  { centre, radius, up }: Frame,
+  width: number,
+  height: number,
+): Sight {
+  const least = fittedSide(width, height);
+  const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
+  const distance = radius / (SLOPE * FILLED);
+  const projection = perspective(
+    (slope * width) / least,
+    (slope * height) / least,
+    Math.max(distance - DEPTH_RADII * radius, NEAREST * distance),
+    distance + DEPTH_RADII * radius,
+  );
+  const upright = up === "y" ? aboutX(90) : translation(0, 0, 0);
+  const turned = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
+  const view = multiply(
+    translation(panX * radius, panY * radius, -distance),
+    multiply(turned, translation(-centre[0], -centre[1], -centre[2])),
+  );
+  const row = (r: number) => [view[r], view[r + 4], view[r + 8]] as Vector;
+  const [right, upward, backward] = [row(0), row(1), row(2)];
+  const along = (k: number) => -(view[12] * right[k] + view[13] * upward[k] + view[14] * backward[k]);
+  const forward = backward.map((x) => -x) as Vector;
+  return {
+    view,
+    projection,
+    viewProjection: multiply(projection, view),
+    right,
+    upward,
+    forward,
+    eye: [along(0), along(1), along(2)],
+  };
+}
+
+/** Where a point appears, in the picture's units from its upper left corner; null behind the eye. */
+export function placeOf(
+  sight: Sight,
+  point: ArrayLike<number>,
+  at: number,
+  width: number,
+  height: number,
+): [number, number] | null {
+  const [x, y, , w] = image(sight.viewProjection, point, at);
+  return w > 0 ? [((x / w + 1) * width) / 2, ((1 - y / w) * height) / 2] : null;
+}
+
+/** The way in space that moves a point by (dx, dy) in the picture, in the plane through it that faces the eye. */
+export function shiftOf(
+  sight: Sight,
+  point: ArrayLike<number>,
+  dx: number,
+  dy: number,
+  width: number,
+  height: number,
+): Vector {
+  const w = image(sight.viewProjection, point)[3];
+  const x = (2 * dx * w) / width / sight.projection[0];
+  const y = (-2 * dy * w) / height / sight.projection[5];
+  return sight.right.map((r, k) => r * x + sight.upward[k] * y) as Vector;
+}
+
+/** The ray from the eye through a place of the picture. */
+export function rayThrough(
+  sight: Sight,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): { origin: Vector; direction: Vector } {
+  const sx = ((2 * x) / width - 1) / sight.projection[0];
+  const sy = (1 - (2 * y) / height) / sight.projection[5];
+  const direction = sight.forward.map((f, k) => f + sight.right[k] * sx + sight.upward[k] * sy) as Vector;
+  return { origin: sight.eye, direction };
+}
+
+/** From the surface's coordinates to the picture's: what a canvas in two dimensions draws with. */
+export function pixelMatrix(sight: Sight, width: number, height: number): Matrix {
+  const toPixels = [width / 2, 0, 0, 0, 0, -height / 2, 0, 0, 0, 0, 1, 0, width / 2, height / 2, 0, 1];
+  return multiply(toPixels, sight.viewProjection);
+}

@@ -1,0 +1,68 @@
+// Where files come in and go out, and what could not be done is said.
+import { meshFile, surfaceIn } from "./files.js";
+import { save } from "../page-files.js";
+import type { Mesh, Surface } from "../../surfaces.js";
+
+export interface DeskPort {
+  show: (surface: Surface) => void;
+  /** The message is another one */
+  changed: () => void;
+  picture: () => Promise<Blob | null>;
+  /** Null before there is one */
+  mesh: () => { mesh: Mesh; up: "z" | "y" } | null;
+  /** Where files are handed over, and what they are called */
+  names: () => { page: Document; name: string };
+}
+
+export class Desk {
+  #port;
+  #message = "";
+  /** What is wrong with a file stays until the next one; what is wrong with a setting goes with it. */
+  #lasting = false;
+
+  constructor(port: DeskPort) {
+    this.#port = port;
+  }
+
+  get message() {
+    return this.#message;
+  }
+
+  say(message: string, lasting = false) {
+    if (message === this.#message) return;
+    [this.#message, this.#lasting] = [message, lasting];
+    this.#port.changed();
+  }
+
+  /** All went well. */
+  clear() {
+    if (!this.#lasting) this.say("");
+  }
+
+  /** Shows the surface of a file; where there is none in it, says why and leaves all as it was. */
+  async open(file: File) {
+    try {
+      this.#port.show(await surfaceIn(file));
+      this.say("");
+    } catch (error) {
+      this.say(`${file.name}: ${wordsOf(error)}`, true);
+    }
+  }
+
+  saveMesh(kind: "obj" | "stl" | "glb") {
+    const found = this.#port.mesh();
+    const { page, name } = this.#port.names();
+    if (found) save(page, `${name}.${kind}`, meshFile(found.mesh, kind, found.up));
+  }
+
+  async savePicture() {
+    const blob = await this.#port.picture();
+    const { page, name } = this.#port.names();
+    if (blob) save(page, `${name}.png`, blob);
+  }
+}
+
+/** What went wrong, in words. */
+export function wordsOf(error: unknown) {
+  return error instanceof Error ? error.message : String(error);
+}

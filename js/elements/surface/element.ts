@@ -1,0 +1,354 @@
+import { Surface } from "../../surfaces.js";
+import { adoptProperties } from "../adopt.js";
+import { SurfaceAttributes } from "./attributes.js";
+import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
+import { Desk } from "./desk.js";
+import { acceptDrops } from "../page-files.js";
+import { figureOf } from "./figure.js";
+import { frame } from "./frame.js";
+import { loadDrawing } from "./loading.js";
+import { startTurn } from "./start-queue.js";
+import { style } from "./style.js";
+import { Subject } from "./subject.js";
+import { Turning } from "./turning.js";
+import { MODEL_NAMES, STATES } from "./words.js";
+import type { View } from "./camera.js";
+import type { Facts } from "./geometry.js";
+import type { Handles } from "./handles.js";
+import type { Labels } from "./labels.js";
+import type { Drawing } from "./loading.js";
+import type { Stage } from "./stage.js";
+
+/** The element begins its work when it is so near to what is seen of the page. */
+const NEAR = "300px";
+/** Farther away than so many heights of what is seen it gives the graphics card back. */
+const FAR = "150% 0px";
+/** A file is shown with no more, at first. */
+const MOST_TRIANGLES = 1e6;
+/** Where the sliders begin: in radii of the surface, and in pixels. */
+const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
+
+/** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
+function surfaceOfOtherBundle(value: Surface): Surface {
+  if (value?.casteljauType !== "surface")
+    throw new TypeError(`surface: expected a Surface or null, got ${typeof value}`);
+  return Surface.fromJSON(value.toJSON());
+}
+
+/** `<bezier-surface>`; what can be set from outside is documented in ../types.js. */
+export class BezierSurface extends SurfaceAttributes {
+  static styles = style;
+  #subject = new Subject();
+  #stage: Stage | null = null;
+  #handles: Handles | null = null;
+  #labels: Labels | null = null;
+  #watches: IntersectionObserver[] = [];
+  #deafen: (() => void) | null = null;
+  #camera: View = HOME;
+  /** What there is to see; see STATES. */
+  #state: keyof typeof STATES = "coming";
+  /** The stage being fetched, for this stay in the document. */
+  #coming: Promise<void> | null = null;
+  #facts: Facts | null = null;
+  #turning = new Turning();
+  #desk = new Desk({
+    show: (surface) => this.#showFile(surface),
+    changed: () => this.requestUpdate(),
+    picture: () => this.toBlob(),
+    mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.settings().up },
+    names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.settings().model }),
+  });
+  #visible = false;
+  #kept = false;
+  /** Whether the canvas holds a picture: before, and while the graphics card is given back, the page's own is shown. */
+  #drawn = false;
+
+  /** The surface that is shown, moved points and all. */
+  get surface() {
+    return this.#subject.surface(this.settings());
+  }
+
+  set surface(surface: Surface | null | undefined) {
+    this.#subject.given =
+      surface === undefined || surface === null
+        ? null
+        : surface instanceof Surface
+          ? surface
+          : surfaceOfOtherBundle(surface);
+    this.patch = null;
+    this.requestUpdate();
+  }
+
+  /** Where the eye is: degrees, enlargement, shift in radii. */
+  get view() {
+    return { ...(this.#stage?.camera ?? this.#camera) };
+  }
+
+  set view(view) {
+    this.#move(view ?? HOME);
+  }
+
+  /** What is shown, as plain values; see SurfaceFigure in ../types.js. */
+  get figure() {
+    const scene = this.#scene();
+    return figureOf(scene, (this.#facts && this.#stage?.factsOf(scene)) ?? this.#facts);
+  }
+
+  /** The picture as it is now, a PNG. */
+  async toBlob(): Promise<Blob | null> {
+    await this.#coming;
+    await this.updateComplete;
+    return this.#stage?.toBlob() ?? null;
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    adoptProperties(this, ["surface", "view"]);
+    this.#watches = [this.#watch(FAR, (kept) => this.#keep(kept)), this.#watch(NEAR, (near) => this.#seen(near))];
+  }
+
+  disconnectedCallback() {
+    super.disconnectedCallback();
+    this.#watches.forEach((watch) => watch.disconnect());
+    this.#watches = [];
+    this.#coming = null;
+    this.#deafen?.();
+    this.#deafen = null;
+    this.#camera = this.view;
+    this.#stage?.end();
+    this.#stage = null;
+    this.#drawn = false;
+  }
+
+  #watch(margin: string, act: (inside: boolean) => void) {
+    const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {
+      rootMargin: margin,
+    });
+    observer.observe(this);
+    return observer;
+  }
+
+  /** @param kept whether it is near enough to keep the graphics card */
+  #keep(kept: boolean) {
+    this.#kept = kept;
+    if (kept) return;
+    this.#stage?.rest();
+    this.#setDrawn(false);
+  }
+
+  #setDrawn(drawn: boolean) {
+    if (drawn === this.#drawn) return;
+    this.#drawn = drawn;
+    this.requestUpdate();
+  }
+
+  #seen(visible: boolean) {
+    this.#visible = visible;
+    if (!visible) return;
+    this.#kept = true; // the other watch may tell later
+    if (!this.#stage) this.#coming ??= this.#start();
+    this.#stage?.wake();
+    this.#stage?.schedule();
+  }
+
+  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has other watches. */
+  async #start() {
+    const watches = this.#watches;
+    const drawing = await loadDrawing().catch(() => null);
+    await startTurn();
+    if (watches !== this.#watches || !this.isConnected) return;
+    this.#coming = null;
+    if (!this.#kept) return; // it was scrolled past
+    if (drawing) return this.#build(drawing);
+    this.#setState("missing");
+  }
+
+  #setState(state: keyof typeof STATES) {
+    this.#state = state;
+    this.requestUpdate();
+  }
+
+  #build({ Gestures, Handles, Labels, Stage }: Drawing) {
+    const find = (selector: string) => this.renderRoot.querySelector(selector) as any;
+    const canvas = find("canvas");
+    this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
+      drawn: (facts, sight, width, height) => {
+        this.#handles?.place(sight, width, height);
+        this.#labels?.place(sight, width, height);
+        this.#setDrawn(true);
+        this.#tell(facts);
+      },
+      refused: (message) => this.#desk.say(message),
+      stateChanged: (state) => this.#setState(state),
+      turning: () => this.#visible && this.#turns(),
+    });
+    this.#handles ??= new Handles(find(".overlay"), {
+      moved: (...args) => this.#pulled(...args),
+      sight: () => this.#stage?.sight() ?? null,
+    });
+    this.#labels ??= new Labels(find(".overlay"));
+    const gestures = new Gestures(canvas, {
+      view: () => this.view,
+      move: (changes, done) => this.#moveByHand(changes, done),
+      home: () => this.#moveByHand(HOME, true),
+      pick: (x, y) => this.#pick(x, y),
+    });
+    const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#desk.open(file))];
+    this.#deafen = () => endings.forEach((end) => end());
+    this.requestUpdate();
+  }
+
+  #scene() {
+    return this.#subject.scene(this.settings(), this.patch);
+  }
+
+  willUpdate(changed: Map<string, unknown>) {
+    if (!this.hasUpdated) return;
+    if (["model", "height", "up"].some((name) => changed.has(name))) {
+      this.#subject.restore();
+      if (!changed.has("patch")) this.patch = null;
+    }
+  }
+
+  updated(changed: Map<string, unknown>) {
+    if (changed.has("turn") && this.turn) this.#turning.restart();
+    if (this.#stage) {
+      const scene = this.#scene();
+      this.#handles?.update(scene);
+      this.#labels?.update(scene);
+      this.#stage.show(scene);
+    }
+    this.dispatchEvent(new Event("update"));
+  }
+
+  #turns() {
+    return this.#turning.on(this.turn);
+  }
+
+  /** The read-out follows the mesh. */
+  #tell(facts: Facts) {
+    this.#desk.clear();
+    if (JSON.stringify(facts) === JSON.stringify(this.#facts)) return;
+    this.#facts = facts;
+    this.requestUpdate();
+  }
+
+  #move(changes: Partial<View>) {
+    if (this.#stage) this.#stage.move(changes);
+    else this.#camera = moved(this.#camera, changes);
+  }
+
+  #moveByHand(changes: Partial<View>, done: boolean) {
+    if ("turn" in changes && this.#turns()) {
+      this.#turning.stop();
+      this.requestUpdate();
+    }
+    this.#move(changes);
+    this.#fire(done ? "change" : "input");
+  }
+
+  #pulled(vertex: number, to: number[], done: boolean) {
+    this.#subject.move(vertex, to);
+    this.requestUpdate();
+    this.#fire(done ? "change" : "input");
+  }
+
+  /**
+   * The patch under a click gets handles, a click beside the surface takes them away; where de Casteljau's grid is shown,
+   * it goes to the place.
+   */
+  #pick(x: number, y: number) {
+    const seen = this.#stage?.sight();
+    if (!seen) return;
+    const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
+    const [hit] = this.#scene().surface.intersectRay(origin, direction);
+    this.patch = hit?.patch ?? null;
+    if (hit && ["casteljau", "place", "derivatives"].some((each) => this.settings().layers.has(each as any)))
+      Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
+    this.#fire("change");
+  }
+
+  #fire(type: "input" | "change") {
+    this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
+  }
+
+  #set(name: string, value: unknown, type: "input" | "change") {
+    Object.assign(this, { [name]: value });
+    this.#fire(type);
+  }
+
+  #toggleTurning() {
+    const turning = !this.#turns();
+    this.#turning.ask(turning);
+    this.turn = turning;
+    this.requestUpdate();
+    this.#fire("change");
+  }
+
+  #showFile(surface: Surface) {
+    this.surface = surface;
+    const most = Math.floor(Math.sqrt(MOST_TRIANGLES / 2 / surface.patchCount));
+    if (this.segments > most) this.#set("segments", Math.max(1, most), "input");
+    this.#fire("change");
+  }
+
+  #backToModel() {
+    this.surface = null;
+    this.#fire("change");
+  }
+
+  render() {
+    const settings = this.settings();
+    const name =
+      this.label ||
+      `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
+    const zoomed = (factor: number) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
+    return frame({
+      name,
+      blank: !this.#drawn,
+      message: this.#desk.message || STATES[this.#state],
+      facts: this.#facts,
+      tools: {
+        turning: this.#turns(),
+        toggle: () => this.#toggleTurning(),
+        nearer: zoomed(ZOOM_STEP),
+        farther: zoomed(1 / ZOOM_STEP),
+        home: () => this.#moveByHand(HOME, true),
+      },
+      panel: this.controls ? this.#panelPort() : null,
+    });
+  }
+
+  #panelPort(): import("./panel.js").PanelPort {
+    return {
+      settings: this.settings(),
+      size: this.#scene().frame.radius,
+      named: !this.#subject.given,
+      patches: this.#scene().surface.patchCount,
+      edited: this.#subject.edited,
+      set: (...args) => this.#set(...args),
+      setFineness: (kind) => this.#setFineness(kind),
+      restore: () => this.#restore(),
+      savePicture: () => this.#desk.savePicture(),
+      saveMesh: (kind) => this.#desk.saveMesh(kind),
+      open: (file) => this.#desk.open(file),
+      backToModel: () => this.#backToModel(),
+    };
+  }
+
+  #setFineness(kind: "segments" | "tolerance" | "pixels" | "flatness") {
+    const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
+    const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
+    for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
+    this.#fire("change");
+  }
+
+  #restore() {
+    this.#subject.restore();
+    this.requestUpdate();
+    this.#fire("change");
+  }
+}
+
+/** As the sliders have it. */
+const rounded = (x: number) => Math.round(100 * x) / 100;

@@ -1,0 +1,307 @@
+// From the surface and the settings to what is drawn: meshes and straight pieces, made again only when they change.
+import { arrowsAt } from "./arrows.js";
+import { Memo } from "./memo.js";
+import { errorBound } from "./bound.js";
+import * as lines from "./lines.js";
+import { patchesOf, sweptBy } from "./patches.js";
+import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
+import { MOST_GPU_DEGREE } from "./shaders.js";
+import type { Mesh, Surface } from "../../surfaces.js";
+import type { Settings } from "./settings.js";
+import type { Frame, Sight } from "./camera.js";
+
+/** What is to be seen. */
+export type Scene = { surface: Surface; settings: Settings; frame: Frame; picked: number | null };
+
+export type Recursion = { pieces: number; depth: number; cracks: number; widest: number };
+
+/**
+ * What the picture is made of. `error`: the greatest distance of the surface from the mesh is not above it; `ms`: how long
+ * the core took for the mesh, null where the graphics card makes it; `recursion`: what the text's recursion has left.
+ */
+export type Facts = {
+  triangles: number;
+  vertices: number;
+  ms: number | null;
+  error: number | null;
+  unit: "" | "px";
+  recursion: Recursion | null;
+};
+
+/** The layers of curves as bodies. */
+export const WIRES = ["tubes", "ribbons"] as const;
+/** In radii of the surface. */
+const TUBE_RADIUS = 0.0085;
+const TUBE_SIDES = 10;
+const RIBBON_WIDTH = 0.03;
+
+export class Geometry {
+  #memo = new Memo();
+  #ms = 0;
+  #wiresMs = { tubes: 0, ribbons: 0 };
+  /** What the text's recursion left, where it made the mesh. */
+  #pieces: import("./pieces.js").Piece[] = [];
+  #seen: unknown[] = [];
+  #sight: { viewProjection: number[]; viewport: number[] } | null = null;
+  /** Whether the camera has moved since the view that tolerances in pixels refer to. */
+  outdated = false;
+
+  /**
+   * Tells how the surface is seen, which counts where the tolerance is in pixels.
+   *
+   * @param width in CSS pixels
+   * @param moving the camera moves: the mesh of the last view stays until it rests, which keeps frames short
+   */
+  seen({ viewProjection }: Sight, width: number, height: number, moving = false) {
+    const numbers = [...viewProjection, width, height];
+    this.outdated = !numbers.every((x, i) => x === this.#seen[i]);
+    if (!this.outdated || (moving && this.#sight)) return;
+    this.outdated = false;
+    this.#seen = numbers;
+    this.#sight = { viewProjection, viewport: [width, height] };
+  }
+
+  /** Whether the vertex shader evaluates the patches: it can do grids only, and not of every degree. */
+  onGpu({ surface, settings: { evaluation, fineness } }: Scene) {
+    if (evaluation !== "gpu" || !("segments" in fineness)) return false;
+    return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MOST_GPU_DEGREE);
+  }
+
+  /** What is drawn of the surface: all of it, or what the curve of constant u has swept. */
+  shown({ surface, settings: { swept, u } }: Scene) {
+    if (!swept || u === 1) return surface;
+    return this.#memo.get("swept", [surface, u], () => sweptBy(surface, u));
+  }
+
+  /** The mesh of the core. */
+  mesh(scene: Scene): Mesh {
+    const { fineness, shading, evaluation } = scene.settings;
+    const surface = this.shown(scene);
+    const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
+    const method = evaluation === "forward" ? "forward-difference" : "bernstein";
+    const sight = "pixels" in fineness ? this.#sight : null;
+    const make = (into: Mesh | undefined) => {
+      const [mesh, ms] = timed(() => this.#make(surface, fineness, own, method, into));
+      this.#ms = ms;
+      return mesh;
+    };
+    return this.#memo.get(
+      "mesh",
+      [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, method, sight],
+      make,
+    );
+  }
+
+  /**
+   * @param method of grids
+   */
+  #make(
+    surface: Surface,
+    fineness: Settings["fineness"],
+    own: boolean,
+    method: "bernstein" | "forward-difference",
+    into: Mesh | undefined,
+  ) {
+    const weld = own ? "none" : "normal";
+    if ("segments" in fineness) return surface.grid({ ...fineness, method, into });
+    if ("tolerance" in fineness) return surface.tessellate({ ...fineness, weld, into });
+    if ("flatness" in fineness) {
+      this.#pieces = surface.subdivide(fineness.flatness);
+      return piecesMesh(surface, this.#pieces);
+    }
+    const { viewProjection = [], viewport = [] } = this.#sight ?? {};
+    return surface.tessellate({ ...fineness, viewProjection, viewport, weld, into });
+  }
+
+  /** A mesh to take away: as fine as the one that is seen, and closed where the surface is. */
+  closedMesh({ surface, settings: { fineness } }: Scene): Mesh {
+    return "segments" in fineness
+      ? surface.tessellate(fineness)
+      : this.#make(surface, fineness, false, "bernstein", undefined);
+  }
+
+  /** The number of the mesh: its arrays are reused, so that it is always the same object. */
+  version(withCurvatures = false) {
+    return this.#memo.version(withCurvatures ? "curvatures" : "mesh");
+  }
+
+  /** Gaussian and mean curvature of each vertex, where the shading asks for them. */
+  curvatures(scene: Scene) {
+    const { shading } = scene.settings;
+    if (shading !== "gaussian" && shading !== "mean") return null;
+    const mesh = this.mesh(scene);
+    return this.#memo.get("curvatures", [this.version()], () => curvaturesOf(this.shown(scene), mesh));
+  }
+
+  /** The sides of its triangles. */
+  edges(scene: Scene) {
+    const mesh = this.mesh(scene);
+    return this.#memo.get("edges", [this.version()], () => lines.edges(mesh));
+  }
+
+  isocurves(scene: Scene) {
+    const [surface, count] = [this.shown(scene), scene.settings.lines];
+    return this.#memo.get("isocurves", [surface, count], () => lines.isocurves(surface, count));
+  }
+
+  /** The gaps of the recursion's mesh; null for the other meshes, which have none. */
+  cracks(scene: Scene) {
+    if (!("flatness" in scene.settings.fineness)) return null;
+    this.mesh(scene);
+    return this.#memo.get("cracks", [this.version()], () => cracksOf(this.shown(scene), this.#pieces));
+  }
+
+  /** The curves as bodies: tubes, or ribbons that lie in the surface. */
+  wires(kind: "tubes" | "ribbons", scene: Scene): Mesh {
+    const {
+      frame,
+      settings: { lines: count },
+    } = scene;
+    const surface = this.shown(scene);
+    const size =
+      kind === "tubes"
+        ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES }
+        : { width: frame.radius * RIBBON_WIDTH };
+    const make = (into: Mesh | undefined) => {
+      const [mesh, ms] = timed(() => surface.wireframe({ lines: count, ...size, into }));
+      this.#wiresMs[kind] = ms;
+      return mesh;
+    };
+    return this.#memo.get(kind, [surface, frame, count], make);
+  }
+
+  wiresVersion(kind: "tubes" | "ribbons") {
+    return this.#memo.version(kind);
+  }
+
+  net({ surface, picked }: Scene) {
+    return this.#memo.get("net", [surface, picked], () => lines.nets(surface, picked));
+  }
+
+  outline({ surface, picked }: Scene) {
+    return this.#memo.get("outline", [surface, picked], () =>
+      picked === null ? new Float32Array() : lines.outline(patchesOf(surface)[picked]),
+    );
+  }
+
+  casteljau({ surface, picked, settings: { u, v, step } }: Scene) {
+    return this.#memo.get("casteljau", [surface, picked, u, v, step], () =>
+      lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step),
+    );
+  }
+
+  /** The point that the page asks about, the nearest one of the surface, and the way between them. */
+  probe({ surface, settings: { probe } }: Scene) {
+    return this.#memo.get("probe", [surface, probe], () => {
+      const found = probe && surface.nearest(probe);
+      if (!found) return null;
+      const { x, y, z = 0 } = found.point;
+      return {
+        way: Float32Array.from([...probe, x, y, z]),
+        at: Float32Array.from(probe),
+        nearest: Float32Array.of(x, y, z),
+      };
+    });
+  }
+
+  /** The curves of constant u and v, and where they meet. */
+  place({ surface, picked, settings: { u, v } }: Scene) {
+    return this.#memo.get("place", [surface, picked, u, v], () => lines.place(patchesOf(surface)[picked ?? 0], u, v));
+  }
+
+  /** The derivatives and the normal at (u, v). */
+  derivatives({ surface, picked, frame, settings: { u, v } }: Scene) {
+    return this.#memo.get("derivatives", [surface, picked, u, v], () =>
+      arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius),
+    );
+  }
+
+  /** What the picture is made of, in numbers. */
+  facts(scene: Scene): Facts {
+    const { layers } = scene.settings;
+    const shown = layers.has("surface") || layers.has("mesh");
+    const facts: Facts = shown
+      ? this.#meshFacts(scene)
+      : { triangles: 0, vertices: 0, ms: 0, error: null, unit: "", recursion: null };
+    for (const kind of WIRES) {
+      if (!layers.has(kind)) continue;
+      const { indices, positions } = this.wires(kind, scene);
+      facts.triangles += indices.length / 3;
+      facts.vertices += positions.length / 3;
+      if (facts.ms !== null) facts.ms += this.#wiresMs[kind];
+    }
+    return facts;
+  }
+
+  #meshFacts(scene: Scene): Facts {
+    const {
+      surface,
+      settings: { fineness },
+    } = scene;
+    if (this.onGpu(scene) && "segments" in fineness) {
+      const { segments } = fineness;
+      const count = surface.patchCount;
+      return {
+        triangles: 2 * count * segments ** 2,
+        vertices: count * (segments + 1) ** 2,
+        ms: null,
+        ...this.#error(scene),
+        recursion: null,
+      };
+    }
+    const mesh = this.mesh(scene);
+    const recursion = this.#recursion(scene);
+    return {
+      triangles: mesh.indices.length / 3,
+      vertices: mesh.positions.length / 3,
+      ms: this.#ms,
+      ...this.#error(scene),
+      recursion,
+    };
+  }
+
+  #error(scene: Scene): { error: number | null; unit: "" | "px" } {
+    const { fineness } = scene.settings;
+    const surface = this.shown(scene);
+    if ("flatness" in fineness) return { error: null, unit: "" }; // it bounds no distance
+    if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
+    if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };
+    return {
+      error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)),
+      unit: "",
+    };
+  }
+
+  #recursion(scene: Scene): Recursion | null {
+    const cracks = this.cracks(scene);
+    return (
+      cracks && {
+        pieces: this.#pieces.length,
+        depth: depthOf(this.#pieces),
+        cracks: cracks.triangles.length / 9,
+        widest: cracks.widest,
+      }
+    );
+  }
+}
+
+/** What comes out, and how long it took. */
+function timed<T>(make: () => T): [T, number] {
+  const begin = performance.now();
+  return [make(), performance.now() - begin];
+}
+
+/**
+ * Two numbers for each vertex.
+ *
+ * @param mesh with uvs and patch numbers
+ */
+function curvaturesOf(surface: Surface, { uvs, patchIds }: Mesh) {
+  const patches = patchesOf(surface);
+  const numbers = new Float32Array(uvs?.length ?? 0);
+  for (let i = 0; uvs && patchIds && i < patchIds.length; i++) {
+    const { gaussian, mean } = patches[patchIds[i]].curvature(uvs[2 * i], uvs[2 * i + 1]);
+    numbers.set([gaussian, mean], 2 * i);
+  }
+  return numbers;
+}

@@ -1,0 +1,136 @@
+// Fingers, mouse, wheel and keys on the picture: what they do to the view.
+
+import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
+import type { View } from "./camera.js";
+
+export interface GesturePort {
+  view: () => View;
+  move: (changes: Partial<View>, done: boolean) => void;
+  /** A press without a way, in CSS pixels of the canvas */
+  pick: (x: number, y: number) => void;
+  home: () => void;
+}
+
+const DEGREES_PER_PIXEL = 0.4;
+const DEGREES_PER_KEY = 5;
+/** A press that moved no further is a click. */
+const CLICK_PX = 4;
+const ZOOM_PER_WHEEL_PIXEL = 1.0015;
+const LINE_PX = 16;
+const PAN_PER_KEY = 0.05;
+
+const ARROWS = new Map([
+  ["ArrowLeft", [-1, 0]],
+  ["ArrowRight", [1, 0]],
+  ["ArrowUp", [0, -1]],
+  ["ArrowDown", [0, 1]],
+]);
+
+export type Place = { x: number; y: number };
+
+export class Gestures {
+  #canvas;
+  #port;
+  #pointers: Map<number, Place> = new Map();
+  #travelled = 0;
+
+  constructor(canvas: HTMLCanvasElement, port: GesturePort) {
+    this.#canvas = canvas;
+    this.#port = port;
+  }
+
+  /** Listens; what comes back ends it. */
+  listen() {
+    const listeners: [string, (event: any) => void][] = [
+      ["pointerdown", (event) => this.#down(event)],
+      ["pointermove", (event) => this.#moved(event)],
+      ["pointerup", (event) => this.#up(event)],
+      ["pointercancel", (event) => this.#up(event)],
+      ["wheel", (event) => this.#wheel(event)],
+      ["keydown", (event) => this.#key(event)],
+    ];
+    for (const [type, listener] of listeners) this.#canvas.addEventListener(type, listener, { passive: false });
+    return () => {
+      for (const [type, listener] of listeners) this.#canvas.removeEventListener(type, listener);
+    };
+  }
+
+  #down(event: PointerEvent) {
+    if (event.button > 1) return;
+    if (this.#pointers.size === 0) this.#travelled = 0;
+    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.#canvas.setPointerCapture(event.pointerId);
+  }
+
+  #moved(event: PointerEvent) {
+    const before = this.#pointers.get(event.pointerId);
+    if (!before) return;
+    const now = { x: event.clientX, y: event.clientY };
+    const [dx, dy] = [now.x - before.x, now.y - before.y];
+    this.#travelled += Math.hypot(dx, dy);
+    const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    this.#pointers.set(event.pointerId, now);
+    if (this.#travelled < CLICK_PX) return;
+    if (others.length > 0) this.#pinch(before, now, others[0]);
+    else if (event.shiftKey || event.buttons & 4) this.#pan(dx, dy);
+    else this.#orbit(dx, dy);
+  }
+
+  #up(event: PointerEvent) {
+    if (!this.#pointers.delete(event.pointerId)) return;
+    if (this.#pointers.size > 0) return;
+    if (this.#travelled >= CLICK_PX) return this.#port.move({}, true);
+    if (event.type !== "pointerup") return;
+    const box = this.#canvas.getBoundingClientRect();
+    this.#port.pick(event.clientX - box.left, event.clientY - box.top);
+  }
+
+  #orbit(dx: number, dy: number) {
+    const { turn, tilt } = this.#port.view();
+    this.#port.move({ turn: turn + dx * DEGREES_PER_PIXEL, tilt: tilt + dy * DEGREES_PER_PIXEL }, false);
+  }
+
+  #pan(dx: number, dy: number) {
+    const view = this.#port.view();
+    const scale = radiiPerPixel(view, this.#canvas.clientWidth, this.#canvas.clientHeight);
+    this.#port.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
+  }
+
+  /** Two fingers: their distance is the zoom, their middle the shift. */
+  #pinch(before: Place, now: Place, other: Place) {
+    const distance = (place: Place) => Math.max(1, Math.hypot(place.x - other.x, place.y - other.y));
+    const { zoom } = this.#port.view();
+    this.#port.move({ zoom: (zoom * distance(now)) / distance(before) }, false);
+    this.#pan((now.x - before.x) / 2, (now.y - before.y) / 2);
+  }
+
+  /**
+   * The wheel belongs to the page, until the picture has the focus or Ctrl is held (which pinching on a pad sends, too).
+   */
+  #wheel(event: WheelEvent) {
+    const focused = (this.#canvas.getRootNode() as ShadowRoot | Document).activeElement === this.#canvas;
+    if (!focused && !event.ctrlKey) return;
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === 1 ? LINE_PX : 1) * (event.ctrlKey ? 4 : 1);
+    this.#port.move({ zoom: this.#port.view().zoom * ZOOM_PER_WHEEL_PIXEL ** -pixels }, true);
+  }
+
+  #key(event: KeyboardEvent) {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const view = this.#port.view();
+    const arrow = ARROWS.get(event.key);
+    if (arrow && event.shiftKey) {
+      const scale = PAN_PER_KEY / view.zoom;
+      this.#port.move({ panX: view.panX + arrow[0] * scale, panY: view.panY - arrow[1] * scale }, true);
+    } else if (arrow)
+      this.#port.move(
+        { turn: view.turn + arrow[0] * DEGREES_PER_KEY, tilt: view.tilt + arrow[1] * DEGREES_PER_KEY },
+        true,
+      );
+    else if (event.key === "+" || event.key === "=") this.#port.move({ zoom: view.zoom * ZOOM_STEP }, true);
+    else if (event.key === "-" || event.key === "_") this.#port.move({ zoom: view.zoom / ZOOM_STEP }, true);
+    else if (event.key === "0") this.#port.home();
+    else return;
+    event.preventDefault();
+  }
+}

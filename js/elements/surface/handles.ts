@@ -1,0 +1,175 @@
+// One HTML button for each control point of the picked patch, over the canvas.
+import { placeOf, shiftOf } from "./camera.js";
+import { patchesOf } from "./patches.js";
+import type { Sight } from "./camera.js";
+import type { Scene } from "./geometry.js";
+
+export interface HandlePort {
+  moved: (vertex: number, to: number[], done: boolean) => void;
+  sight: () => { sight: Sight; width: number; height: number } | null;
+}
+
+/** A net with more points is shown without handles: nobody can tell them apart. */
+const MOST_HANDLES = 100;
+const [STEP_PX, WIDE_STEP_PX, FINE_STEP_PX] = [4, 20, 1];
+
+/** Towards the right, downwards, away from the eye. */
+const KEYS = new Map([
+  ["ArrowLeft", [-1, 0, 0]],
+  ["ArrowRight", [1, 0, 0]],
+  ["ArrowUp", [0, -1, 0]],
+  ["ArrowDown", [0, 1, 0]],
+  ["PageUp", [0, 0, 1]],
+  ["PageDown", [0, 0, -1]],
+]);
+
+/** Where the pointer was, where the point was at first */
+export type Drag = { vertex: number; x: number; y: number; before: number[]; moved: boolean };
+
+export class Handles {
+  #overlay;
+  #port;
+  #buttons: HTMLButtonElement[] = [];
+  /** The vertex of each button. */
+  #vertices: number[] = [];
+  #points: Float64Array = new Float64Array();
+  #scene: Scene | null = null;
+  #drags: Map<number, Drag> = new Map();
+
+  constructor(overlay: HTMLElement, port: HandlePort) {
+    this.#overlay = overlay;
+    this.#port = port;
+    const on = (type: string, listener: (event: any) => void) => overlay.addEventListener(type, listener);
+    on("pointerdown", (event) => this.#down(event));
+    on("pointermove", (event) => this.#pulled(event));
+    on("pointerup", (event) => this.#released(event, true));
+    on("pointercancel", (event) => this.#released(event, false));
+    on("keydown", (event) => this.#key(event));
+  }
+
+  /** As many handles as the picked patch has control points. */
+  update(scene: Scene) {
+    if (scene === this.#scene) return;
+    this.#scene = scene;
+    const patch = scene.picked === null ? null : patchesOf(scene.surface)[scene.picked];
+    const vertices = patch ? [...scene.surface.patches[scene.picked ?? 0]] : [];
+    this.#vertices = vertices.length > MOST_HANDLES ? [] : vertices;
+    this.#points = patch?.controlPoints() ?? this.#points;
+    while (this.#buttons.length > this.#vertices.length) this.#buttons.pop()?.remove();
+    while (this.#buttons.length < this.#vertices.length) this.#add();
+    this.#buttons.forEach((button, i) => this.#describe(button, i, (patch?.degreeU ?? 0) + 1));
+  }
+
+  #add() {
+    const button = this.#overlay.ownerDocument.createElement("button");
+    button.type = "button";
+    button.className = "handle";
+    button.setAttribute("part", "handle");
+    this.#overlay.append(button);
+    this.#buttons.push(button);
+  }
+
+  #describe(button: HTMLButtonElement, i: number, columns: number) {
+    const [column, row, rows] = [i % columns, Math.floor(i / columns), this.#vertices.length / columns];
+    const corner = (column === 0 || column === columns - 1) && (row === 0 || row === rows - 1);
+    const numbers = [...this.#points.subarray(3 * i, 3 * i + 3)].map((x) => Number(x.toPrecision(3)));
+    button.dataset.index = String(i);
+    button.dataset.kind = corner ? "on" : "off";
+    button.setAttribute("aria-label", `P${column}${row}: x ${numbers[0]}, y ${numbers[1]}, z ${numbers[2]}`);
+  }
+
+  /** Puts every handle where its point is seen; outside the picture only the focused one stays, at its edge. */
+  place(sight: Sight, width: number, height: number) {
+    this.#buttons.forEach((button, i) => {
+      const at = placeOf(sight, this.#points, 3 * i, width, height);
+      const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
+      button.hidden = !inside && !button.matches(":focus");
+      if (!at || button.hidden) return;
+      const clamped = (x: number, most: number) => Math.min(Math.max(x, 0), most).toFixed(2);
+      button.style.translate = `${clamped(at[0], width)}px ${clamped(at[1], height)}px`;
+    });
+  }
+
+  /** The one whose centre is nearest, among those under the pointer. */
+  #nearest(event: PointerEvent) {
+    let [best, least] = [-1, Infinity];
+    this.#buttons.forEach((button, i) => {
+      const { left, top, width, height } = button.getBoundingClientRect();
+      const distance = Math.hypot(event.clientX - left - width / 2, event.clientY - top - height / 2);
+      if (!button.hidden && distance < least) [best, least] = [i, distance];
+    });
+    return best;
+  }
+
+  #down(event: PointerEvent) {
+    if (event.button !== 0 || !(event.target as Element).closest(".handle")) return;
+    const i = this.#nearest(event);
+    event.preventDefault();
+    this.#buttons[i].focus({ preventScroll: true });
+    this.#overlay.setPointerCapture(event.pointerId);
+    this.#drags.set(event.pointerId, {
+      vertex: this.#vertices[i],
+      x: event.clientX,
+      y: event.clientY,
+      before: this.#pointAt(i),
+      moved: false,
+    });
+  }
+
+  #pointAt(i: number) {
+    return [...this.#points.subarray(3 * i, 3 * i + 3)];
+  }
+
+  #pulled(event: PointerEvent) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
+    if (!drag.moved && dx === 0 && dy === 0) return;
+    drag.moved = true;
+    this.#shift(drag.vertex, drag.before, [dx, dy, 0], false);
+  }
+
+  #released(event: PointerEvent, kept: boolean) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    this.#drags.delete(event.pointerId);
+    if (!drag.moved) return;
+    if (kept) this.#shift(drag.vertex, drag.before, [event.clientX - drag.x, event.clientY - drag.y, 0], true);
+    else this.#port.moved(drag.vertex, drag.before, true);
+  }
+
+  #key(event: KeyboardEvent) {
+    if (event.key === "Escape" && this.#drags.size > 0) {
+      for (const { vertex, before } of this.#drags.values()) this.#port.moved(vertex, before, true);
+      this.#drags.clear();
+      return event.preventDefault();
+    }
+    const i = this.#buttons.indexOf(event.target as HTMLButtonElement);
+    const way = KEYS.get(event.key);
+    if (i < 0 || !way || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    const step = event.shiftKey ? WIDE_STEP_PX : event.altKey ? FINE_STEP_PX : STEP_PX;
+    this.#shift(
+      this.#vertices[i],
+      this.#pointAt(i),
+      way.map((x) => x * step),
+      true,
+    );
+  }
+
+  /**
+   * @param way in pixels: right, down, away
+   */
+  #shift(vertex: number, from: number[], [dx, dy, away]: number[], done: boolean) {
+    const seen = this.#port.sight();
+    if (!seen) return;
+    const { sight, width, height } = seen;
+    const flat = shiftOf(sight, from, dx, dy, width, height);
+    const unit = Math.hypot(...shiftOf(sight, from, 1, 0, width, height));
+    this.#port.moved(
+      vertex,
+      from.map((x, k) => x + flat[k] + away * unit * sight.forward[k]),
+      done,
+    );
+  }
+}

@@ -1,0 +1,189 @@
+// The controls below the picture: native form controls that set the element's properties.
+import { html, nothing } from "lit";
+import {
+  AXES,
+  EVALUATIONS,
+  HEIGHTS,
+  LAYERS,
+  MODELS,
+  MOST_LINES,
+  MOST_SEGMENTS,
+  PARTS,
+  SHADINGS,
+  STEPS,
+  toggled,
+} from "./settings.js";
+import {
+  EVALUATION_NAMES,
+  figures,
+  FINENESS_NAMES,
+  LAYER_NAMES,
+  MODEL_NAMES,
+  SHADING_NAMES,
+  STEP_WORDS,
+} from "./words.js";
+import type { Settings } from "./settings.js";
+
+/** What the controls know and do. */
+export interface PanelPort {
+  settings: Settings;
+  /** The surface's radius */
+  size: number;
+  setFineness: (kind: "segments" | "tolerance" | "pixels" | "flatness") => void;
+  /** Whether the surface is a model of the list */
+  named: boolean;
+  edited: boolean;
+  set: (name: string, value: unknown, type: "input" | "change") => void;
+  restore: () => void;
+  savePicture: () => void;
+  saveMesh: (kind: "obj" | "stl" | "glb") => void;
+  open: (file: File) => void;
+  backToModel: () => void;
+  patches: number;
+}
+
+const KINDS = ["obj", "stl", "glb"] as const;
+const UV_STEP = 0.01;
+const FINENESSES = ["segments", "tolerance", "pixels", "flatness"];
+/** The range of the tolerance, in radii of the surface. */
+const [FINEST, COARSEST] = [1e-4, 0.2];
+
+export function panel(port: PanelPort) {
+  return html`<div class="controls" part="controls">
+    ${modelControls(port)} ${meshControls(port)} ${lookControls(port)} ${layerControls(port)}
+    ${placeControls(port)} ${fileControls(port)}
+  </div>`;
+}
+
+function select(
+  name: string,
+  label: string,
+  words: readonly string[],
+  chosen: string,
+  names: Record<string, string>,
+  { set }: PanelPort,
+) {
+  return choice(label, words, chosen, names, (word) => set(name, word, "change"));
+}
+
+function choice(
+  label: string,
+  words: readonly string[],
+  chosen: string,
+  names: Record<string, string>,
+  act: (word: any) => void,
+) {
+  const changed = (event: Event) => act((event.target as HTMLSelectElement).value);
+  const option = (word: string) =>
+    html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+  return html`<label class="line"><span>${label}</span><select @change=${changed}>${words.map(option)}</select></label>`;
+}
+
+function slider(
+  name: string,
+  label: unknown,
+  value: number,
+  { min, max, step }: { min: number; max: number; step: number },
+  { set }: PanelPort,
+) {
+  const to = (type: "input" | "change") => (event: Event) =>
+    set(name, Number((event.target as HTMLInputElement).value), type);
+  return html`<label class="line"><span>${label}</span>
+    <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to("input")} @change=${to("change")}>
+    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(2) : value}</span></label>`;
+}
+
+function box(label: string, checked: boolean, act: (on: boolean) => void) {
+  const changed = (event: Event) => act((event.target as HTMLInputElement).checked);
+  return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
+}
+
+function modelControls(port: PanelPort) {
+  const { settings, named, set } = port;
+  const { model, parts } = settings;
+  if (!named) {
+    return html`<fieldset><legend>Model</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
+      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[model].toLowerCase()}</button></fieldset>`;
+  }
+  const part = (each: import("./settings.js").Part) =>
+    box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
+  return html`<fieldset><legend>Model</legend>
+    ${select("model", "Shape", MODELS, model, MODEL_NAMES, port)}
+    ${model === "teapot" ? select("height", "Height", HEIGHTS, settings.height, { squashed: "squashed, as usual", original: "Newell’s, 4/3 as tall" }, port) : nothing}
+    ${select("up", "Upright", AXES, settings.up, { z: "z", y: "y" }, port)}
+    ${model === "teapot" ? PARTS.map(part) : nothing}
+  </fieldset>`;
+}
+
+/** A slider on which equal ways are equal ratios. */
+function decades(name: string, label: string, value: number, least: number, most: number, { set }: PanelPort) {
+  const to = (type: "input" | "change") => (event: Event) =>
+    set(name, Number((10 ** Number((event.target as HTMLInputElement).value)).toPrecision(2)), type);
+  const position = Math.log10(value).toFixed(2);
+  return html`<label class="line"><span>${label}</span>
+    <input type="range" name=${name} min=${Math.log10(least).toFixed(2)} max=${Math.log10(most).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${figures(value)} @input=${to("input")} @change=${to("change")}>
+    <span class="value" aria-hidden="true">${figures(value)}</span></label>`;
+}
+
+function meshControls(port: PanelPort) {
+  const { settings } = port;
+  const { fineness } = settings;
+  return html`<fieldset><legend>Mesh</legend>
+    ${choice("Fineness", FINENESSES, Object.keys(fineness)[0], FINENESS_NAMES, port.setFineness)}
+    ${"segments" in fineness ? slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port) : nothing}
+    ${"tolerance" in fineness ? decades("tolerance", "Tolerance", fineness.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"pixels" in fineness ? decades("pixels", "Pixels", fineness.pixels, 0.1, 30, port) : nothing}
+    ${"flatness" in fineness ? decades("flatness", "Flatness", fineness.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"segments" in fineness ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
+  </fieldset>`;
+}
+
+function lookControls(port: PanelPort) {
+  return html`<fieldset><legend>Look</legend>${select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port)}</fieldset>`;
+}
+
+function layerControls(port: PanelPort) {
+  const {
+    settings: { layers, lines },
+    set,
+  } = port;
+  const layer = (each: import("./settings.js").Layer) =>
+    box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
+  return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
+    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
+}
+
+/** The sliders of u and v, where something is shown at them. */
+function placeControls(port: PanelPort) {
+  const { layers, swept, u, v } = port.settings;
+  const steps = layers.has("casteljau");
+  if (!steps && !layers.has("derivatives") && !layers.has("place") && !swept) return nothing;
+  const unit = { min: 0, max: 1, step: UV_STEP };
+  return html`<fieldset class="wide"><legend>${steps ? "De Casteljau on the grid" : "Place"}</legend>
+    ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}
+    ${steps ? stepper(port) : nothing}
+  </fieldset>`;
+}
+
+function stepper({ settings: { step }, set }: PanelPort) {
+  return html`<div class="row">
+      <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>Step back</button>
+      <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>Next step</button>
+    </div>
+    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS[step - 1]}</p>`;
+}
+
+function fileControls({ edited, restore, savePicture, saveMesh, open }: PanelPort) {
+  const chosen = (event: Event) => {
+    const input = event.target as HTMLInputElement;
+    if (input.files?.[0]) open(input.files[0]);
+    input.value = ""; // the same file can be chosen again
+  };
+  return html`<fieldset><legend>Files</legend><div class="row">
+    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${chosen}></label>
+    <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
+  </div><div class="row" role="group" aria-label="Save as">
+    <button type="button" @click=${savePicture}>PNG</button>
+    ${KINDS.map((kind) => html`<button type="button" @click=${() => saveMesh(kind)}>${kind.toUpperCase()}</button>`)}
+  </div></fieldset>`;
+}

@@ -1,0 +1,24 @@
+// The patches of a surface one by one, and surfaces of parts of them.
+import { Surface } from "../../surfaces.js";
+import type { Patch } from "../../surfaces.js";
+
+const known: WeakMap<Surface, Patch[]> = new WeakMap();
+
+/** All patches of a surface, taken out of it once. */
+export function patchesOf(surface: Surface): readonly Patch[] {
+  const patches = known.get(surface) ?? Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k));
+  known.set(surface, patches);
+  return patches;
+}
+
+/** What of a surface the curve of constant u has swept on its way from 0: the first piece of every patch. */
+export function sweptBy(surface: Surface, u: number): Surface {
+  const pieces = patchesOf(surface).map((patch) => patch.splitU(u)[0]);
+  return Surface.parse(`${pieces.length}\n${pieces.map(bpt).join("")}`);
+}
+
+function bpt(patch: Patch) {
+  const points = patch.controlPoints();
+  const rows = Array.from({ length: points.length / 3 }, (_, k) => points.subarray(3 * k, 3 * k + 3).join(" "));
+  return `${patch.degreeU} ${patch.degreeV}\n${rows.join("\n")}\n`;
+}

@@ -1,0 +1,222 @@
+// The canvas and its frames: at most one a turn of the display, and only when something has changed.
+import { moved, sightOf } from "./camera.js";
+import { FlatView } from "./flat-view.js";
+import { Geometry } from "./geometry.js";
+import { GlView } from "./gl-view.js";
+import { Lease } from "./lease.js";
+import { followColours } from "../../applet/theme.js";
+import { readTheme } from "./theme.js";
+import type { Sight, View } from "./camera.js";
+import type { Facts, Scene } from "./geometry.js";
+import type { Theme } from "./theme.js";
+
+/** What the stage tells the element. */
+export interface StagePort {
+  /** After each frame; the size in CSS pixels */
+  drawn: (facts: Facts, sight: Sight, width: number, height: number) => void;
+  /** The core cannot make this mesh */
+  refused: (message: string) => void;
+  stateChanged: (state: "webgl" | "flat" | "lost") => void;
+  /** Whether the picture turns by itself */
+  turning: () => boolean;
+}
+
+const TURN_DEGREES_PER_SECOND = 24;
+/** After so many frames without a movement the camera rests. */
+const REST_FRAMES = 3;
+/** A frame after a pause (a hidden tab) does not make the picture jump. */
+const LONGEST_FRAME_MS = 100;
+
+export class Stage {
+  geometry = new Geometry();
+  #canvas;
+  #probe;
+  #port;
+  #view: GlView | FlatView | null = null;
+  #scene: Scene | null = null;
+  /** What the canvas shows; null if it has to be drawn again. */
+  #drawnScene: Scene | null = null;
+  #theme: Theme | null = null;
+  #camera: View;
+  #frame = 0;
+  #before = 0;
+  #framesAtRest = REST_FRAMES;
+  #lost = false;
+  #lease;
+  #endings: (() => void)[] = [];
+
+  /**
+   * @param probe from which colours are read
+   */
+  constructor(canvas: HTMLCanvasElement, probe: HTMLElement, camera: View, port: StagePort) {
+    this.#canvas = canvas;
+    this.#probe = probe;
+    this.#camera = camera;
+    this.#port = port;
+    this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
+    this.#lost = this.#view instanceof GlView && this.#view.lost;
+    this.#lease = Lease.of(canvas);
+    if (this.#lost) this.#lease.renew();
+    port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
+    this.#listen();
+  }
+
+  #listen() {
+    const canvas = this.#canvas;
+    const lost = () => {
+      this.#lost = true;
+      this.#drawnScene = null;
+      if (!this.#lease.ended) this.#port.stateChanged("lost");
+    };
+    const restored = () => {
+      this.#lost = false;
+      this.#view = GlView.on(canvas);
+      this.#port.stateChanged("webgl");
+      this.schedule();
+    };
+    canvas.addEventListener("webglcontextlost", lost);
+    canvas.addEventListener("webglcontextrestored", restored);
+    const observer = new ResizeObserver((entries) => this.#resize(entries[entries.length - 1]));
+    observe(observer, canvas);
+    const themeEnds = followColours(() => this.recolour());
+    this.#endings.push(
+      () => canvas.removeEventListener("webglcontextlost", lost),
+      () => canvas.removeEventListener("webglcontextrestored", restored),
+      () => observer.disconnect(),
+      themeEnds,
+    );
+  }
+
+  get camera() {
+    return this.#camera;
+  }
+
+  move(changes: Partial<View>) {
+    this.#camera = moved(this.#camera, changes);
+    this.#framesAtRest = 0;
+    this.schedule();
+  }
+
+  show(scene: Scene) {
+    this.#scene = scene;
+    if (scene !== this.#drawnScene || this.#port.turning()) this.schedule();
+  }
+
+  /** The style sheet has other colours now. */
+  recolour() {
+    this.#theme = null;
+    this.schedule();
+  }
+
+  /** Gives the graphics card back while nobody looks: a browser lends few of them at a time. */
+  rest() {
+    if (!(this.#view instanceof GlView) || this.#lost) return;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lost = true;
+    this.#view.drop();
+    this.#lease.end();
+  }
+
+  /** The picture comes back after a rest. */
+  wake() {
+    this.#lease.renew();
+  }
+
+  /** How the scene is seen now, on so many CSS pixels; null before there is one. */
+  sight() {
+    const { clientWidth, clientHeight } = this.#canvas;
+    return (
+      this.#scene && {
+        sight: sightOf(this.#camera, this.#scene.frame, clientWidth || 1, clientHeight || 1),
+        width: clientWidth,
+        height: clientHeight,
+      }
+    );
+  }
+
+  schedule() {
+    this.#frame ||= requestAnimationFrame((now) => this.#step(now));
+  }
+
+  #step(now: number) {
+    this.#frame = 0;
+    const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
+    this.#before = now;
+    if (this.#port.turning() && this.#scene && !this.#lost)
+      this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
+    this.draw(this.#framesAtRest++ < REST_FRAMES);
+    if (this.geometry.outdated) this.schedule();
+  }
+
+  /** Draws now. @param moving whether the camera moves */
+  draw(moving = false) {
+    const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
+    if (!scene || !seen || this.#lost || seen.width === 0) return;
+    this.#theme ??= readTheme(this.#probe);
+    const theme = this.#theme;
+    const { width, height } = canvas;
+    const ratio = width / seen.width;
+    this.geometry.seen(seen.sight, seen.width, seen.height, moving);
+    const facts = this.factsOf(scene);
+    if (!facts) return;
+    this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
+    this.#drawnScene = scene;
+    this.#port.drawn(facts, seen.sight, seen.width, seen.height);
+  }
+
+  /**
+   * The mesh is made before anything is wiped out: where the core refuses (a tolerance that f32 cannot keep), the picture
+   * stays as it was.
+   */
+  factsOf(scene: Scene) {
+    try {
+      return this.geometry.facts(scene);
+    } catch (error) {
+      this.#port.refused(error instanceof Error ? error.message : String(error));
+      return null;
+    }
+  }
+
+  #resize(entry: ResizeObserverEntry) {
+    const [width, height] = devicePixels(entry);
+    if (this.#canvas.width === width && this.#canvas.height === height) return;
+    [this.#canvas.width, this.#canvas.height] = [width, height];
+    this.draw(); // at once: the canvas has just been emptied
+  }
+
+  /** The picture as a file: it is drawn and read in one go, since the browser empties the canvas after a frame. */
+  toBlob(): Promise<Blob | null> {
+    if (this.#lost) return Promise.resolve(null);
+    this.draw();
+    return new Promise((done) => this.#canvas.toBlob(done));
+  }
+
+  /** Ends frames and listeners and gives the graphics card its memory back. */
+  end() {
+    cancelAnimationFrame(this.#frame);
+    for (const ending of this.#endings) ending();
+    if (!this.#lost) this.#view?.drop();
+  }
+}
+
+/** By device pixels where the browser knows them: then a window that moves to another display is noticed, too. */
+function observe(observer: ResizeObserver, canvas: HTMLElement) {
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas); // Safari before 26
+  }
+}
+
+/**
+ * The exact number of device pixels where the browser tells it. The tools that pretend to be another display tell CSS
+ * pixels instead: what differs from the ratio by more than rounding is not believed.
+ */
+function devicePixels({ contentRect, devicePixelContentBoxSize }: ResizeObserverEntry): [number, number] {
+  const [width, height] = [contentRect.width * devicePixelRatio, contentRect.height * devicePixelRatio];
+  const told = devicePixelContentBoxSize?.[0];
+  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
+  const sizes = exact ? [told.inlineSize, told.blockSize] : [Math.round(width), Math.round(height)];
+  return [Math.max(1, sizes[0]), Math.max(1, sizes[1])];
+}

@@ -1,0 +1,263 @@
+// The public types of the elements. They do not mention the libraries that the elements use.
+
+import type { Curve, Spline } from "../paths.js";
+import type { Surface } from "../surfaces.js";
+
+/**
+ * The camera: rotation about the vertical axis and elevation above the horizon in degrees, enlargement (1 shows the whole
+ * surface), and the shift of the picture in radii of the surface.
+ */
+export type SurfaceView = { turn: number; tilt: number; zoom: number; panX: number; panY: number };
+
+/**
+ * The result of subdivision until flat: the number of pieces, the depth of the recursion, the number of cracks between
+ * pieces, and the width of the widest.
+ */
+export type SurfaceRecursion = { pieces: number; depth: number; cracks: number; widest: number };
+
+/**
+ * The mesh of the picture. `error`: an upper bound of the distance of the surface from the mesh; null if none is known.
+ * `ms`: the time of the computation; null if the graphics card evaluates the patches.
+ */
+export type SurfaceMesh = {
+  triangles: number;
+  vertices: number;
+  ms: number | null;
+  error: number | null;
+  unit: "" | "px";
+  recursion: SurfaceRecursion | null;
+};
+
+/**
+ * What is shown: the settings, with defaults for invalid values (of segments, tolerance, pixels and flatness the one that is
+ * used), and the result. `points`: the control points of the selected patch, or of the first, u along the fast index; `place`:
+ * the point and normal of that patch at (u, v).
+ */
+export interface SurfaceFigure {
+  model: string;
+  height: string;
+  up: string;
+  parts: string[];
+  segments: number | null;
+  tolerance?: number;
+  pixels?: number;
+  flatness?: number;
+  lines: number;
+  shading: string;
+  layers: string[];
+  evaluation: string;
+  u: number;
+  v: number;
+  step: number;
+  swept: boolean;
+  surface: Surface;
+  patch: number | null;
+  points: [number, number, number][];
+  degreeU: number;
+  degreeV: number;
+  place: { point: [number, number, number]; normal: [number, number, number] } | null;
+  probe: number[] | null;
+  /** Of the surface to the probe */
+  nearest: { patch: number; u: number; v: number; distance: number; point: [number, number, number] } | null;
+  mesh: SurfaceMesh;
+}
+
+/**
+ * `<bezier-surface>`: a surface of Bézier patches in WebGL2. Every attribute is a property of the same name; an unknown
+ * word or a number out of range has the effect of the default. The events "input" (during a change by the user) and
+ * "change" (at its end) bubble; changes by the page do not fire them. "update" follows every change, by the user or by the
+ * page, and does not bubble.
+ */
+export interface SurfaceProperties {
+  /** "teapot", "teacup", "teaspoon" or "patch" */
+  model: string;
+  /** The visible parts of the teapot: some of the words "lid rim body handle spout bottom"; null shows all */
+  parts: string | null;
+  /** The height of the teapot: "squashed" or "original" */
+  height: string;
+  /** The axis that points up: "z" or "y" */
+  up: string;
+  /** The number of segments along each direction of a patch, 1 to 64 */
+  segments: number;
+  /** Instead of segments: the largest distance of the surface from the mesh */
+  tolerance: number | null;
+  /** The same, in pixels of the picture */
+  pixels: number | null;
+  /**
+   * Instead: patches are split into four until their control points are this close to a plane; the cracks between them
+   * are shown
+   */
+  flatness: number | null;
+  /** The number of strips into which the curves divide a patch in each direction, 1 to 12 */
+  lines: number;
+  /** "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches" */
+  shading: string;
+  /**
+   * Some of the words "surface mesh isocurves tubes ribbons net casteljau place derivatives names" (place:
+   * the curves through (u, v); derivatives: Su, Sv and the normal there; names: of the points, directions and derivatives)
+   */
+  show: string;
+  /** "cpu": WebAssembly; "forward": WebAssembly, with forward differences; "gpu": the vertex shader */
+  evaluation: string;
+  /** The first parameter of the point that is shown, 0 to 1 */
+  u: number;
+  /** The second parameter of the point that is shown, 0 to 1 */
+  v: number;
+  /** The steps of the evaluation that are shown: 1 the first row, 2 all rows, 3 the curve across them, 4 the point */
+  step: number;
+  /** Whether only the part of the surface from 0 to u is drawn */
+  swept: boolean;
+  /** "x y z": a point; the nearest point of the surface is shown */
+  probe: string | null;
+  /** The patch whose control points can be dragged; null for none */
+  patch: number | null;
+  /** Whether the control panel is shown */
+  controls: boolean;
+  /** Whether the surface rotates; it does not start by itself for users who prefer reduced motion */
+  turn: boolean;
+  /** The name of the picture for screen readers */
+  label: string;
+  /** The surface that is shown, with moved points; null shows the model */
+  surface: Surface | null;
+  /** The camera's position */
+  view: SurfaceView;
+  /** What is shown, as plain values; read-only */
+  figure: SurfaceFigure;
+  /** The picture as a PNG; null before it is drawn */
+  toBlob: () => Promise<Blob | null>;
+}
+
+export type JointMode = "free" | "g1" | "c1" | "c2" | "g2" | "auto";
+
+/** What a `<bezier-applet>` shows. */
+export interface AppletFigure {
+  /** The shown control points */
+  points: [number, number][];
+  /** Their number */
+  shown: number;
+  basis: string;
+  /** The degree of the segments */
+  degree: number;
+  /** 16 numbers M, row-major: each segment is [t³ t² t 1]·M·P of its four points; null without a matrix */
+  matrix: number[] | null;
+  t: number;
+  /** The segment to which t refers */
+  segment: number;
+  /** The names of the points */
+  names: string[];
+  /** For each point whether it is on the curve, off it, or waits for more points */
+  kinds: ("on" | "off" | "wait")[];
+  /** The segments in Bézier form, each with the points that define it */
+  pieces: { curve: Curve; indices: number[] }[];
+  /** The segments as one spline; null if they do not meet */
+  spline: Spline | null;
+  /** The continuity at each inner joint */
+  continuity: ReturnType<Spline["continuity"]>[];
+  /**
+   * The adaptive subdivision, if it is shown: the number of segments of its polyline, and their distance from the
+   * curve
+   */
+  tree: { segments: number; error: number } | null;
+}
+
+/**
+ * `<bezier-applet>`: control points to drag, their curve, and its construction and measures. An attribute that is invalid
+ * leaves the last valid value in effect, and a message below the picture says so. The events "input" (during a change by the
+ * user) and "change" (at its end) bubble; "update" follows every change, by the user or by the page, and does not bubble.
+ */
+export interface AppletProperties {
+  /** All control points in a box of 670 × 480, y down; as an attribute "x,y x,y …" */
+  points: [number, number][];
+  /** The number of points that are shown; "" for all */
+  mode: string;
+  /** "bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal" or "matrix" */
+  basis: string;
+  /** 16 numbers for the basis "matrix", row-major: [t³ t² t 1]·M·P */
+  matrix: string;
+  /** 1 to 64, or "n": one curve with all points */
+  degree: string;
+  /** The continuity that is kept at each inner joint; as an attribute words, the last one for all further joints */
+  joints: JointMode[];
+  /** From 0 to 1; from −0.5 to 1.5 if the extrapolation is shown */
+  t: number;
+  /** The number of the segment to which t refers, from 0 */
+  segment: string;
+  /**
+   * Some of the words "polygon hull construction halves weights tangents normals comb bounds extrema inflections tree segments
+   * nearest offset ticks envelope extrapolation names"
+   */
+  show: string;
+  /** The notation: "P0", "P1", "b0", "p0" or "none" */
+  labels: string;
+  /** The tolerance of the adaptive subdivision, in pixels */
+  tolerance: string;
+  /** The number of segments of the uniform polyline */
+  segments: string;
+  /** The distance of the offset curve */
+  offset: string;
+  /** The number of parts of equal length */
+  ticks: string;
+  /** The visible part: "x y width height" */
+  view: string;
+  /**
+   * Whether the control panel is shown; some of the words "joints t points curve show save coordinates zoom" show only
+   * these groups
+   */
+  controls: string | boolean | null;
+  /** Whether the points cannot be moved */
+  readonly: boolean;
+  /** "off": only the arrow keys work */
+  hotkeys: string;
+  /** "light", "dark" or "auto" */
+  theme: string;
+  /** The name of the picture for screen readers */
+  label: string;
+  /** All settings and points, as plain data */
+  state: Record<string, unknown>;
+  /** What is shown; read-only */
+  figure: AppletFigure;
+  /** Takes back the last change */
+  undo: () => void;
+  /** Repeats the change that was taken back */
+  redo: () => void;
+  /** Restores the state before the first action of the user */
+  reset: () => void;
+  /** Moves all points to random positions; equal seeds give equal points */
+  randomize: (seed?: number) => void;
+  /** Shows both parts at t, and returns those of the selected segment */
+  split: (t?: number) => [Curve, Curve];
+  /** Splits the selected segment at t; the shape stays the same */
+  insert: (t?: number) => void;
+  /** Removes a point; without an index removes the element, as `Element.remove` */
+  remove: (index?: number) => void;
+  /** Appends a point; nodes are appended to the element, as by `Element.append` */
+  append: (...what: (Node | string | [number, number])[]) => void;
+  /** Switches between the points of one curve and all points */
+  toggleMode: () => void;
+  /** The property `state` */
+  toJSON: () => Record<string, unknown>;
+  /** The picture as an SVG document */
+  toSVG: () => Promise<string>;
+  /** The picture as a PNG */
+  toBlob: () => Promise<Blob | null>;
+  /** A program that draws the same curve */
+  toCode: (language: "js" | "rust" | "canvas") => Promise<string>;
+  /** Changes values as a user does, with events; the values are those of the state */
+  steer: (
+    what: {
+      index?: number;
+      point?: [number, number];
+      t?: number;
+      points?: [number, number][];
+      basis?: string;
+      matrix?: number[];
+    },
+    done?: boolean,
+  ) => void;
+}
+
+export type BezierAppletElement = Omit<HTMLElement, "append" | "remove"> & AppletProperties;
+export type BezierAppletConstructor = { new (): BezierAppletElement; prototype: BezierAppletElement };
+
+export type BezierSurfaceElement = HTMLElement & SurfaceProperties;
+export type BezierSurfaceConstructor = { new (): BezierSurfaceElement; prototype: BezierSurfaceElement };

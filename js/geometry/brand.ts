@@ -1,0 +1,95 @@
+// How curves, splines, paths, patches and surfaces of one copy of this package are recognised by another copy: each entry point
+// is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
+// of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
+import { describe } from "./describe.js";
+
+/**
+ * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
+ *
+ * @internal
+ */
+export type SplineData = { flat: Float64Array; dimension: 2 | 3; degrees: readonly number[]; closed: boolean };
+
+/**
+ * The data of a patch: its net and its degrees.
+ *
+ * @internal
+ */
+export type PatchData = { flat: Float64Array; degreeU: number; degreeV: number };
+
+/**
+ * @internal
+ */
+export type BrandedType = "curve" | "spline" | "path" | "patch" | "surface" | "mesh";
+
+/**
+ * @internal
+ */
+export type Branded<T> = { readonly casteljauType: BrandedType; casteljauData(): T };
+
+/**
+ * @internal
+ * @returns undefined for any other value
+ */
+export function typeOf(value: unknown): BrandedType | undefined {
+  return (value as Partial<Branded<unknown>> | null | undefined)?.casteljauType;
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a curve
+ */
+export function curveData(value: unknown, name: string): SplineData {
+  return dataOf(value, name, typeOf(value) === "curve", "a Curve");
+}
+
+/**
+ * The data of a spline, or of a curve as a spline of one segment.
+ *
+ * @internal
+ * @throws {TypeError} for anything else
+ */
+export function splineData(value: unknown, name: string, expected = "a Curve or a Spline"): SplineData {
+  const type = typeOf(value);
+  return dataOf(value, name, type === "curve" || type === "spline", expected);
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a spline
+ */
+export function onlySplineData(value: unknown, name: string): SplineData {
+  return dataOf(value, name, typeOf(value) === "spline", "a Spline");
+}
+
+/**
+ * @internal
+ * @returns see `packed-path.js`
+ * @throws {TypeError} for anything but a path
+ */
+export function pathData(value: unknown, name: string): Float64Array {
+  return dataOf(value, name, typeOf(value) === "path", "a Path");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a patch
+ */
+export function patchData(value: unknown, name: string): PatchData {
+  return dataOf(value, name, typeOf(value) === "patch", "a Patch");
+}
+
+/**
+ * The packed path of a path.
+ *
+ * @internal
+ * @returns undefined for any other value
+ */
+export function packedPath(value: unknown): Float64Array | undefined {
+  return typeOf(value) === "path" ? (value as Branded<Float64Array>).casteljauData() : undefined;
+}
+
+function dataOf<T>(value: unknown, name: string, isExpected: boolean, expected: string): T {
+  if (isExpected) return (value as Branded<T>).casteljauData();
+  throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
+}

@@ -1,0 +1,30 @@
+// Values in the "got …" part of messages. Minifiers change the names of classes and functions, so messages do not
+// contain them: the classes of this package are known by their brands, built-in ones by their tags.
+
+/** The classes of this package; `casteljauType` is the name in lower case. */
+const TYPES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh"];
+
+/** The longest part of a text, and the largest number of keys of an object, that a message shows. */
+const MAX_TEXT_LENGTH = 40;
+const MAX_KEYS = 4;
+
+/** Describes a value for the "got …" part of a message. */
+export function describe(value: unknown): string {
+  if (typeof value === "string") return JSON.stringify(shorten(value));
+  if (typeof value === "bigint") return `${value}n`;
+  if (typeof value === "function") return "a function";
+  if (typeof value !== "object" || value === null) return String(value);
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  const { casteljauType } = value as { casteljauType?: unknown };
+  const type = TYPES.find((name) => name.toLowerCase() === casteljauType);
+  if (type) return `a ${type}`;
+  const tag = Object.prototype.toString.call(value).slice("[object ".length, -1);
+  if (tag !== "Object") return `an object (${tag})`;
+  const keys = Object.keys(value);
+  if (keys.length === 0) return "an object without keys";
+  return `an object with ${shorten(keys.slice(0, MAX_KEYS).join(", "))}${keys.length > MAX_KEYS ? ", …" : ""}`;
+}
+
+export function shorten(text: string): string {
+  return text.length > MAX_TEXT_LENGTH ? `${text.slice(0, MAX_TEXT_LENGTH)}…` : text;
+}

@@ -1,0 +1,85 @@
+// Checks of options and of the number of arguments: what would be ignored silently is a TypeError.
+import { describe, shorten } from "./describe.js";
+
+/**
+ * Checks an argument that holds options: an object with known names only, undefined or null. Options with the value
+ * undefined count as absent.
+ *
+ * @param known the names of the options
+ * @throws {TypeError} for another name, with the nearest known one
+ */
+export function options<T extends object>(
+  value: T | undefined,
+  known: readonly (T extends unknown ? keyof T : never)[],
+): Partial<T> {
+  if (value === undefined || value === null) return {};
+  if (typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value)) {
+    throw new TypeError(`options: expected an object, got ${describe(value)}${optionForNumber(value, known)}`);
+  }
+  const { casteljauType } = value as { casteljauType?: unknown };
+  if (casteljauType) {
+    const hint = casteljauType === "path" ? "; did you mean Path.combine?" : "";
+    throw new TypeError(`options: expected an object, got ${describe(value)}${hint}`);
+  }
+  const names = known as readonly string[];
+  for (const key of Object.keys(value)) {
+    if (names.includes(key) || (value as Record<string, unknown>)[key] === undefined) continue;
+    throw new TypeError(`${shorten(key)}: unknown option; ${suggestion(shorten(key), names)}`);
+  }
+  return value;
+}
+
+/** The option that a number in the place of the options was probably meant for, as the end of a message. */
+function optionForNumber(value: unknown, known: readonly PropertyKey[]): string {
+  const names = Number.isInteger(value) ? ["segments", "precision", "tolerance"] : ["tolerance"];
+  const name = names.find((option) => known.includes(option));
+  return typeof value === "number" && name ? `; did you mean { ${name}: ${value} }?` : "";
+}
+
+/**
+ * Refuses arguments after the last parameter, which JavaScript ignores. Only methods call it for which such an argument
+ * has a plausible meaning (`split(0.2, 0.6)`); all others can be passed to `map`, which passes three arguments.
+ *
+ * @param surplus the arguments after the last parameter; undefined counts as absent
+ * @param expected the number of parameters
+ * @param instead the call that was probably intended
+ */
+export function noSurplus(surplus: readonly unknown[], method: string, expected: number, instead?: string) {
+  if (surplus.every((value) => value === undefined)) return;
+  const count = `${expected || "no"} argument${expected === 1 ? "" : "s"}`;
+  const hint = instead ? `; did you mean ${instead}?` : "";
+  throw new TypeError(`${method}: expected ${count}, got ${expected + surplus.length}${hint}`);
+}
+
+/** An option that is true or false. */
+export function optionalBoolean(value: unknown, name: string, byDefault = false): boolean {
+  if (value === undefined) return byDefault;
+  if (typeof value !== "boolean") throw new TypeError(`${name}: expected true or false, got ${describe(value)}`);
+  return value;
+}
+
+function suggestion(key: string, known: readonly string[]): string {
+  const wanted = key.toLowerCase();
+  const lower = known.map((name) => name.toLowerCase());
+  const isPart = (name: string) => wanted.startsWith(name) || wanted.endsWith(name);
+  let nearest = lower.findIndex((name) => name.startsWith(wanted) || isPart(name));
+  if (nearest < 0) {
+    const distances = lower.map((name) => editDistance(wanted, name));
+    const smallest = Math.min(...distances);
+    if (smallest <= key.length / 3) nearest = distances.indexOf(smallest);
+  }
+  return nearest < 0 ? `expected ${known.join(", ")}` : `did you mean ${known[nearest]}?`;
+}
+
+/** The Levenshtein distance: how many letters have to be inserted, removed or replaced. */
+function editDistance(a: string, b: string): number {
+  let row = Array.from({ length: b.length + 1 }, (_, k) => k);
+  for (const letter of a) {
+    const next = [row[0] + 1];
+    for (let k = 0; k < b.length; k++) {
+      next.push(Math.min(next[k] + 1, row[k + 1] + 1, row[k] + (letter === b[k] ? 0 : 1)));
+    }
+    row = next;
+  }
+  return row[b.length];
+}

@@ -1,0 +1,199 @@
+import * as check from "../check.js";
+import { readGrid } from "../grid-mesh.js";
+import { gridOptions, readMesh } from "../mesh.js";
+import { PatchValue } from "./patch-value.js";
+import { pointAt } from "../points.js";
+import * as queries from "../surface-queries.js";
+import { tessellation } from "../tessellation.js";
+import { core, unwrapCount, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
+import type { PointLike } from "../check.js";
+import type { CoreCurve } from "../curve/core-curve.js";
+import type { GridOptions, Mesh } from "../mesh.js";
+import type { Bounds, Point } from "../points.js";
+import type { Curvature, PatchPoint, PatchDeCasteljau } from "../surface-queries.js";
+import type { TessellationOptions } from "../tessellation.js";
+
+/** The partial derivatives of a patch. */
+export type Partials = { u: Point<3>; v: Point<3>; uu: Point<3>; uv: Point<3>; vv: Point<3> };
+
+/**
+ * What the patches of all entry points have in common: points, queries and meshes.
+ *
+ * @template C the class of its curves
+ */
+export class CorePatch<C extends CoreCurve = CoreCurve> extends PatchValue {
+  /**
+   * The point at (u, v), by de Casteljau's algorithm along u and then along v.
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  eval(u: number, v: number): Point<3> {
+    core().patch_eval(...this._writeAt(u, v));
+    return pointAt(readResult(0, 3), 0, 3);
+  }
+
+  /**
+   * The first and second partial derivatives at (u, v).
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  partials(u: number, v: number): Partials {
+    core().patch_partials(...this._writeAt(u, v));
+    const numbers = readResult(0, 15);
+    const at = (k: number) => pointAt(numbers, 3 * k, 3);
+    return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
+  }
+
+  /**
+   * The unit normal at (u, v) in the direction of ∂u × ∂v. At collapsed edges it is the limit; it is zero for a patch
+   * that is a curve or a point.
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  normal(u: number, v: number): Point<3> {
+    core().patch_normal(...this._writeAt(u, v));
+    return pointAt(readResult(0, 3), 0, 3);
+  }
+
+  /**
+   * The curvatures at (u, v). Where ∂u × ∂v vanishes, as at a collapsed edge, they are the limits on the line from the
+   * patch's middle, and zero if there is no limit (the tip of a cone, a patch that is a curve or a point).
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  curvature(u: number, v: number): Curvature {
+    core().patch_curvature(...this._writeAt(u, v));
+    const [gaussian, mean, k1, k2] = readResult(0, 4);
+    return { gaussian, mean, k1, k2 };
+  }
+
+  /**
+   * All intermediate points of de Casteljau's algorithm for S(u, v): rows, then a curve, then the point.
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  deCasteljau(u: number, v: number): PatchDeCasteljau {
+    check.finite(u, "u");
+    check.finite(v, "v");
+    const levels = (row: Float64Array, t: number) => this._curveOf(row).deCasteljau(t);
+    return queries.deCasteljau(this._flat, this.degreeU + 1, u, v, levels);
+  }
+
+  /**
+   * The curve u = constant, which runs along v.
+   *
+   * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   */
+  isocurveAtU(u: number): C {
+    return this.#isocurve(true, check.finite(u, "u"));
+  }
+
+  /**
+   * The curve v = constant, which runs along u.
+   *
+   * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
+   */
+  isocurveAtV(v: number): C {
+    return this.#isocurve(false, check.finite(v, "v"));
+  }
+
+  /**
+   * The smallest box that contains the patch, exact up to rounding. Each face of the box takes at most 2²³ steps (2²⁶
+   * above degree 24), about one for each multiplication. If that is not enough, the face is at the best local extremum
+   * found so far.
+   */
+  bounds(...surplus: never[]): Bounds<3> {
+    check.noSurplus(surplus, "bounds", 0);
+    return queries.bounds(this.#surfaceWriter()) as Bounds<3>;
+  }
+
+  /**
+   * The surface area with a relative error below 1e-8. Regions that the patch covers twice count twice; the area of a
+   * patch that is a curve or a point is 0.
+   *
+   * It takes at most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back,
+   * or has very different sizes along its axes, the result is the best estimate and its fifth digit may be wrong; where
+   * coordinates differ by many powers of ten, the fourth.
+   */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    return queries.area(this.#surfaceWriter());
+  }
+
+  /** An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal. */
+  flatness(...surplus: never[]): number {
+    check.noSurplus(surplus, "flatness", 0);
+    writeArguments(this._flat);
+    return core().patch_flatness(this.degreeU, this.degreeV);
+  }
+
+  /**
+   * The point of the patch that is nearest to p (the global minimum of the distance), edges and corners included.
+   *
+   * Two searches take at most 2²³ steps each (2²⁶ above degree 24), about one for each multiplication. The first uses
+   * the square of the distance. The second uses the distance itself and runs where the distance is below 2⁻¹⁶ of the
+   * size (2⁻⁴ if the first search reaches its limit). If a search reaches its limit, as where a whole curve of the
+   * patch is nearest, the result is the nearest point found so far, a local minimum of the distance.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike): PatchPoint {
+    return queries.withoutPatch(queries.nearest(this.#surfaceWriter(), p) as any);
+  }
+
+  /**
+   * All intersections with a ray, sorted by distance. `distance` is that of the point from the origin, independent of
+   * the length of `direction`. Where the ray is tangent to the patch, and at a collapsed edge, there is one
+   * intersection. For a ray that lies in the patch, they are its crossings of the edges, and the origin if it is on the
+   * patch.
+   *
+   * @param origin the start of the ray
+   * @param direction the direction of the ray, of any length above 0
+   * @throws {RangeError} for a direction of length 0, and if the search takes more than 2²⁷ steps, about one for each
+   *   multiplication
+   */
+  intersectRay(origin: PointLike, direction: PointLike): PatchPoint[] {
+    return queries.intersectRay(this.#surfaceWriter(), origin, direction).map(queries.withoutPatch);
+  }
+
+  /** A mesh of one grid of samples of the patch. */
+  grid(options: GridOptions): Mesh {
+    const checked = gridOptions(options);
+    const { u, v, quads, differences } = checked;
+    writeArguments(this._flat);
+    unwrapCount(core().patch_grid(this.degreeU, this.degreeV, u, v, quads, differences));
+    return readGrid(1, checked);
+  }
+
+  /** A mesh of the patch; see `Surface.tessellate`. Here `weld` is "none" by default, so that the mesh has uvs. */
+  tessellate(options: TessellationOptions): Mesh {
+    const { args, extra, into, ...kind } = tessellation(options, "none");
+    writeArguments(this._flat, extra.length).set(extra, this._flat.length);
+    unwrapCount(core().patch_tessellate(this.degreeU, this.degreeV, ...args));
+    return readMesh(into, kind);
+  }
+
+  /**
+   * A 3D curve. The class of each entry point implements it.
+   *
+   * @internal
+   */
+  _curveOf(flat: Float64Array): C {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  #surfaceWriter() {
+    return queries.patchWriter(this._flat, this.degreeU, this.degreeV);
+  }
+
+  #isocurve(constantU: boolean, at: number) {
+    writeArguments(this._flat);
+    const length = core().patch_isocurve(this.degreeU, this.degreeV, constantU, at);
+    return this._curveOf(readResult(0, length));
+  }
+}

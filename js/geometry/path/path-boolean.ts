@@ -1,0 +1,162 @@
+// Boolean operations: the arguments of the methods of Path, and the calls of the core.
+import * as check from "../check.js";
+import { core } from "../../wasm/init.js";
+import { packedPath } from "../brand.js";
+import { describe } from "../describe.js";
+import { extentAt } from "../../wasm/packed-path.js";
+import { isEvenOdd } from "./path-measures.js";
+import { regionsModule } from "../../wasm/regions-module.js";
+import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.js";
+import type { RegionOptions } from "./path-measures.js";
+
+/**
+ * How `Path.combine` combines regions: the points in at least one of them, in all of them, or in an odd number of them.
+ */
+export type BooleanOperation = "union" | "intersect" | "exclude";
+
+/** In the order of the core */
+const OPERATIONS: readonly BooleanOperation[] = ["union", "intersect", "exclude"];
+
+function packedOf(value: unknown, name: string): Float64Array {
+  const packed = packedPath(value);
+  if (!packed) throw new TypeError(`${name}: expected a Path, got ${describe(value)}`);
+  return packed;
+}
+
+function packedList(paths: unknown): Float64Array[] {
+  if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${describe(paths)}`);
+  return Array.from(paths, (path, k) => packedOf(path, `paths[${k}]`));
+}
+
+/**
+ * @param start of a packed path
+ * @returns the index after it
+ */
+function endOfPath(numbers: Float64Array, start: number): number {
+  let at = start + 1;
+  for (let k = 0; k < numbers[start]; k++) at = extentAt(numbers, at).end;
+  return at;
+}
+
+/**
+ * Writes paths and other numbers to the arena of the module of regions, one after the other.
+ *
+ * @internal
+ */
+export function writePaths(packed: Float64Array[]) {
+  const numbers = new Float64Array(packed.reduce((length, path) => length + path.length, 0));
+  let at = 0;
+  for (const path of packed) {
+    numbers.set(path, at);
+    at += path.length;
+  }
+  writeArguments(numbers, 0, regionsModule);
+}
+
+/**
+ * @internal
+ * @param end what a function of the core returned
+ * @returns a packed path
+ */
+export function readPath(end: number): Float64Array {
+  const packed = readResult(0, end, regionsModule);
+  releaseMemory(regionsModule);
+  return packed;
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function combine(paths: unknown, operation: BooleanOperation, options?: RegionOptions): Float64Array {
+  const packed = packedList(paths);
+  check.oneOf(operation, "operation", OPERATIONS);
+  const evenOdd = isEvenOdd(options);
+  writePaths(packed);
+  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), packed.length, evenOdd));
+}
+
+/**
+ * @internal
+ * @param further paths, and at last the options, if there are any
+ * @returns a packed path
+ */
+export function combineWith(
+  path: Float64Array,
+  other: unknown,
+  operation: BooleanOperation,
+  further: readonly unknown[],
+): Float64Array {
+  const last = further.length - 1;
+  const hasOptions = last >= 0 && !packedPath(further[last]);
+  const evenOdd = isEvenOdd(hasOptions ? (further[last] as RegionOptions) : undefined);
+  const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => packedOf(value, `paths[${k + 1}]`));
+  const all = [path, packedOf(other, "other"), ...others];
+  writePaths(all);
+  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function subtract(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path, packedOf(other, "other")]);
+  return readPath(core(regionsModule).region_subtract(evenOdd));
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function removeOverlaps(path: Float64Array, options?: RegionOptions): Float64Array {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path]);
+  return readPath(core(regionsModule).region_combine(0, 1, evenOdd));
+}
+
+/**
+ * @internal
+ */
+export function faces(paths: unknown, options?: RegionOptions): { packed: Float64Array; inside: boolean[] }[] {
+  const packed = packedList(paths);
+  const evenOdd = isEvenOdd(options);
+  writePaths(packed);
+  const count = packed.length;
+  const numbers = readPath(core(regionsModule).region_faces(count, evenOdd));
+  const found: { packed: Float64Array; inside: boolean[] }[] = [];
+  for (let at = 0; at < numbers.length; ) {
+    const inside = Array.from(numbers.subarray(at, at + count), (flag) => flag === 1);
+    const end = endOfPath(numbers, at + count);
+    found.push({ packed: numbers.slice(at + count, end), inside });
+    at = end;
+  }
+  return found;
+}
+
+/**
+ * @internal
+ * @returns packed paths
+ */
+export function divide(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array[] {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path, packedOf(other, "other")]);
+  const numbers = readPath(core(regionsModule).region_divide(evenOdd));
+  const parts: Float64Array[] = [];
+  for (let at = 0, end = 0; at < numbers.length; at = end) {
+    end = endOfPath(numbers, at);
+    parts.push(numbers.slice(at, end));
+  }
+  return parts;
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function clip(path: Float64Array, region: unknown, options?: RegionOptions): Float64Array {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path, packedOf(region, "region")]);
+  return readPath(core(regionsModule).region_clip(evenOdd));
+}

@@ -1,0 +1,137 @@
+// Strokes, dashes, offsets of regions and rounded corners: the arguments of the methods of Path, and the calls of the core.
+import * as check from "../check.js";
+import { coordinatesOf } from "./path-value.js";
+import { core } from "../../wasm/init.js";
+import { regionsModule } from "../../wasm/regions-module.js";
+import { unwrapCount } from "../../wasm/errors.js";
+import { readPath, writePaths } from "./path-boolean.js";
+import type { PointLike } from "../check.js";
+
+/** What corners of a stroke look like: the outer sides extended to their intersection, an arc, or a straight line. */
+export type StrokeJoin = "miter" | "round" | "bevel";
+
+/** What the ends of open subpaths look like: cut at the end, a half disk, or half a square beyond the end. */
+export type StrokeCap = "butt" | "round" | "square";
+
+/** The options of a region's offset. */
+export interface RegionOffsetOptions {
+  /** "miter" by default */
+  join?: StrokeJoin;
+  /** A miter that reaches farther from its corner than this many distances becomes a bevel: 4 by default, at least 1 */
+  miterLimit?: number;
+  /** The largest distance of the boundary from the exact one, by default 1e-4 of the size */
+  tolerance?: number;
+}
+
+/** How a stroke looks; the defaults are those of SVG. */
+export interface StrokeShape {
+  /** "miter" by default */
+  join?: StrokeJoin;
+  /** "butt" by default */
+  cap?: StrokeCap;
+  /**
+   * A miter that reaches farther from its corner than this many half widths becomes a bevel: 4 by default, at least 1
+   */
+  miterLimit?: number;
+  /** The lengths of dashes and gaps, see `dash`; none by default */
+  dash?: ArrayLike<number>;
+  /** The length in the pattern at which each subpath starts: 0 by default */
+  dashOffset?: number;
+}
+
+/**
+ * The options of a stroke. `tolerance` is the largest distance of the boundary from the exact one, by default 1e-4 of the
+ * diagonal of the control points' box plus the width. `simple` tells whether the result has no overlaps, true by default.
+ */
+export type StrokeOptions = StrokeShape & { tolerance?: number; simple?: boolean };
+
+/** In the order of the core */
+const JOINS: readonly StrokeJoin[] = ["miter", "round", "bevel"];
+/** In the order of the core */
+const CAPS: readonly StrokeCap[] = ["butt", "round", "square"];
+const SHAPE = ["join", "cap", "miterLimit", "dash", "dashOffset"] as const;
+
+/**
+ * @returns finite numbers
+ */
+function lengthsOf(lengths: unknown, name: string): Float64Array {
+  const list = Array.isArray(lengths) || ArrayBuffer.isView(lengths);
+  if (!list) {
+    const hint = typeof lengths === "number" ? `; did you mean [${lengths}]?` : "";
+    throw new TypeError(`${name}: expected an array of lengths, got ${check.describe(lengths)}${hint}`);
+  }
+  return Float64Array.from(lengths as ArrayLike<number>, (length, k) => check.finite(length, `${name}[${k}]`));
+}
+
+/** Writes a path and the numbers of its stroke to the arena. */
+function writeStroke(
+  path: Float64Array,
+  options: Partial<StrokeOptions>,
+): { join: number; cap: number; dashes: number } {
+  const { join = "miter", cap = "butt", miterLimit = 4, dash = [], dashOffset = 0, tolerance } = options;
+  check.oneOf(join, "join", JOINS);
+  check.oneOf(cap, "cap", CAPS);
+  const lengths = lengthsOf(dash, "dash");
+  const numbers = [check.finite(miterLimit, "miterLimit"), check.finite(dashOffset, "dashOffset")];
+  writePaths([path, Float64Array.of(...numbers, check.optionalTolerance(tolerance)), lengths]);
+  return { join: JOINS.indexOf(join), cap: CAPS.indexOf(cap), dashes: lengths.length };
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function stroke(path: Float64Array, width: number, options?: StrokeOptions): Float64Array {
+  const checked = check.options(options, [...SHAPE, "tolerance", "simple"]);
+  const simple = check.optionalBoolean(checked.simple, "simple", true);
+  check.finite(width, "width");
+  const { join, cap, dashes } = writeStroke(path, checked);
+  return readPath(core(regionsModule).region_stroke(width, join, cap, dashes, simple));
+}
+
+/**
+ * @internal
+ */
+export function strokeContains(path: Float64Array, point: PointLike, width: number, options?: StrokeShape): boolean {
+  const checked = check.options(options, SHAPE);
+  const [x, y] = coordinatesOf(point);
+  check.finite(width, "width");
+  const { join, cap, dashes } = writeStroke(path, checked);
+  const contains = core(regionsModule).region_stroke_contains(x, y, width, join, cap, dashes);
+  return unwrapCount(contains, regionsModule) === 1;
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function dash(path: Float64Array, pattern: ArrayLike<number>, offset = 0): Float64Array {
+  const lengths = lengthsOf(pattern, "pattern");
+  check.finite(offset, "offset");
+  writePaths([path, lengths]);
+  return readPath(core(regionsModule).region_dash(lengths.length, offset));
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function offset(path: Float64Array, distance: number, options?: RegionOffsetOptions): Float64Array {
+  const { join = "miter", miterLimit = 4, tolerance } = check.options(options, ["join", "miterLimit", "tolerance"]);
+  check.finite(distance, "distance");
+  check.oneOf(join, "join", JOINS);
+  check.finite(miterLimit, "miterLimit");
+  const maxError = check.optionalTolerance(tolerance);
+  writePaths([path]);
+  return readPath(core(regionsModule).region_offset(distance, JOINS.indexOf(join), miterLimit, maxError));
+}
+
+/**
+ * @internal
+ * @returns a packed path
+ */
+export function roundCorners(path: Float64Array, radius: number): Float64Array {
+  check.finite(radius, "radius");
+  writePaths([path]);
+  return readPath(core(regionsModule).region_round_corners(radius));
+}

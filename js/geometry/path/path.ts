@@ -1,0 +1,260 @@
+import * as check from "../check.js";
+import { contoursToThree } from "../../io/three.js";
+import { CorePath, packedFrom, packedFromJSON, pathFrom } from "./core-path.js";
+import * as regions from "./path-boolean.js";
+import * as strokes from "./path-stroke.js";
+import type { PointLike } from "../check.js";
+import type { ThreeShapes } from "../../io/three.js";
+import type { Shape } from "./core-path.js";
+import type { BooleanOperation } from "./path-boolean.js";
+import type { Moments, RegionOptions } from "./path-measures.js";
+import type { RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js";
+import type { PathValue } from "./path-value.js";
+import type { SplineJSON } from "../spline/spline-value.js";
+
+/**
+ * The error that `Path.fromSVG` throws: a RangeError with the offset of the error in the text, in characters, and the
+ * path up to the error (which viewers are to render, according to the SVG specification).
+ */
+export type SvgError = RangeError & { offset: number; path: Path };
+
+/** A face of `Path.faces`: an outer contour with its holes, and for each path whether it contains the face. */
+export type Face = { path: Path; inside: boolean[] };
+
+/**
+ * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
+ * empty.
+ *
+ *     const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
+ *     ring.contains([0.5, 2]); // true
+ *     ring.contains([2, 2]); // false
+ */
+export class Path extends CorePath {
+  /**
+   * The path that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: { subpaths: SplineJSON[] }): Path {
+    return pathOf(packedFromJSON(json));
+  }
+
+  /**
+   * The path of a curve, a spline, a path, or an array of these; the subpaths of paths are copied.
+   *
+   * @param shapes curves, splines and paths in the plane
+   * @throws {TypeError} for other values, and for 3D ones
+   */
+  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): Path {
+    return pathOf(packedFrom(shapes, surplus));
+  }
+
+  /** Combines the regions that any number of paths fill, see `union`. Without paths the result is empty. */
+  static combine(paths: Path[], operation: BooleanOperation, options?: RegionOptions): Path {
+    return pathOf(regions.combine(paths, operation, options));
+  }
+
+  /**
+   * The bounded faces into which the outlines of paths divide the plane, and which paths contain each: what a shape
+   * builder shows under the pointer. Faces that no path contains (the hole of a ring) are in the list as well. Open
+   * subpaths are closed by lines; see `union` for the contours.
+   *
+   *     const parts = Path.faces([Path.circle([0, 0], 1), Path.circle([1, 0], 1)]);
+   *     parts.map(({ inside }) => inside); // [true, false], [true, true] and [false, true] in some order
+   */
+  static faces(paths: Path[], options?: RegionOptions): Face[] {
+    return regions.faces(paths, options).map(({ packed, inside }) => ({ path: pathOf(packed), inside }));
+  }
+
+  /**
+   * The union of regions: the points inside this path or inside one of the others. One call with many paths, like
+   * `Path.combine`, is much faster than one `union` after the other.
+   *
+   *     Path.circle([0, 0], 1).union(Path.circle([1, 0], 1));
+   *
+   * Open subpaths are closed by lines. The contours of the result are simple and do not cross: winding numbers are 0
+   * and 1, so that both fill rules agree. Outer contours run counter-clockwise (x right, y up; clockwise on a canvas),
+   * holes clockwise; each outer contour is followed by its holes. Segments that nothing else touches are returned bit
+   * for bit, reversed where the direction requires it. The boundary lies within 1e-9 of the size from the exact one;
+   * outlines that are closer than that count as one.
+   *
+   * @param further more paths, and at last the options
+   * @throws {RangeError} for more segments or intersections than the limit
+   */
+  union(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+    return this._pathOf(regions.combineWith(this._packed, other, "union", further));
+  }
+
+  /**
+   * The intersection of regions: the points inside all paths. See `union`.
+   *
+   * @param further more paths, and at last the options
+   */
+  intersect(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+    return this._pathOf(regions.combineWith(this._packed, other, "intersect", further));
+  }
+
+  /** The difference of two regions: the points inside this path and outside of the other one. See `union`. */
+  subtract(other: PathValue, options?: RegionOptions): this {
+    return this._pathOf(regions.subtract(this._packed, other, options));
+  }
+
+  /**
+   * The symmetric difference of regions: the points inside exactly one of two paths, or inside an odd number of
+   * paths. See `union`.
+   *
+   * @param further more paths, and at last the options
+   */
+  exclude(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+    return this._pathOf(regions.combineWith(this._packed, other, "exclude", further));
+  }
+
+  /** The region that the path fills, with simple contours. See `union`. */
+  removeOverlaps(options?: RegionOptions): this {
+    return this._pathOf(regions.removeOverlaps(this._packed, options));
+  }
+
+  /**
+   * The parts into which another path divides the region: one path for each, with its holes. The other path is not
+   * filled; its open subpaths stay open. A part of it that ends inside the region divides nothing.
+   */
+  divide(other: PathValue, options?: RegionOptions): this[] {
+    return regions.divide(this._packed, other, options).map((packed) => this._pathOf(packed));
+  }
+
+  /**
+   * The parts of this path inside a region. This path is not filled: its open subpaths stay open, and closed ones that
+   * leave the region become open pieces. See `union`.
+   *
+   * @param options how `region` is filled
+   */
+  clip(region: PathValue, options?: RegionOptions): this {
+    return this._pathOf(regions.clip(this._packed, region, options));
+  }
+
+  /**
+   * The region that a stroke of the path covers: the points on a normal of the path at a distance of at most half the
+   * width, the joins at corners, and the caps at the ends of open subpaths.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).stroke(2).area(); // 20
+   *
+   * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
+   * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
+   * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
+   * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
+   *
+   * @throws {RangeError} for a negative width, a miter limit below 1, a dash pattern with a negative entry or with
+   *   zeros only, and a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  stroke(width: number, options?: StrokeOptions): this {
+    return this._pathOf(strokes.stroke(this._packed, width, options));
+  }
+
+  /**
+   * Whether a point is in the stroke of the path: hit testing, as `isPointInStroke` of a canvas. It computes distances
+   * from the path, and is exact up to rounding.
+   */
+  strokeContains(point: PointLike, width: number, options?: StrokeShape): boolean {
+    return strokes.strokeContains(this._packed, point, width, options);
+  }
+
+  /**
+   * The dashes of the path along a pattern of lengths: on, off, on, off … They are open subpaths, cut by arc length with
+   * an error of at most 1e-9 of the length of their subpath. On a closed subpath, the dash that reaches the end
+   * continues at the start.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).dash([4, 2]).toSVG(); // "M0,0 L4,0 M6,0 L10,0"
+   *
+   * @param pattern a pattern with an odd number of entries is repeated; an empty one gives the path
+   * @param offset the length in the pattern at which each subpath starts, 0 by default
+   * @throws {RangeError} for a negative entry, for zeros only, and for more than 2²² dashes
+   */
+  dash(pattern: ArrayLike<number>, offset?: number): this {
+    return this._pathOf(strokes.dash(this._packed, pattern, offset));
+  }
+
+  /**
+   * The region that the path fills, grown by a distance, or shrunk if it is negative, whatever its orientation. Open
+   * subpaths are closed; the nonzero rule applies. A region that is thinner than twice the distance shrinks to the
+   * empty path. (`offset` of curves and splines is different: it moves along the normal and trims nothing.)
+   *
+   *     Path.rect([0, 0], 4, 4).offset(-1).area(); // 4
+   */
+  offset(distance: number, options?: RegionOffsetOptions): this {
+    return this._pathOf(strokes.offset(this._packed, distance, options));
+  }
+
+  /**
+   * The path with its corners replaced by arcs of a radius that are tangent to both segments at the corner.
+   *
+   *     Path.rect([0, 0], 10, 10).roundCorners(2).area(); // 96.56637061…
+   *
+   * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
+   * subpaths. Arcs are cubics within 1e-9 of their radius; segments that no arc replaces are returned bit for bit. An arc
+   * replaces at most the 64 segments on each side that follow each other without a corner: where these are too short, or
+   * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, each ends in the
+   * middle between them (in the parameter) at the latest.
+   *
+   * @param radius 0 gives the path
+   * @throws {RangeError} for a negative radius
+   */
+  roundCorners(radius: number, ...surplus: never[]): this {
+    check.noSurplus(surplus, "roundCorners", 1);
+    return this._pathOf(strokes.roundCorners(this._packed, radius));
+  }
+
+  /**
+   * The region that the path fills as shapes of three.js with their holes, for `ShapeGeometry` and `ExtrudeGeometry`:
+   * one for each outer contour. Segments above degree 3 become cubics.
+   *
+   *     const shapes = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z").toThree(THREE);
+   *     new THREE.ExtrudeGeometry(shapes, { depth: 1 });
+   *
+   * @param THREE the namespace of three.js, or an object with `Shape` and `Path`
+   */
+  toThree<ShapeClass extends { new (): any; prototype: any }>(
+    THREE: ThreeShapes<ShapeClass>,
+    options?: RegionOptions,
+  ): ShapeClass["prototype"][] {
+    return contoursToThree(this.removeOverlaps(options).subpaths, THREE);
+  }
+
+  /**
+   * The signed area inside, positive for counter-clockwise subpaths (x right, y up), ½∮ x dy − y dx: each point counts
+   * with its winding number. With a fill rule, the area of the region that the path fills, which is never negative. Open
+   * subpaths are closed by a line.
+   *
+   *     const twice = Path.fromSVG("M0 0H1V1H0Z M0 0H1V1H0Z");
+   *     twice.area(); // 2
+   *     twice.area({ fillRule: "nonzero" }); // 1
+   */
+  override area(options?: RegionOptions): number {
+    return hasFillRule(options) ? this.removeOverlaps(options).area() : super.area();
+  }
+
+  /**
+   * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
+   * area. With a fill rule, over the region that the path fills.
+   */
+  override moments(options?: RegionOptions): Moments {
+    return hasFillRule(options) ? this.removeOverlaps(options).moments() : super.moments();
+  }
+
+  /**
+   * @internal
+   */
+  override _pathOf(packed: Float64Array): this {
+    return pathOf(packed) as this;
+  }
+}
+
+function hasFillRule(options: RegionOptions | undefined) {
+  return check.options(options, ["fillRule"]).fillRule !== undefined;
+}
+
+/**
+ * @internal
+ */
+export function pathOf(packed: Float64Array): Path {
+  return pathFrom(Path, packed); // outside of the class, see ../curve/curve.js
+}

@@ -1,0 +1,257 @@
+import { fromBSpline, toBSpline } from "../bspline.js";
+import * as check from "../check.js";
+import { joinCurves } from "./core-spline.js";
+import { curveOf } from "../curve/curve.js";
+import { interpolate } from "../interpolate.js";
+import { intersectSplines, selfIntersectSpline } from "../intersections.js";
+import { flatten } from "../points.js";
+import { SplineMeasures } from "./spline-measures.js";
+import { CheckedSplineData, readSplineData, splineDataOf } from "./spline-value.js";
+import { curveToThree } from "../../io/three.js";
+import { core } from "../../wasm/init.js";
+import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfer.js";
+import type { SplineData } from "../brand.js";
+import type { BSpline, BSplineOptions } from "../bspline.js";
+import type { PointsLike } from "../check.js";
+import type { CoreCurve } from "../curve/core-curve.js";
+import type { Curve } from "../curve/curve.js";
+import type { InterpolateOptions } from "../interpolate.js";
+import type { Intersection, SelfIntersection } from "../intersections.js";
+import type { PointArrays } from "../points.js";
+import type { PathTime } from "../path/path-queries.js";
+import type { ThreeCurves } from "../../io/three.js";
+import type { PathValue } from "../path/path-value.js";
+import type { CoreSpline } from "./core-spline.js";
+import type { SplineJSON } from "./spline-value.js";
+
+/** Options of `Spline.fit`. */
+export interface FitOptions {
+  /** The greatest distance of a point from the spline */
+  tolerance: number;
+  /** Whether to continue from the last point to the first */
+  closed?: boolean;
+  /** The smallest turn, in radians, that is a corner: π/5 by default, at most π */
+  cornerAngle?: number;
+}
+
+/** Options of `simplify`. */
+export interface SimplifyOptions {
+  /** The smallest turn, in radians, that is a corner: π/5 by default, at most π */
+  cornerAngle?: number;
+}
+
+/** In the order of the core */
+const JOINS: readonly ("round" | "miter" | "bevel")[] = ["round", "miter", "bevel"];
+
+/**
+ * Bézier curves joined end to end. Segment k covers t from k to k + 1 and has its own degree.
+ *
+ *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
+ *     spline.continuity(1).c1; // true
+ *
+ * What repeated queries need (segments, arc lengths, boxes) is computed once and kept. In TypeScript, `Spline<2>` and
+ * `Spline<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ */
+export class Spline<D extends 2 | 3 = 2 | 3> extends SplineMeasures<D, Curve<D>> {
+  /**
+   * The spline of consecutive curves, whose degrees may differ.
+   *
+   * @param curves curves that each start where the one before ends
+   * @param options `closed`: whether the last curve ends where the first starts, false by default
+   * @throws {RangeError} if a curve does not start at the end of the previous one
+   */
+  static fromCurves<D extends 2 | 3 = 2 | 3>(
+    curves: readonly CoreCurve<D>[],
+    options?: { closed?: boolean },
+  ): Spline<D> {
+    const { length, dimension } = joinCurves(curves, options);
+    return readSpline(length, dimension) as Spline<D>;
+  }
+
+  /**
+   * The cubic spline through points, which are its joints.
+   *
+   * Natural: second derivatives are equal at all joints and zero at the ends of an open spline. Catmull-Rom: the
+   * tangent at a point depends on it and its two neighbours; the handle of an open end is at a third of the chord, and
+   * two equal consecutive points make a corner (unless alpha is 0).
+   *
+   * @param points 2 or more
+   * @param options natural and open by default
+   * @throws {RangeError} for fewer than 2 points, a NaN or an infinity, an alpha outside of 0 to 1
+   */
+  static interpolate<D extends 2 | 3 = 2 | 3>(
+    points: PointArrays<D> | PointsLike,
+    options?: InterpolateOptions & { dimension?: D },
+  ): Spline<D> {
+    const { length, dimension } = interpolate(points, options);
+    return readSpline(length, dimension) as Spline<D>;
+  }
+
+  /**
+   * The Bézier form of a B-spline: one segment of the same degree for each span between different knots.
+   *
+   * Without knots, the B-spline is uniform, and an open one does not reach its first and last point. It reaches them if
+   * the first degree + 1 knots are equal, and the last ones too (clamped knots). The multiplicity of an inner knot is
+   * at most the degree. Segment k covers t from k to k + 1.
+   *
+   * @param points at least degree + 1 if open
+   * @param options degree 3, uniform and open by default
+   * @throws {RangeError} for a wrong count, a knot below the previous one, or a multiplicity above the limit
+   */
+  static fromBSpline<D extends 2 | 3 = 2 | 3>(
+    points: PointArrays<D> | PointsLike,
+    options?: BSplineOptions & { dimension?: D },
+  ): Spline<D> {
+    const { length, dimension } = fromBSpline(points, options);
+    return readSpline(length, dimension) as Spline<D>;
+  }
+
+  /**
+   * The spline that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: SplineJSON): Spline {
+    return splineOf(splineDataOf(json));
+  }
+
+  /**
+   * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
+   * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
+   * other joints are smooth; consecutive equal points count once. The tolerance must be at least the noise of the points
+   * (about 1 for positions of a mouse in pixels): otherwise the spline follows the noise with many short segments.
+   *
+   * @param points at least 2
+   */
+  static fit<D extends 2 | 3 = 2 | 3>(
+    points: PointArrays<D> | PointsLike,
+    options: FitOptions & { dimension?: D },
+  ): Spline<D> {
+    const checked = check.options(options, ["tolerance", "closed", "cornerAngle", "dimension"]);
+    const { tolerance, cornerAngle, dimension: requested } = checked;
+    const closed = check.optionalBoolean(checked.closed, "closed");
+    const { flat, dimension } = flatten(points, requested, 2);
+    const count = flat.length / dimension;
+    if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
+    const distance = check.positive(tolerance, "tolerance");
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
+    writeArguments(flat);
+    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed), dimension);
+    releaseMemory();
+    return spline as Spline<D>;
+  }
+
+  /**
+   * All intersections with a curve, another spline or a path (then u is a location {subpath, t}), sorted by t, then by
+   * u, which run from 0 to the numbers of segments; with a path by its subpaths first. An intersection at a joint is
+   * reported once; a shared part that runs across joints is one overlap. 2D only.
+   *
+   * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
+   *
+   * @param other a curve, a spline or a path
+   */
+  intersections<S extends CoreCurve | CoreSpline | PathValue>(
+    other: S,
+    ...surplus: never[]
+  ): Intersection<number, S extends PathValue ? PathTime : number>[] {
+    check.noSurplus(surplus, "intersections", 1);
+    this._require2D("intersections");
+    return intersectSplines(this.casteljauData(), other) as any;
+  }
+
+  /**
+   * The points that the spline passes twice, sorted by t; t < u. Joints and the start of a closed spline do not count
+   * as passed twice; the end point of an open spline that ends at its start does. 2D only.
+   */
+  selfIntersections(...surplus: never[]): SelfIntersection[] {
+    check.noSurplus(surplus, "selfIntersections", 0);
+    this._require2D("selfIntersections");
+    return selfIntersectSpline(this.casteljauData());
+  }
+
+  /**
+   * A spline of fewer lines and cubics whose Hausdorff distance from this one is at most the tolerance. Turns by more
+   * than `cornerAngle` over arms of 8, 16 or 32 tolerances stay corners, the other joints are smooth, or lie where the
+   * turn cannot be removed within the tolerance. If the number of segments cannot be reduced and no degree is above 3,
+   * the spline is returned unchanged; segments of higher degrees become cubics, as many as the tolerance requires.
+   *
+   * If more than 4096 vertices per segment would be needed (tolerances below about 1e-7 of its size), segments of
+   * degree up to 3 are returned unchanged, and higher degrees as cubics with the same tangents, at most 4096 for each
+   * segment (else a RangeError).
+   *
+   * @param tolerance the largest distance, in the unit of the points
+   */
+  simplify(tolerance: number, options?: SimplifyOptions): this {
+    const { cornerAngle } = check.options(options, ["cornerAngle"]);
+    check.positive(tolerance, "tolerance");
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
+    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0));
+  }
+
+  /**
+   * The offset curve at a distance along the normal: the offset curves of the segments (see `Curve.offset`), joined at
+   * corners on both sides. 2D only. Nothing is trimmed; the offset of a closed spline is closed.
+   *
+   * @param distance the distance, in the unit of the points; negative on the other side
+   * @param options `join`: by default "round"; the miter limit is 4 times the distance
+   */
+  offset(distance: number, options?: { tolerance?: number; join?: "round" | "miter" | "bevel" }): this {
+    this._require2D("offset");
+    check.finite(distance, "distance");
+    const { tolerance, join = "round" } = check.options(options, ["tolerance", "join"]);
+    const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
+    const maxError = check.optionalTolerance(tolerance);
+    this._write();
+    return this._read(core().spline_offset(distance, maxError, code));
+  }
+
+  /**
+   * The spline as a B-spline whose knots are the joints, with the degree as multiplicity; `fromBSpline` returns exactly
+   * this spline.
+   *
+   * @throws {RangeError} if the degrees differ
+   */
+  toBSpline(): BSpline {
+    return toBSpline(this.casteljauData());
+  }
+
+  /**
+   * The spline as a `Curve` of three.js, for `TubeGeometry` and `ExtrudeGeometry`: its points are `Vector2` in the plane and
+   * `Vector3` in space; arc lengths are those of this package, not a table's.
+   *
+   * @param THREE the namespace of three.js, or an object with `Curve`, `Vector2` and `Vector3`
+   */
+  toThree<CurveClass extends { prototype: any }>(THREE: ThreeCurves<CurveClass>): CurveClass["prototype"] {
+    return curveToThree(this, this.segmentCount, THREE);
+  }
+
+  /**
+   * @internal
+   */
+  override _curveOf(flat: Float64Array): Curve<D> {
+    return curveOf(new CheckedPoints(flat, this.dimension)) as Curve<D>;
+  }
+
+  /**
+   * @internal
+   */
+  override _splineOf(data: SplineData): this {
+    return splineOf(data) as this;
+  }
+}
+
+/**
+ * @internal
+ */
+export function splineOf(data: SplineData): Spline {
+  return new Spline(new CheckedSplineData(data) as any); // outside of the class, see curve.js
+}
+
+/**
+ * Reads a spline from the arena.
+ *
+ * @internal
+ */
+export function readSpline(length: number, dimension: 2 | 3): Spline {
+  return splineOf(readSplineData(length, dimension));
+}

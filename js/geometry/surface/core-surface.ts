@@ -1,0 +1,199 @@
+import * as check from "../check.js";
+import { subdivide } from "../flat-pieces.js";
+import { readGrid } from "../grid-mesh.js";
+import { gridOptions, readMesh } from "../mesh.js";
+import * as queries from "../surface-queries.js";
+import { SurfaceValue } from "./surface-value.js";
+import { tessellation } from "../tessellation.js";
+import { readTopology } from "../topology.js";
+import { isocurves, wireframe } from "../wireframe.js";
+import { core, unwrapCount, readResult } from "../../wasm/surfaces-transfer.js";
+import type { MatrixLike, PointLike } from "../check.js";
+import type { CoreCurve } from "../curve/core-curve.js";
+import type { FlatPiece } from "../flat-pieces.js";
+import type { GridOptions, Mesh } from "../mesh.js";
+import type { CorePatch } from "../patch/core-patch.js";
+import type { Bounds } from "../points.js";
+import type { SurfacePoint } from "../surface-queries.js";
+import type { TessellationOptions } from "../tessellation.js";
+import type { Topology } from "../topology.js";
+import type { WireframeOptions } from "../wireframe.js";
+
+/**
+ * What the surfaces of all entry points have in common: queries and meshes.
+ *
+ * @template P the class of its patches
+ * @template C the class of its curves
+ */
+export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = CoreCurve> extends SurfaceValue<P> {
+  /**
+   * How the patches are joined. Two edges are the same line if their control points are equal in the same order or
+   * reversed. An edge of another degree, or a part of a longer edge, is a different line.
+   */
+  topology(): Topology {
+    this._write();
+    return readTopology(readResult(0, core().surface_topology()));
+  }
+
+  /**
+   * The smallest box that contains the surface, exact up to rounding; null without patches. The limit of steps of
+   * `Patch.bounds` applies to each patch.
+   */
+  bounds(...surplus: never[]): Bounds<3> | null {
+    check.noSurplus(surplus, "bounds", 0);
+    return queries.bounds(this.#writer(false));
+  }
+
+  /** The total area of all patches with a relative error below 1e-8; see `Patch.area`. */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    return queries.area(this.#writer(false));
+  }
+
+  /**
+   * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
+   * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
+   */
+  volume(...surplus: never[]): number | null {
+    check.noSurplus(surplus, "volume", 0);
+    return queries.volume(this.#writer(true));
+  }
+
+  /**
+   * The point of the surface that is nearest to p; null without patches. The limit of steps of `Patch.nearest` applies
+   * to each patch whose box is not too far away.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike): SurfacePoint | null {
+    return queries.nearest(this.#writer(false), p);
+  }
+
+  /**
+   * All intersections with a ray, sorted by distance; see `Patch.intersectRay`. An intersection on a shared edge is
+   * reported once.
+   *
+   * @param origin the start of the ray
+   * @param direction the direction of the ray, of any length above 0
+   * @throws {RangeError} for a direction of length 0, and if the search in a patch takes too many steps
+   */
+  intersectRay(origin: PointLike, direction: PointLike): SurfacePoint[] {
+    return queries.intersectRay(this.#writer(false), origin, direction);
+  }
+
+  /**
+   * A mesh of one grid of samples per patch, as in the web lesson: each patch has its own vertices, also along shared
+   * edges.
+   */
+  grid(options: GridOptions): Mesh {
+    const checked = gridOptions(options);
+    const { u, v, quads, differences } = checked;
+    this._write(0, false);
+    unwrapCount(core().surface_grid(u, v, quads, differences));
+    return readGrid(this.patchCount, checked);
+  }
+
+  /**
+   * A mesh without cracks and T-junctions: every inner edge belongs to exactly two triangles. With `tolerance`, no
+   * point of the surface is farther from the mesh than that. Normals are those of the patches, and limits at collapsed
+   * edges.
+   *
+   *     const mesh = Surface.teapot().tessellate({ tolerance: 0.01 });
+   *
+   * @throws {RangeError} for a tolerance below the precision of f32 (or f64), and for a mesh above 1 GiB; with
+   *   `tolerance` or `pixels` and degrees m and n above 4 also above 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1))
+   *   triangles
+   */
+  tessellate(options: TessellationOptions): Mesh {
+    const { args, extra, into, ...kind } = tessellation(options);
+    const end = this._write(extra.length);
+    end.view.set(extra, end.at);
+    unwrapCount(core().surface_tessellate(...args));
+    return readMesh(into, kind);
+  }
+
+  /**
+   * The isocurves that divide every patch into `lines` strips in each direction (4 by default), edges included. A
+   * shared edge is listed once, a collapsed edge is not listed. For each patch, first the curves u = constant, then v =
+   * constant.
+   *
+   * @param options `lines`: how many strips, 4 by default
+   * @throws {RangeError} for 0 lines and above 1 GiB
+   */
+  isocurves(options?: { lines?: number }): C[] {
+    return isocurves(() => this._write(), options).map((points) => this._curveOf(points));
+  }
+
+  /**
+   * A mesh of the isocurves: tubes, or ribbons that lie in the surface.
+   *
+   *     const tubes = Surface.teapot().wireframe({ lines: 4, radius: 0.02 });
+   *     const ribbons = Surface.teapot().wireframe({ lines: 4, width: 0.05 });
+   *
+   * The mesh follows a line as closely as a tube's cross-section approximates its circle: within r (1 − cos(π /
+   * sides)), and with at most 2π / sides of turning between two samples. A ribbon follows it as closely as a tube with
+   * eight sides and half its width as radius. Tubes are closed bodies with round ends and do not twist; ribbons have
+   * the surface's normals and are one-sided. A line that is a point is omitted. `uvs` and `patchIds` are null;
+   * `patchRanges` has the range of each patch.
+   *
+   * @throws {TypeError} for neither radius nor width, and for both
+   * @throws {RangeError} for a radius or a width below the precision of f32, and above 1 GiB
+   */
+  wireframe(options: WireframeOptions): Mesh {
+    return wireframe(() => this._write(), options);
+  }
+
+  /**
+   * The recursive subdivision of the texts: every patch is split into four, and the parts again, until the control
+   * points of a part are within the tolerance of the plane of three of its corners (those with the largest triangle; of
+   * their line or point if they have no plane). For teaching: neighbours that were split differently leave cracks, and
+   * the tolerance does not bound the distance from the two triangles of a part. `tessellate` has no cracks and keeps
+   * its tolerance.
+   *
+   * @param tolerance the largest distance, in the unit of the points
+   * @returns patch by patch
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces and 64 for each patch,
+   *   and if all pieces, including split ones, have more than 2²⁴ control points together and 128 for each of the
+   *   surface (the lower limit for degrees above 5)
+   */
+  subdivide(tolerance: number, ...surplus: never[]): FlatPiece[] {
+    check.noSurplus(surplus, "subdivide", 1);
+    return subdivide(() => this._write(), tolerance);
+  }
+
+  /**
+   * Draws the projected isocurves of all patches on a canvas context or a Path2D with one call of the core. The caller
+   * strokes the path.
+   *
+   * @param target a canvas context or a Path2D
+   * @param options `matrix`: maps the surface's coordinates to pixels, 16 numbers column-major; (X, Y, ·, W) is drawn
+   *   at (X/W, Y/W). `lines`: the number of strips per patch in each direction, 4 by default; `tolerance`: in pixels,
+   *   0.1 by default
+   */
+  trace(
+    target: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D,
+    options: { matrix: MatrixLike; lines?: number; tolerance?: number },
+  ) {
+    const sink = check.drawingTarget(target);
+    const { matrix, lines = 4, tolerance } = check.options(options, ["matrix", "lines", "tolerance"]);
+    const m = check.matrixNumbers(matrix as MatrixLike);
+    check.segmentCount(lines, "lines");
+    const tolerancePx = check.optionalTolerance(tolerance);
+    const end = this._write(16);
+    end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
+    unwrapCount(core().surface_trace(sink, lines, tolerancePx));
+  }
+
+  /**
+   * A 3D curve. The class of each entry point implements it.
+   *
+   * @internal
+   */
+  _curveOf(flat: Float64Array): C {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  #writer(withJoined: boolean): (extra: number) => { view: Float64Array; at: number } {
+    return (extra) => this._write(extra, withJoined);
+  }
+}

@@ -1,0 +1,126 @@
+import { curvesModule } from "./curves-module.js";
+import { wasmModules } from "./wasm-module.js";
+import type { CubicEval, WasmModule } from "./wasm-module.js";
+import type { Functions } from "../glue/functions.js";
+
+/**
+ * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
+ */
+export type WasmSource = WebAssembly.Module | BufferSource | Response | URL;
+
+/**
+ * Compiles the core before its first use, asynchronously. With `casteljau` this is optional, because the first call
+ * compiles it synchronously. With `casteljau/slim`, which does not contain the wasm module, call it once:
+ *
+ *     await init(fetch(new URL("casteljau/casteljau.wasm", import.meta.url)));
+ *
+ * Further calls do nothing. After a failure, it can be called again.
+ *
+ * @param source optional with `casteljau`, whose default is the bytes in the package
+ * @throws {TypeError} if the source is of another kind, or missing with `casteljau/slim`
+ */
+export async function init(source?: WasmSource | PromiseLike<WasmSource>): Promise<void> {
+  const awaited = await source; // always awaited, so that a failed fetch never is an unhandled rejection
+  const uncompiled = wasmModules.filter((wasmModule) => !wasmModule.functions);
+  if (awaited === undefined) return void (await Promise.all(uncompiled.map(compileInlined)));
+  if (!uncompiled.length) return;
+  const module = await compile(awaited);
+  for (const wasmModule of uncompiled) if (!wasmModule.functions) instantiate(wasmModule, module);
+}
+
+/**
+ * The functions of the Rust core, which is instantiated by the first call. A count of −1 means an error (see
+ * `unwrapCount`).
+ *
+ * @internal
+ * @throws {Error} with `casteljau/slim`, before the promise of `init` is fulfilled
+ */
+export function core(wasmModule: WasmModule = curvesModule): Functions {
+  return wasmModule.functions ?? instantiateSync(wasmModule);
+}
+
+/**
+ * The only function of the core that is called without the wrapper of wasm-bindgen.
+ *
+ * @internal
+ */
+export function cubicEval(): CubicEval {
+  if (!curvesModule.cubicEval) instantiateSync(curvesModule);
+  return curvesModule.cubicEval as CubicEval;
+}
+
+/**
+ * The core's memory. When it grows, its views are detached: never keep a view across a call.
+ *
+ * @internal
+ */
+export function memory(wasmModule: WasmModule = curvesModule): WebAssembly.Memory {
+  if (!wasmModule.memory) instantiateSync(wasmModule);
+  return wasmModule.memory as WebAssembly.Memory;
+}
+
+function instantiateSync(wasmModule: WasmModule): Functions {
+  if (!wasmModule.bytes) {
+    throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
+  }
+  return instantiate(wasmModule, compileSync(wasmModule.bytes()));
+}
+
+/** @param bytes inlined ones */
+function compileSync(bytes: BufferSource) {
+  try {
+    return new WebAssembly.Module(bytes);
+  } catch (cause) {
+    throw refusal(cause);
+  }
+}
+
+/** The error for inlined bytes that are not compiled. They are valid, so a policy forbids it. */
+function refusal(cause: unknown) {
+  const policy = "a Content-Security-Policy needs script-src 'wasm-unsafe-eval'";
+  return new Error(`casteljau: WebAssembly is refused here; ${policy}`, { cause });
+}
+
+function instantiate(wasmModule: WasmModule, module: WebAssembly.Module): Functions {
+  const exports = wasmModule.link({ module }) as any;
+  wasmModule.memory = exports.memory;
+  wasmModule.cubicEval = exports.cubic_eval;
+  wasmModule.functions = exports;
+  return exports;
+}
+
+async function compileInlined(wasmModule: WasmModule) {
+  if (!wasmModule.bytes) {
+    throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
+  }
+  const module = await compile(wasmModule.bytes()).catch((cause) => {
+    throw refusal(cause);
+  });
+  if (!wasmModule.functions) instantiate(wasmModule, module); // a synchronous first call may have instantiated it meanwhile
+}
+
+async function compile(source: WasmSource): Promise<WebAssembly.Module> {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
+  if (typeof URL === "function" && source instanceof URL) return compileResponse(await fetch(source));
+  if (typeof Response === "function" && source instanceof Response) return compileResponse(source);
+  throw new TypeError(
+    `init: source must be a WebAssembly.Module, bytes, a Response or a URL, or a promise of one, got ${kindOf(source)}`,
+  );
+}
+
+/**
+ * Compiles the response while it arrives if the server sends the media type of wasm; otherwise after all of it arrived.
+ */
+async function compileResponse(response: Response): Promise<WebAssembly.Module> {
+  if (!response.ok) throw new Error(`init: ${response.url} was answered with ${response.status}`);
+  const typed = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  if (typed && WebAssembly.compileStreaming) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+function kindOf(value: unknown): string {
+  return typeof value === "object" && value
+    ? Object.prototype.toString.call(value).slice("[object ".length, -1)
+    : typeof value;
+}
