@@ -2,7 +2,7 @@
 export type { PointLike, PointsLike, MatrixLike, TransformLike } from "./geometry/check.js";
 export type { NetLike } from "./geometry/net.js";
 export type { BasisName, BasisLike } from "./geometry/basis.js";
-export type { CurveJSON } from "./geometry/curve/curve-value.js";
+export type { CurveJSON } from "./geometry/curve/core-curve.js";
 export type { Extrema, CurveKind, Distance, Nearest } from "./geometry/curve-queries.js";
 export type {
   SelfIntersection,
@@ -12,12 +12,12 @@ export type {
   Intersection,
 } from "./geometry/intersections.js";
 export type { Frames, FrameOptions } from "./geometry/frames.js";
-export type { SplineOptions, SplineJSON } from "./geometry/spline/spline-value.js";
+export type { SplineOptions, SplineJSON } from "./geometry/spline/core-spline.js";
 export type { InterpolateOptions } from "./geometry/interpolate.js";
 export type { FitOptions, SimplifyOptions } from "./geometry/spline/spline.js";
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
-export type { FillRule, Moments, RegionOptions } from "./geometry/path/path-measures.js";
+export type { FillRule, Moments, RegionOptions } from "./geometry/path/core-path.js";
 export type { SvgError, Face } from "./geometry/path/path.js";
 export type {
   StrokeOptions,
@@ -25,7 +25,9 @@ export type {
   StrokeJoin,
   StrokeCap,
   RegionOffsetOptions,
+  CornerOptions,
 } from "./geometry/path/path-stroke.js";
+export type { CircularArc } from "./geometry/path/path-arcs.js";
 export type { BooleanOperation } from "./geometry/path/path-boolean.js";
 export type { PathTime, PathPoint, PathPointAtLength } from "./geometry/path/path-queries.js";
 export type { PathExtrema } from "./geometry/path/path-coordinates.js";
@@ -34,7 +36,7 @@ export type { NearestPath, Shape } from "./geometry/path/core-path.js";
 export type { PathBuilder } from "./geometry/path/path-builder.js";
 export type { PathSegment, CssOptions } from "./io/path-data.js";
 export type { SvgOptions, PathSvgOptions } from "./io/svg-write.js";
-export type { PatchJSON } from "./geometry/patch/patch-value.js";
+export type { PatchJSON } from "./geometry/patch/core-patch.js";
 export type { Partials } from "./geometry/patch/core-patch.js";
 export type { Curvature, PatchDeCasteljau, PatchPoint, SurfacePoint } from "./geometry/surface-queries.js";
 export type { TeapotOptions } from "./geometry/surface/network.js";

@@ -80,20 +80,29 @@ const surfacesExternal = {
   },
 };
 
-/** Gives the exported classes their names as a static field, because esbuild shortens the names. */
-const keepClassNames = {
-  name: "keep-class-names",
+/** Marks the exported classes with their names, because esbuild shortens them; `restoreClassNames` replaces the marks. */
+const markClassNames = {
+  name: "mark-class-names",
   setup(build) {
     build.onLoad({ filter: /[\\/]js[\\/]geometry[\\/]/ }, async ({ path }) => {
       const contents = await readFile(path, "utf8");
-      const named = contents.replace(
-        /^(export class (Curve|Spline|Path|PathBuilder|Patch|Surface|Mesh)\b[^{\n]*\{)$/m,
-        '$1 static name = "$2";',
+      const marked = contents.replace(
+        /^(export class (Curve|Spline|Path|PathBuilder|Patch|Surface|Mesh)\b[^{]*\{)$/m,
+        '$1 static className = "$2";',
       );
-      return { contents: named, loader: "ts" };
+      return { contents: marked, loader: "ts" };
     });
   },
 };
+
+/** Gives marked classes their own names: their property `name`, and errors of calls without `new`, show them. */
+function restoreClassNames(files, name) {
+  edit(files, name, /=class((?: extends [\w$]+)?)\{static className="(\w+)";/g, (found) =>
+    found.replace(/=class((?: extends [\w$]+)?)\{static className="(\w+)";/, "=class $2$1{"),
+  );
+  if (files[name].includes("static className="))
+    throw new Error(`${name}: expected classes without a name of their own`);
+}
 
 /** The files that went into the bundles. */
 const inputs = new Set();
@@ -117,13 +126,16 @@ async function bundleAs({ plugins = [], ...options }) {
     metafile: true,
     write: false,
     banner,
-    plugins: [...plugins, keepClassNames],
+    plugins: [...plugins, markClassNames],
     ...options,
   });
   for (const path of Object.keys(metafile.inputs)) inputs.add(path);
   const nameOf = (path) => relative(resolve("dist"), resolve(path)).split(sep).join("/");
   const files = Object.fromEntries(outputFiles.map(({ path, text }) => [nameOf(path), text]));
-  for (const name of namesOfScripts(files)) markPureCalls(files, name);
+  for (const name of namesOfScripts(files)) {
+    markPureCalls(files, name);
+    restoreClassNames(files, name);
+  }
   const outputs = Object.fromEntries(Object.entries(metafile.outputs).map(([path, output]) => [nameOf(path), output]));
   return { files, outputs };
 }

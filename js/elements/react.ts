@@ -17,8 +17,11 @@ type Method = (...values: never[]) => unknown;
 type Given<Properties, Excluded extends keyof Properties = never> = {
   [Name in keyof Properties as Properties[Name] extends Method ? never : Exclude<Name, Excluded>]?:
     | Properties[Name]
-    | ([Properties[Name]] extends [boolean] ? "" : string);
+    | ([Properties[Name]] extends [boolean] ? "" : [Properties[Name]] extends [string] ? never : string);
 };
+
+/** Events of custom elements: React listens to the name after "on", as it is written. */
+type Events = Partial<Record<"oninput" | "onchange" | "onupdate", (event: Event) => void>>;
 
 type Props<Element, Properties> = DetailedHTMLProps<
   Omit<HTMLAttributes<Element>, keyof Properties> & Properties,
@@ -31,12 +34,10 @@ type AppletProps = Given<
 > &
   Partial<Record<"mode" | "degree" | "segment" | "tolerance" | "segments" | "offset" | "ticks", string | number>> & {
     state?: AppletProperties["state"];
-    onupdate?: (event: Event) => void;
   };
 type SurfaceProps = Given<SurfaceProperties, "figure" | "surface" | "view"> &
   Partial<Pick<SurfaceProperties, "surface">> & {
     view?: Partial<SurfaceProperties["view"]>;
-    onupdate?: (event: Event) => void;
   };
 type LinkProps = Given<CompanionProperties> & Given<LinkProperties, "target"> & { for?: string };
 type EasingProps = Given<CompanionProperties> &
@@ -55,7 +56,7 @@ export interface BezierElementProps {
 }
 
 type BezierIntrinsicElements = {
-  [Name in keyof BezierElementProps]: Props<BezierElementTagNameMap[Name], BezierElementProps[Name]>;
+  [Name in keyof BezierElementProps]: Props<BezierElementTagNameMap[Name], BezierElementProps[Name] & Events>;
 };
 
 declare module "react" {

@@ -45,7 +45,7 @@ export interface SurfaceFigure {
   lines: number;
   shading: string;
   layers: string[];
-  evaluation: string;
+  evaluation: "cpu" | "forward" | "gpu";
   u: number;
   v: number;
   step: number;
@@ -69,14 +69,14 @@ export interface SurfaceFigure {
  * page, and does not bubble.
  */
 export interface SurfaceProperties {
-  /** "teapot", "teacup", "teaspoon" or "patch" */
-  model: string;
+  /** The model that is shown where there is no surface */
+  model: "teapot" | "teacup" | "teaspoon" | "patch";
   /** The visible parts of the teapot: some of the words "lid rim body handle spout bottom"; null shows all */
   parts: string | null;
-  /** The height of the teapot: "squashed" or "original" */
-  height: string;
-  /** The axis that points up: "z" or "y" */
-  up: string;
+  /** The height of the teapot */
+  height: "squashed" | "original";
+  /** The axis that points up */
+  up: "z" | "y";
   /** The number of segments along each direction of a patch, 1 to 64 */
   segments: number;
   /** Instead of segments: the largest distance of the surface from the mesh */
@@ -90,15 +90,15 @@ export interface SurfaceProperties {
   flatness: number | null;
   /** The number of strips into which the curves divide a patch in each direction, 1 to 12 */
   lines: number;
-  /** "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches" */
-  shading: string;
+  /** How the surface is coloured; "curvature" is "gaussian" */
+  shading: "smooth" | "flat" | "normals" | "gaussian" | "curvature" | "mean" | "patches";
   /**
    * Some of the words "surface mesh isocurves tubes ribbons net casteljau place derivatives names" (place:
    * the curves through (u, v); derivatives: Su, Sv and the normal there; names: of the points, directions and derivatives)
    */
   show: string;
   /** "cpu": WebAssembly; "forward": WebAssembly, with forward differences; "gpu": the vertex shader */
-  evaluation: string;
+  evaluation: "cpu" | "forward" | "gpu";
   /** The first parameter of the point that is shown, 0 to 1 */
   u: number;
   /** The second parameter of the point that is shown, 0 to 1 */
@@ -117,6 +117,8 @@ export interface SurfaceProperties {
   turn: boolean;
   /** The name of the picture for screen readers */
   label: string;
+  /** The colours; "auto" follows the color scheme of the user */
+  theme: "light" | "dark" | "auto";
   /** The surface that is shown, with moved points; null shows the model */
   surface: Surface | null;
   /** The camera's position */
@@ -170,8 +172,8 @@ export interface AppletProperties {
   points: [number, number][];
   /** The number of points that are shown; "" for all */
   mode: string;
-  /** "bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal" or "matrix" */
-  basis: string;
+  /** How the points determine the curve */
+  basis: "bezier" | "hermite" | "b-spline" | "catmull-rom" | "natural" | "centripetal" | "matrix";
   /** 16 numbers for the basis "matrix", row-major: [t³ t² t 1]·M·P */
   matrix: string;
   /** 1 to 64, or "n": one curve with all points */
@@ -187,8 +189,8 @@ export interface AppletProperties {
    * nearest offset ticks envelope extrapolation names"
    */
   show: string;
-  /** The notation: "P0", "P1", "b0", "p0" or "none" */
-  labels: string;
+  /** The notation of the points */
+  labels: "P0" | "P1" | "b0" | "p0" | "none";
   /** The tolerance of the adaptive subdivision, in pixels */
   tolerance: string;
   /** The number of segments of the uniform polyline */
@@ -207,9 +209,9 @@ export interface AppletProperties {
   /** Whether the points cannot be moved */
   readonly: boolean;
   /** "off": only the arrow keys work */
-  hotkeys: string;
-  /** "light", "dark" or "auto" */
-  theme: string;
+  hotkeys: "on" | "off";
+  /** The colours; "auto" follows the color scheme of the user */
+  theme: "light" | "dark" | "auto";
   /** The name of the picture for screen readers */
   label: string;
   /** All settings and points, as plain data */
@@ -227,11 +229,11 @@ export interface AppletProperties {
   /** Shows both parts at t, and returns those of the selected segment */
   split: (t?: number) => [Curve, Curve];
   /** Splits the selected segment at t; the shape stays the same */
-  insert: (t?: number) => void;
-  /** Removes a point; without an index removes the element, as `Element.remove` */
-  remove: (index?: number) => void;
-  /** Appends a point; nodes are appended to the element, as by `Element.append` */
-  append: (...what: (Node | string | [number, number])[]) => void;
+  insertJoint: (t?: number) => void;
+  /** Removes a point */
+  removePoint: (index: number) => void;
+  /** Appends a point */
+  appendPoint: (point: [number, number]) => void;
   /** Switches between the points of one curve and all points */
   toggleMode: () => void;
   /** The property `state` */
@@ -256,7 +258,7 @@ export interface AppletProperties {
   ) => void;
 }
 
-export type BezierAppletElement = Omit<HTMLElement, "append" | "remove"> & AppletProperties;
+export type BezierAppletElement = HTMLElement & AppletProperties;
 export type BezierAppletConstructor = { new (): BezierAppletElement; prototype: BezierAppletElement };
 
 export type BezierSurfaceElement = HTMLElement & SurfaceProperties;

@@ -27,6 +27,15 @@ export type MatrixLike =
  */
 export type TransformLike = MatrixLike | string;
 
+/** The type of a map that is a list of a known length: never if that is neither 6 nor 16. */
+export type Complete<M> = M extends readonly number[]
+  ? number extends M["length"]
+    ? M
+    : M["length"] extends 6 | 16
+      ? M
+      : never
+  : M;
+
 /** The largest absolute value of a coordinate; src/geometry/check.rs explains it. @internal */
 export const MAX_COORDINATE = 2 ** 500;
 

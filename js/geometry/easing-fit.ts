@@ -11,13 +11,13 @@ export interface FitEasingOptions {
 
 /** A spring that is released at distance 1 from its rest position: m x″ = −k (x − 1) − c x′. */
 export interface SpringOptions {
-  /** M, 1 by default */
+  /** m, 1 by default */
   mass?: number;
-  /** K, 100 by default */
+  /** k, 100 by default */
   stiffness?: number;
-  /** C, 10 by default */
+  /** c, 10 by default */
   damping?: number;
-  /** X′ at the start, in distances per second, 0 by default */
+  /** x′ at the start, in distances per second, 0 by default */
   velocity?: number;
   /**
    * The largest difference of the outputs, and the distance from 1 at which the spring counts as settled; 0.002 by

@@ -15,18 +15,22 @@ const MAX_DEPTH = 20;
 const MAX_DECIMALS = 12;
 
 /**
- * The stops of a linear() within a tolerance: the fewest for a cubic curve, equal ones for steps() and linear().
+ * The fewest stops of a linear() within a tolerance; equal ones for steps().
  *
  * @internal
  * @throws {RangeError} for a tolerance that is too small
  */
 export function fewestStops(timing: Timing, tolerance: number): readonly Stop[] {
   const [x1, y1, x2, y2] = "handles" in timing ? timing.handles : [0, 0, 1, 1];
-  const scale = Math.max(1, Math.abs(y1), Math.abs(y2));
+  const given = "stops" in timing ? timing.stops : [];
+  const scale = given.reduce(
+    (largest, [, y]) => Math.max(largest, Math.abs(y)),
+    Math.max(1, Math.abs(y1), Math.abs(y2)),
+  );
   if (!(tolerance >= MIN_TOLERANCE * scale))
     throw new RangeError(`tolerance: expected at least ${MIN_TOLERANCE} of the largest output, got ${tolerance}`);
-  if ("stops" in timing) return timing.stops;
   if ("count" in timing) return stepStops(timing.count, timing.position);
+  if ("stops" in timing) return runsOf(given).flatMap((run) => reduced(run, tolerance / scale, scale));
   const run: Stop[] = [[0, 0]];
   // Outputs are divided by their scale, so that no difference overflows.
   const relative = tolerance / scale;
@@ -47,6 +51,28 @@ export function fewestStops(timing: Timing, tolerance: number): readonly Stop[] 
 export function stopsOfRun(run: readonly Stop[], relative: number, scale: number, end: number): Stop[] {
   const share = relative * POLYLINE_SHARE;
   return rounded(run, approximate(run, relative - 2 * share), relative - share, scale, end);
+}
+
+/** The stops from one jump to the next. */
+function runsOf(stops: readonly Stop[]): Stop[][] {
+  const runs: Stop[][] = [[]];
+  for (const [k, stop] of stops.entries()) {
+    if (k > 0 && !(stop[0] > stops[k - 1][0])) runs.push([]);
+    runs[runs.length - 1].push(stop);
+  }
+  return runs;
+}
+
+/** A run with as few stops as the tolerance permits; its ends stay. */
+function reduced(run: readonly Stop[], relative: number, scale: number): readonly Stop[] {
+  const last = run.length - 1;
+  if (last < 2) return run;
+  const inUnit = divided(run, scale);
+  const share = relative * POLYLINE_SHARE;
+  const stops = approximate(inUnit, relative - share);
+  const inner = rounded(inUnit, stops, relative, scale, run[last][1]).slice(1, -1);
+  const result = [run[0], ...inner, run[last]];
+  return result.length < run.length && areClose(inUnit, divided(result, scale), relative) ? result : run;
 }
 
 /**
@@ -82,9 +108,7 @@ function halves([a, b, c, d]: readonly number[]) {
 function rounded(run: readonly Stop[], stops: readonly Stop[], tolerance: number, scale: number, end: number): Stop[] {
   for (let decimals = 0, unit = 1; decimals <= MAX_DECIMALS; decimals++, unit *= 10) {
     const result = stops.map(([x, y]) => [round(x, unit), round(y * scale, 100 * unit)] as Stop);
-    const candidate = result.map(([x, y]) => [x, y / scale] as Stop);
-    // Both are straight in between: the distance is greatest at a vertex or at a stop.
-    if (isWithin(run, linear(candidate), tolerance) && isWithin(candidate, linear(run), tolerance)) return result;
+    if (areClose(run, divided(result, scale), tolerance)) return result;
   }
   const unrounded = stops.slice(0, -1).map(([x, y]) => [x, y * scale] as Stop);
   return [...unrounded, [100, end]];
@@ -95,6 +119,12 @@ function round(value: number, unit: number) {
   // Above 2⁵² there is nothing to round.
   return Math.abs(scaled) < 2 ** 52 ? Math.floor(scaled + 0.5) / unit + 0 : value;
 }
+
+const divided = (stops: readonly Stop[], scale: number) => stops.map(([x, y]) => [x, y / scale] as Stop);
+
+/** Both are straight in between: the distance is greatest at one of the stops. */
+const areClose = (a: readonly Stop[], b: readonly Stop[], tolerance: number) =>
+  isWithin(a, linear(b), tolerance) && isWithin(b, linear(a), tolerance);
 
 const isWithin = (stops: readonly Stop[], evaluate: (x: number) => number, tolerance: number) =>
   stops.every(([x, y]) => Math.abs(evaluate(x / 100) - y) <= tolerance);

@@ -17,8 +17,9 @@ export interface EasingMembers {
   /**
    * The function as a CSS `linear()` whose output differs by at most `tolerance` for inputs from 0 to 1. For a cubic
    * curve no `linear()` with fewer stops stays within 96 % of the tolerance, and the outputs at 0 and 1 are exact.
-   * `steps()` and `linear()` remain as they are. Throws a RangeError for a tolerance below 10⁻⁴, or below 10⁻⁴ of a
-   * larger y1 or y2, and for more than 32,767 steps
+   * A `linear()` keeps its jumps and ends, and loses the stops between them that the tolerance permits; `steps()` remain
+   * as they are. Throws a RangeError for a tolerance below 10⁻⁴, or below 10⁻⁴ of a larger y1, y2 or stop, and for more
+   * than 32,767 steps
    */
   toLinear: (tolerance: number) => string;
 }

@@ -4,7 +4,7 @@ import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
 import type { PatchData } from "./brand.js";
-import type { PatchValue } from "./patch/patch-value.js";
+import type { CorePatch } from "./patch/core-patch.js";
 import type { Network } from "./surface/network.js";
 
 /** What `Surface.toJSON` returns; `Surface.fromJSON` also reads other forms of points. */
@@ -28,7 +28,7 @@ export type JoinedOf = (vertices: Float64Array) => Float64Array;
  *
  * @internal
  */
-export function networkOfPatches(patches: ArrayLike<PatchValue>, joinedOf: JoinedOf): Network {
+export function networkOfPatches(patches: ArrayLike<CorePatch>, joinedOf: JoinedOf): Network {
   if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
   const checked = Array.from(patches, checkedPatch); // also finds holes
   const nets = checked.map(({ flat }) => flat);

@@ -25,8 +25,14 @@ export interface PixelDetail {
   viewport: ArrayLike<number>;
 }
 
+/** Names of options that cannot be given. */
+type Without<Names extends string> = { [name in Names]?: never };
+
 /** The level of detail of a mesh, in one of three ways. */
-export type Detail = SegmentDetail | ToleranceDetail | PixelDetail;
+export type Detail =
+  | (SegmentDetail & Without<keyof ToleranceDetail | keyof PixelDetail>)
+  | (ToleranceDetail & Without<keyof SegmentDetail | keyof PixelDetail>)
+  | (PixelDetail & Without<keyof SegmentDetail | keyof ToleranceDetail>);
 
 /** The options of a tessellation besides the level of detail. */
 export interface MeshOptions {

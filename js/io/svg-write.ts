@@ -1,4 +1,5 @@
 // Drawing paths and writing them as SVG path data; src/io/svg_write.rs writes the same text.
+import type { CircularArc } from "../geometry/path/path-arcs.js";
 import * as check from "../geometry/check.js";
 import { core } from "../wasm/init.js";
 import { extents } from "../wasm/packed-path.js";
@@ -130,9 +131,10 @@ export interface SvgOptions {
 
 /**
  * The options of SVG path data of paths. `arcs`: whether cubics that `Path.fromSVG` makes of an arc, up to rounding, are
- * written as that arc, true by default.
+ * written as that arc, true by default; a number (not in casteljau/paths) replaces all curves by lines and arcs within
+ * this distance, see `toArcs`.
  */
-export type PathSvgOptions = SvgOptions & { arcs?: boolean };
+export type PathSvgOptions = SvgOptions & { arcs?: boolean | number };
 
 /**
  * A packed path as SVG path data.
@@ -154,8 +156,38 @@ export function svgOf(
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);
   const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
-  if (check.optionalBoolean(arcs, "arcs", true)) writer.arcs = finder;
+  if (check.optionalBoolean(arcs as boolean | undefined, "arcs", true)) writer.arcs = finder;
   draw(packed, writer, maxError, false);
+  return writer.text;
+}
+
+/**
+ * Lines and arcs of circles as SVG path data.
+ *
+ * @internal
+ * @param closed whether each subpath is closed
+ */
+export function svgOfArcs(
+  subpaths: CircularArc[][],
+  closed: readonly boolean[],
+  options: Omit<PathSvgOptions, "arcs">,
+): string {
+  const { precision } = check.options(options, ["precision"]);
+  if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
+  const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  const word = (x: number) => (precision === undefined ? roundTrip(x) : shortNumber(x, precision));
+  for (const [k, arcs] of subpaths.entries()) {
+    const { start } = arcs[0];
+    writer.move(start.x, start.y);
+    // Closing draws the last line.
+    const closingLine = closed[k] && arcs.length > 1 && !arcs[arcs.length - 1].center;
+    for (const { end, center, radius, startAngle, endAngle } of closingLine ? arcs.slice(0, -1) : arcs) {
+      const [r, sweep] = [word(radius), endAngle > startAngle ? "1" : "0"];
+      if (center) writer.arc([r, r, "0", "0", sweep, word(end.x), word(end.y)]);
+      else writer.curve(1, Float64Array.of(end.x, end.y), 0);
+    }
+    if (closed[k]) writer.close(Boolean(closingLine));
+  }
   return writer.text;
 }
 

@@ -150,7 +150,8 @@ impl Easing {
     /// The function as the text of a CSS `linear()` whose output differs by at most `tolerance` for x from 0 to 1.
     ///
     /// For a cubic curve no `linear()` with fewer stops stays within 96 % of the tolerance, and the outputs at 0 and 1
-    /// are exact. `steps()` and `linear()` remain as they are.
+    /// are exact. A `linear()` keeps its jumps and ends, and loses the stops between them that the tolerance permits;
+    /// `steps()` remain as they are.
     ///
     /// ```
     /// use casteljau::Easing;
@@ -161,14 +162,18 @@ impl Easing {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Range`] for a tolerance below 10⁻⁴, or below 10⁻⁴ of a larger y₁ or y₂, a NaN or an infinity;
+    /// [`Error::Range`] for a tolerance below 10⁻⁴, or below 10⁻⁴ of a larger y₁, y₂ or stop, a NaN or an infinity;
     /// [`Error::TooMany`] for more than 32,767 steps.
     pub fn to_linear(&self, tolerance: f64) -> Result<String, Error> {
         let scale = match &self.kind {
             Kind::Cubic(cubic) => 1.0_f64
                 .max(cubic.handles[1].abs())
                 .max(cubic.handles[3].abs()),
-            _ => 1.0,
+            Kind::Linear(linear) => linear
+                .stops
+                .iter()
+                .fold(1.0_f64, |most, [_, y]| most.max(y.abs())),
+            Kind::Steps(_) => 1.0,
         };
         let is_finite = tolerance.is_finite();
         check("tolerance", "a finite number", tolerance, is_finite)?;
@@ -180,7 +185,9 @@ impl Easing {
                 css::written_linear(&stops::fewest_stops(cubic.handles, tolerance, scale))
             }
             Kind::Steps(steps) => css::written_linear(&steps.stops()?),
-            Kind::Linear(linear) => css::written_linear(&linear.stops),
+            Kind::Linear(linear) => {
+                css::written_linear(&stops::reduced_stops(&linear.stops, tolerance, scale))
+            }
         })
     }
 }

@@ -1,4 +1,4 @@
-//! The fewest stops of a CSS `linear()` within a tolerance of a cubic timing function.
+//! The fewest stops of a CSS `linear()` within a tolerance of a timing function.
 //!
 //! `js/geometry/easing-stops.ts` performs the same operations in the same order.
 
@@ -25,6 +25,39 @@ pub(crate) fn fewest_stops([x1, y1, x2, y2]: [f64; 4], tolerance: f64, scale: f6
     subdivide(x, y, MAX_DEPTH, share, &mut run);
     let stops = approximate(&run, relative - 2.0 * share);
     rounded(run, &stops, relative - share, scale)
+}
+
+/// The stops of a `linear()` with as few as the tolerance permits between one jump and the next.
+pub(crate) fn reduced_stops(stops: &[Stop], tolerance: f64, scale: f64) -> Vec<Stop> {
+    stops
+        .chunk_by(|a, b| b[0] > a[0])
+        .flat_map(|run| reduced(run, tolerance / scale, scale))
+        .collect()
+}
+
+/// A run with as few stops as the tolerance permits; its ends stay.
+fn reduced(run: &[Stop], relative: f64, scale: f64) -> Vec<Stop> {
+    if run.len() < 3 {
+        return run.to_vec();
+    }
+    let in_unit = |stops: &[Stop]| {
+        let stops = stops.iter().map(|[x, y]| [*x, y / scale]).collect();
+        Linear { stops }
+    };
+    let given = in_unit(run);
+    let share = relative * POLYLINE_SHARE;
+    let stops = approximate(&given.stops, relative - share);
+    let mut result = rounded(given.stops.clone(), &stops, relative, scale);
+    let last = result.len() - 1;
+    (result[0], result[last]) = (run[0], run[run.len() - 1]);
+    let candidate = in_unit(&result);
+    let is_close = is_within(&given.stops, &candidate, relative)
+        && is_within(&candidate.stops, &given, relative);
+    if is_close && result.len() < run.len() {
+        result
+    } else {
+        run.to_vec()
+    }
 }
 
 /// Appends the vertices of a polyline along a cubic curve, except for its start. The control values x ascend in t.

@@ -100,6 +100,32 @@ impl Path {
         self.at(t, all).ok()
     }
 
+    /// The arc length from the start of the first subpath to a position: the inverse of
+    /// [`time_at_length`](Self::time_at_length). Beyond the ends of a subpath, the end counts; for NaN it is NaN.
+    ///
+    /// ```
+    /// use casteljau::{Path, path::PathTime};
+    ///
+    /// let path = Path::from_svg("M0 0H4 M0 1H4V5").expect("path data");
+    /// assert_eq!(path.length_at(PathTime::new(1, 1.5))?, 10.0);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`eval`](Self::eval).
+    pub fn length_at(&self, time: PathTime) -> Result<f64, Error> {
+        let PathTime { subpath, t } = self.checked(time)?;
+        if t.is_nan() {
+            return Ok(t);
+        }
+        let mut splines = self.subpaths();
+        let before = splines.by_ref().take(subpath);
+        let before: f64 = before.map(|spline| spline.length()).sum();
+        let t = t.clamp(0.0, self.end_of(subpath).t);
+        let part = splines.next().filter(|_| t > 0.0);
+        Ok(before + part.map_or(0.0, |spline| spline.subsegment(..t).length()))
+    }
+
     /// The part before a position and the part after it.
     ///
     /// The subpath that contains the position becomes two open ones (a closed subpath is also divided at its start); all
@@ -204,7 +230,7 @@ impl Path {
     }
 
     /// The end of subpath k, which must exist.
-    fn end_of(&self, k: usize) -> PathTime {
+    pub(super) fn end_of(&self, k: usize) -> PathTime {
         PathTime {
             subpath: k,
             t: self.part(k).segment_count() as f64,
@@ -212,7 +238,7 @@ impl Path {
     }
 
     /// A position, if its subpath exists.
-    fn checked(&self, time: PathTime) -> Result<PathTime, Error> {
+    pub(super) fn checked(&self, time: PathTime) -> Result<PathTime, Error> {
         let count = self.subpath_count();
         match count.checked_sub(1) {
             None => Err(Error::Count {

@@ -6,6 +6,7 @@
 //! it.
 
 pub(crate) mod arc;
+mod arcs;
 mod boolean;
 mod bounds;
 pub(crate) mod builder;
@@ -25,12 +26,13 @@ pub(crate) mod winding;
 pub use crate::io::svg_error::SvgError;
 pub use crate::io::svg_write::SvgOptions;
 pub use crate::spline::OffsetJoin;
+pub use arcs::CircularArc;
 pub use boolean::{BooleanOperation, Face};
 pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
-pub use stroke::{OffsetOptions, StrokeCap, StrokeOptions};
+pub use stroke::{CornerOptions, OffsetOptions, StrokeCap, StrokeOptions};
 pub use winding::FillRule;
 
 use crate::geometry::check::images;

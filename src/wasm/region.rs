@@ -5,7 +5,10 @@ use super::arena::Arena;
 use super::optional;
 use super::path::path_at;
 use crate::geometry::error::Error;
-use crate::path::{BooleanOperation, FillRule, OffsetOptions, Path, StrokeCap, StrokeOptions};
+use crate::path::{
+    BooleanOperation, CornerOptions, FillRule, OffsetOptions, Path, PathTime, StrokeCap,
+    StrokeOptions,
+};
 use crate::spline::OffsetJoin;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -183,8 +186,41 @@ pub fn region_offset(distance: f64, join: u32, miter_limit: f64, tolerance: f64)
     })
 }
 
-/// Writes a path with its corners rounded.
+/// Writes lines and arcs that approximate a path: for each subpath their number, then start, end, centre, radius and
+/// angles of each.
 #[wasm_bindgen]
-pub fn region_round_corners(radius: f64) -> isize {
-    answer_path(|a| path_at(a, 0).0.round_corners(radius))
+pub fn region_arcs(tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let subpaths = path_at(a, 0).0.to_arcs(tolerance)?;
+        let mut numbers = Vec::new();
+        for arcs in subpaths {
+            numbers.push(arcs.len() as f64);
+            for arc in arcs {
+                let center = arc.center.unwrap_or_default();
+                let points = [arc.start, arc.end, center];
+                numbers.extend(points.iter().flat_map(DVec2::to_array));
+                numbers.extend([arc.radius, arc.start_angle, arc.end_angle]);
+            }
+        }
+        Ok(a.write_numbers(0, &numbers))
+    })
+}
+
+/// Writes a path with its corners rounded; a tolerance of 0 stands for the default. Arguments: `count` pairs of a subpath
+/// and a joint after the path; −1 stands for all corners.
+#[wasm_bindgen]
+pub fn region_round_corners(radius: f64, tolerance: f64, count: i32) -> isize {
+    answer_path(|a| {
+        let (path, end) = path_at(a, 0);
+        let mut options = CornerOptions::new();
+        options.tolerance = optional(tolerance);
+        if let Ok(count) = usize::try_from(count) {
+            let places = (0..count).map(|k| end + 2 * k);
+            let corners: Vec<PathTime> = places
+                .map(|at| PathTime::new(a.count(at), a.number(at + 1)))
+                .collect();
+            options = options.corners(&corners);
+        }
+        path.round_corners_with(radius, &options)
+    })
 }

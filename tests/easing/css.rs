@@ -49,19 +49,29 @@ const CURVES: [&str; 7] = [
     "cubic-bezier(0.1, 7, 0.9, -6)",
 ];
 
+/// tests/js/easing-css.test.js has the same texts.
+const LINEARS: [&str; 3] = [
+    "linear(0, 0.1 9%, 0.21 20%, 0.29 30%, 0.4 40%, 0.4 60%, 0.9 60%, 0.95 80%, 1.01 90%, 1)",
+    "linear(-3, 0.5 10%, 100 20%, 120 30%, 180 70%, 200)",
+    "linear(0.123456789, 0.2 10%, 0.5 50%, 0.987654321)",
+];
+
 /// tests/js/easing-css.test.js has the same sum, and checks tolerances and numbers of stops.
 #[test]
 fn to_linear_writes_the_same_text_as_javascript() {
     let mut sum = 0_u64;
-    for css in CURVES {
-        for tolerance in [0.1, 0.01, 0.001] {
-            let text = css.parse::<Easing>().unwrap().to_linear(tolerance).unwrap();
+    for css in CURVES.into_iter().chain(LINEARS) {
+        let easing: Easing = css.parse().unwrap();
+        // The smallest tolerance is relative to the largest output.
+        let scale = if css.contains("200") { 200.0 } else { 1.0 };
+        for tolerance in [0.1, 0.03, 0.001].map(|share| share * scale) {
+            let text = easing.to_linear(tolerance).unwrap();
             for byte in text.bytes() {
                 sum = sum.rotate_left(7) ^ u64::from(byte);
             }
         }
     }
-    assert_eq!(sum, 0x990a_60f0_34ae_026e, "{sum:#x}");
+    assert_eq!(sum, 0x8c1f_008f_d538_8405, "{sum:#x}");
 }
 
 #[test]

@@ -12,7 +12,7 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 38] = [
+const WITHIN_OTHERS: [&str; 40] = [
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads
@@ -25,6 +25,7 @@ const WITHIN_OTHERS: [&str; 38] = [
     "Spline::point_at_length",     // Spline::time_at_length
     "Spline::extrema",             // tests/spline/queries.rs
     "Spline::times_at_coordinate", // tests/spline/queries.rs
+    "Path::length_at",             // Path::time_at_length
     "Path::point_at_length",       // Path::time_at_length, and those that follow
     "Path::nearest_of",            // tests/path/sizes.rs
     "Path::eval",
@@ -50,6 +51,7 @@ const WITHIN_OTHERS: [&str; 38] = [
     "Spline::flatten_with",
     "Path::flatten_with",
     "Spline::simplify_with", // tests/offset/simplify.rs
+    "Path::round_corners_with",
     "Path::simplify_with",
 ];
 

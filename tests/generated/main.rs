@@ -147,7 +147,7 @@ groups! {
         Path one (paths): union intersect subtract exclude combine remove_overlaps faces divide clip;
     }
     paths_strokes {
-        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners;
+        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners to_arcs;
     }
     patches {
         Patch one (patches new): new degree_u degree_v control_points;

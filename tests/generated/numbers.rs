@@ -6,7 +6,7 @@ use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::mesh::*;
 use casteljau::patch::*;
-use casteljau::path::{Face, PathElement, PathIntersection, PathPoint, PathTime};
+use casteljau::path::{CircularArc, Face, PathElement, PathIntersection, PathPoint, PathTime};
 use casteljau::spline::*;
 use casteljau::surface::*;
 use casteljau::{Curve, Error, Path, Point, Spline};
@@ -115,6 +115,7 @@ by_fields! {
     [] Found {1};
     [] PathTime {t};
     [] PathPoint {t point distance};
+    [] CircularArc {start end center start_angle end_angle}; // the radius of a line is infinite
     [] PathIntersection {t u point kind};
     [] PatchPoint {u v point distance};
     [] SurfacePoint {u v point distance};

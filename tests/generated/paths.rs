@@ -396,6 +396,35 @@ pub(crate) fn offset(
     is_closed(&region)
 }
 
+/// Checks that the arcs join, end where the subpaths do, and are near them.
+pub(crate) fn to_arcs(path: Path, tolerance: f64) -> Checked {
+    let subpaths = answer!(path.to_arcs(tolerance), "tolerance");
+    same(subpaths.len(), path.subpath_count(), "the lists")?;
+    for (arcs, spline) in subpaths.iter().zip(path.subpaths()) {
+        let ends = [arcs[0].start, arcs[arcs.len() - 1].end];
+        same(
+            ends,
+            [spline.eval(0.0), spline.eval(spline.last())],
+            "the ends",
+        )?;
+        for pair in arcs.windows(2) {
+            let gap = pair[0].end.distance(pair[1].start);
+            ensure!(gap <= slack_of(), "a gap of {gap}");
+        }
+        for arc in arcs.iter().step_by(1 + arcs.len() / 20) {
+            let Some(center) = arc.center else {
+                continue;
+            };
+            let angle = 0.5 * (arc.start_angle + arc.end_angle);
+            let middle = center + DVec2::from_angle(angle) * arc.radius;
+            let distance = spline.nearest(middle).map_or(0.0, |found| found.distance);
+            let allowed = tolerance + slack_of() + 1e-12 * arc.radius;
+            ensure!(distance <= allowed, "{distance} from the curve");
+        }
+    }
+    Ok(())
+}
+
 /// Checks that the points are in the box of a polygon's corners, or near that of curves.
 pub(crate) fn round_corners(path: Path, radius: f64) -> Checked {
     let rounded = answer!(path.round_corners(radius), REFUSALS);

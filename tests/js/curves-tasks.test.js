@@ -52,10 +52,10 @@ testTasks([
   [
     "cut-at-top",
     { points: HILL },
-    [(e) => e.insert(0.5)],
+    [(e) => e.insertJoint(0.5)],
     (e) => {
       e.points = HILL;
-      e.insert(TOP + 0.003);
+      e.insertJoint(TOP + 0.003);
     },
   ],
   [

@@ -89,9 +89,37 @@ test("a parabola has the number of stops that is known in closed form", () => {
   }
 });
 
-test("a straight line takes two stops, steps and linear() remain as they are", () => {
+/** tests/easing/css.rs has the same texts. */
+const LINEARS = [
+  "linear(0, 0.1 9%, 0.21 20%, 0.29 30%, 0.4 40%, 0.4 60%, 0.9 60%, 0.95 80%, 1.01 90%, 1)",
+  "linear(-3, 0.5 10%, 100 20%, 120 30%, 180 70%, 200)",
+  "linear(0.123456789, 0.2 10%, 0.5 50%, 0.987654321)",
+];
+
+test("a linear() loses the stops that the tolerance permits, and keeps its jumps and ends", () => {
+  assert.equal(easing("linear(0, 0.2 10%, 1)").toLinear(0.5), "linear");
+  assert.equal(easing("linear(0, 0.2 10%, 1)").toLinear(0.01), "linear(0, 0.2 10%, 1)");
+  assert.equal(easing("linear(0.3, 0.5, 0.3 50%, 0.6 50%, 0.7)").toLinear(0.25), "linear(0.3 0% 50%, 0.6 50%, 0.7)");
+  for (const css of LINEARS) {
+    const ease = easing(css);
+    const given = stopsOf(css);
+    for (const tolerance of [0.1, 0.03].map((share) => share * Math.max(1, Math.abs(ease(1))))) {
+      const text = ease.toLinear(tolerance);
+      const stops = stopsOf(text);
+      assert.deepEqual([stops[0], stops.at(-1)], [given[0], given.at(-1)], css);
+      assert.ok(stops.length < given.length, `${css}, ${tolerance}: ${stops.length}`);
+      const fewer = easing(text);
+      for (let x = 0; x <= 1; x += 1 / 1024)
+        assert.ok(Math.abs(fewer(x) - ease(x)) <= tolerance * (1 + 1e-9), `${css}, ${tolerance}, ${x}`);
+    }
+  }
+  const many = easing.from((x) => x * x, { tolerance: 1e-4 });
+  const few = stopsOf(many.toLinear(0.02)).length;
+  assert.ok(few <= stopsOf(easing(1 / 3, 0, 2 / 3, 1 / 3).toLinear(0.019)).length, `${few}`);
+});
+
+test("a straight line takes two stops, steps remain as they are", () => {
   assert.equal(easing(0.3, 0.3, 0.7, 0.7).toLinear(0.0001), "linear");
-  assert.equal(easing("linear(0, 0.2 10%, 1)").toLinear(0.5), "linear(0, 0.2 10%, 1)");
   assert.equal(easing("steps(2)").toLinear(0.1), "linear(0 0% 50%, 0.5 50% 100%, 1)");
   assert.equal(easing("steps(2, start)").toLinear(0.1), "linear(0.5 0% 50%, 1 50% 100%)");
   for (const css of ["steps(5)", "steps(5, start)", "steps(5, jump-none)", "steps(5, jump-both)"]) {
@@ -103,11 +131,11 @@ test("a straight line takes two stops, steps and linear() remain as they are", (
 
 test("toLinear writes the same text as Rust: tests/easing/css.rs has the same sum", () => {
   let sum = 0n;
-  for (const css of CURVES)
-    for (const tolerance of [0.1, 0.01, 0.001])
+  for (const css of [...CURVES, ...LINEARS])
+    for (const tolerance of [0.1, 0.03, 0.001].map((share) => share * (css.includes("200") ? 200 : 1)))
       for (const byte of new TextEncoder().encode(easing(css).toLinear(tolerance)))
         sum = BigInt.asUintN(64, (sum << 7n) | (sum >> 57n)) ^ BigInt(byte);
-  assert.equal(sum.toString(16), "990a60f034ae026e");
+  assert.equal(sum.toString(16), "8c1f008fd5388405");
 });
 
 test("percentages that are filled in ascend, though the range is a few ulps wide", () => {

@@ -45,8 +45,8 @@ const REFUSED = {
     (a) => (a.joints = 1),
     (a) => (a.state = null),
     (a) => (a.state = { points: 1 }),
-    (a) => a.insert("x"),
-    (a) => a.append([1]),
+    (a) => a.insertJoint("x"),
+    (a) => a.appendPoint([1]),
   ],
   RangeError: [
     (a) => (a.points = [[1, 2]]),
@@ -55,10 +55,10 @@ const REFUSED = {
     (a) => (a.t = NaN),
     (a) => (a.joints = ["x"]),
     (a) => (a.state = { points: FIELDS.points.parse(CUBIC), basis: "x" }),
-    (a) => a.insert(2),
-    (a) => a.remove(99),
-    (a) => a.remove(1.5),
-    (a) => a.append([NaN, 1]),
+    (a) => a.insertJoint(2),
+    (a) => a.removePoint(99),
+    (a) => a.removePoint(1.5),
+    (a) => a.appendPoint([NaN, 1]),
     (a) => a.randomize(0.5),
     (a) => a.split(3),
     (a) => a.steer({ index: 99, point: [1, 1] }),
@@ -156,7 +156,7 @@ test("what the page writes fires nothing, and each step can be undone", () => {
   const { applet, events } = element();
   applet.points = FIELDS.points.parse(CUBIC);
   applet.t = 0.25;
-  applet.insert(0.5);
+  applet.insertJoint(0.5);
   applet.randomize(7);
   const random = text(applet.points);
   applet.randomize(7);
@@ -166,10 +166,14 @@ test("what the page writes fires nothing, and each step can be undone", () => {
   assert.equal(applet.points.length, 7);
   applet.undo();
   applet.undo();
-  assert.equal(text(applet.points), FIRST);
+  assert.equal(text(applet.points), CUBIC, "properties that are set before the user does something are no steps");
   applet.redo();
-  assert.equal(text(applet.points), CUBIC);
+  assert.equal(applet.points.length, 7);
   assert.deepEqual(events, []);
+  applet.steer({ t: 0.5 }); // as the user does
+  applet.points = FIELDS.points.parse(FIRST);
+  applet.undo();
+  assert.equal(applet.points.length, 7);
 });
 
 test("companions steer as the user does: input, one change, one undo step", () => {

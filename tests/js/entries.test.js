@@ -171,6 +171,15 @@ test("entries: casteljau/core gives the same numbers as casteljau, and refuses t
   for (const { Curve } of [coreEntry, complete]) refused(() => new Curve(points).flatten(1e-30), RangeError, least);
 });
 
+test("entries: a class that is called without new is refused by its name", () => {
+  for (const entry of [complete, coreEntry, paths, slim, surfaces].map(untyped)) {
+    for (const name of Object.keys(entry).filter((each) => /^[A-Z]/.test(each))) {
+      assert.equal(entry[name].name, name);
+      assert.throws(entry[name], { message: `Class constructor ${name} cannot be invoked without 'new'` });
+    }
+  }
+});
+
 test("entries: other values are refused by name", () => {
   const { Curve, Path, Spline } = complete;
   const curve = new Curve(ARCH);

@@ -99,7 +99,8 @@ test("no public member of an element is left undescribed", () => {
 
 test("the methods that the sources have for pages are in it", () => {
   const methods = (tagName) => names(declared(tagName).members.filter(({ kind }) => kind === "method"));
-  const applet = "append insert randomize redo remove reset split steer toBlob toCode toJSON toSVG undo".split(" ");
+  const applet =
+    "appendPoint insertJoint randomize redo removePoint reset split steer toBlob toCode toJSON toSVG undo".split(" ");
   assert.deepEqual(without(applet, methods("bezier-applet")), []);
   assert.deepEqual(without(["toBlob"], methods("bezier-surface")), []);
   assert.deepEqual(methods("bezier-easing"), ["checkValidity", "reportValidity", "setCustomValidity"]);

@@ -1,8 +1,10 @@
 // Results outlive what comes after them, and large ones do not fill the memory: from the sources, to see the memory.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
 import { memory } from "#js/wasm/init.js";
-import { Curve, Spline } from "#js/index.js";
+import { Curve, Path, Spline } from "#js/index.js";
 import { CUBIC, deCasteljau, near, SEVEN } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
@@ -90,4 +92,31 @@ test("many refusals need no more memory", () => {
   const before = repeated(() => assert.throws(() => cubic.flatten(1e-16), RangeError));
   for (let i = 0; i < 3; i++) assert.throws(() => cubic.sample(2 ** 26), RangeError);
   assert.equal(memory().buffer.byteLength, before);
+});
+
+/** The bytes of JavaScript's values that are still used, and of the core's memory. */
+function usedBytes() {
+  setFlagsFromString("--expose-gc");
+  runInNewContext("gc")();
+  const { heapUsed, arrayBuffers } = process.memoryUsage();
+  return { values: heapUsed + arrayBuffers, core: memory().buffer.byteLength };
+}
+
+test("what paths keep for repeated questions goes with them", () => {
+  const wave = Array.from({ length: 400 }, (_, k) => [k, k % 2, k + 0.5, -(k % 3)]).flat();
+  const ask = (rounds) => {
+    for (let k = 0; k < rounds; k++) {
+      const path = Path.from(Spline.interpolate(wave.map((x) => x + k)));
+      for (let s = 0; s < 4; s++) {
+        assert.ok(path.pointAtLength(s) && path.nearest([s, s]) && path.bounds());
+        path.contains([s, 0.5]);
+      }
+    }
+  };
+  ask(200);
+  const before = usedBytes();
+  ask(process.env.CASTELJAU_DEEP ? 20_000 : 600);
+  const after = usedBytes();
+  assert.ok(after.core <= before.core, `the memory of the core grew by ${after.core - before.core}`);
+  assert.ok(after.values <= before.values + MIB, `${before.values} grew to ${after.values}`);
 });

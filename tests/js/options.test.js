@@ -115,7 +115,7 @@ test("contradictory options", () => {
 const METHODS = [
   [cubic, "reduce extrema selfIntersections area", "flatten intersections pointAtLength subdivide"],
   [seven, "extrema selfIntersections area", "flatten intersections length pointAtLength insert"],
-  [path, "bounds extrema selfIntersections", "flatten intersections length roundCorners"],
+  [path, "bounds extrema selfIntersections", "flatten intersections length"],
   [patch, "elevate bounds area flatness", ""],
   [surface, "bounds area volume toText", "subdivide"],
   [mesh, "toSTL toGLB", ""],

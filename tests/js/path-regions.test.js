@@ -155,7 +155,32 @@ test("offset and roundCorners: areas in closed form", () => {
   }
   const rounded = SQUARE.roundCorners(0.5);
   near([rounded.area(), rounded.length()], [16 - (4 - Math.PI) * 0.25, 16 - (8 - 2 * Math.PI) * 0.5], 1e-8);
+  const corners = [{ subpath: 0, t: 1 }];
+  assert.ok(Math.abs(SQUARE.roundCorners(0.5, { corners }).area() - (SQUARE.area() - 0.25 * (1 - Math.PI / 4))) < 1e-9);
+  const count = (path) => path.subpaths[0].segmentCount;
+  const coarse = SQUARE.roundCorners(0.5, { tolerance: 0.01 });
+  assert.ok(count(coarse) === 8 && count(rounded) > 8, `${count(coarse)}`);
   assert.ok(SQUARE.roundCorners(0).equals(SQUARE) && CUSP.roundCorners(1).equals(CUSP));
+});
+
+test("arcs: half circles, lines, tangents, and the text that they give", () => {
+  const [arcs] = Path.circle([3, 4], 2).toArcs(1e-3);
+  near([arcs.length, arcs[0].radius, arcs[0].endAngle - arcs[0].startAngle], [2, 2, Math.PI], 1e-4);
+  near(Object.values(arcs[0].center ?? {}), [3, 4], 1e-4);
+  assert.deepEqual(arcs[0].end, arcs[1].start);
+  const [line] = Path.polygon([0, 0, 4, 3], { closed: false }).toArcs(0.1)[0];
+  const straight = { center: null, radius: Infinity, startAngle: 0, endAngle: 0 };
+  assert.deepEqual(line, { start: { x: 0, y: 0 }, end: { x: 4, y: 3 }, ...straight });
+  const rounded = Path.rect([0, 0], 10, 6, { radii: 1 });
+  assert.equal(
+    rounded.toSVG({ arcs: 0.001, precision: 3 }),
+    "M1 0H9A1 1 0 0 1 10 1V5A1 1 0 0 1 9 6H1A1 1 0 0 1 0 5V1A1 1 0 0 1 1 0Z",
+  );
+  assert.equal(SQUARE.toSVG({ arcs: 0.001 }), "M0,0 L4,0 L4,4 L0,4 Z");
+  const approximated = Path.fromSVG(WAVE.toSVG({ arcs: 0.01 }), { tolerance: 1e-6 });
+  for (const curve of approximated.subpaths.flatMap((spline) => spline.segments()))
+    for (const t of [0, 0.5]) assert.ok((WAVE.nearest(curve.eval(t))?.distance ?? 1) <= 0.01 + 1e-6);
+  assert.deepEqual(new Path([]).toArcs(1), []);
 });
 
 test("wrong arguments", () => {
@@ -187,7 +212,19 @@ test("wrong arguments", () => {
     [() => path.dash([0, 0]), /^sum of the pattern: /],
     [() => path.dash([NaN]), /^pattern\[0\]: /],
     [() => path.offset(Infinity), /^distance: /],
+    [() => path.toArcs(0), /^tolerance: /],
+    [() => path.toSVG({ arcs: -1 }), /^tolerance: /],
     [() => path.roundCorners(-1), /^radius: .*-1$/],
+    [
+      () => path.roundCorners(1, { corners: [{ subpath: 0, t: 0.5 }] }),
+      /^corners: expected the t of a joint, got 0.5$/,
+    ],
+    [
+      () => path.roundCorners(1, { corners: [{ subpath: -1, t: 0 }] }),
+      /^corners\[0\].subpath: expected a whole number/,
+    ],
+    [() => path.roundCorners(1, { corners: [{ subpath: 9, t: 0 }] }), /^subpath: expected an index/],
+    [() => path.roundCorners(1, { tolerance: 0 }), /^tolerance: /],
     [() => path.roundCorners(NaN), /^radius: /],
   ]);
 });

@@ -254,7 +254,7 @@ test("refusals", () => {
     refused(() => path.flatten(bad), RangeError, /^tolerance: /);
   }
   refused(() => path.trace(untyped({})), TypeError, /^target: /);
-  refused(() => path.transform([1, 2]), RangeError, /^matrix: /);
+  refused(() => path.transform(untyped([1, 2])), RangeError, /^matrix: /);
   refused(() => path.equals(untyped(RING)), TypeError, /^other: /);
   refused(() => path.equals(path, -1), RangeError, /^tolerance: /);
 });
@@ -277,5 +277,5 @@ test("shapes are written as arcs, unless they are not wanted", () => {
   );
   assert.match(Path.ellipse([0, 0], 5, 2, 0.3).toSVG({ precision: 2 }), /^M\S+ \S+A5 2 17\.18873 0 1/);
   assert.match(circle.subpaths[0].toSVG(), /^M8,-4 C/);
-  refused(() => circle.toSVG(untyped({ arcs: 1 })), TypeError, /^arcs: expected true or false, got 1/);
+  refused(() => circle.toSVG(untyped({ arcs: "yes" })), TypeError, /^arcs: expected true or false, got "yes"/);
 });

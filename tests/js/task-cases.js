@@ -18,7 +18,7 @@ export function applet({ points, whole = false, ...rest }) {
     basis: "bezier",
     t: 0.5,
     ...rest,
-    insert(t) {
+    insertJoint(t) {
       const flat = new Spline(element.points).insert(t).controlPoints();
       element.points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
     },

@@ -61,6 +61,24 @@ test("a lost context comes back with its picture", async (t) => {
   assert.equal(await difference(page, before, await look(page)), 0);
 });
 
+test("light, dark, as the page is: the theme", async (t) => {
+  const page = await openSurface(t, 'theme="dark"');
+  const paper = () =>
+    page.evaluate(() => {
+      const stage = document.querySelector("bezier-surface").renderRoot.querySelector(".stage");
+      return getComputedStyle(stage).backgroundColor;
+    });
+  assert.equal(await paper(), "rgb(18, 23, 29)");
+  const dark = await look(page);
+  await set(page, { theme: "light" });
+  assert.equal(await paper(), "rgb(255, 255, 255)");
+  const light = await look(page);
+  assert.ok((await difference(page, dark, light)) > 1000, "the surface has other colours");
+  await page.evaluate(() => document.querySelector("bezier-surface").removeAttribute("theme"));
+  await settled(page);
+  assert.equal(await difference(page, light, await look(page)), 0);
+});
+
 test("moved to another place it shows the same; taken away it leaves nothing running", async (t) => {
   const page = await openSurface(t, 'model="patch" show="surface net"', {
     more: '<div id="elsewhere" style="width: 640px"></div>',

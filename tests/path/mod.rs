@@ -13,3 +13,4 @@ mod sizes;
 mod svg;
 mod table;
 mod texts;
+mod to_arcs;

@@ -3,6 +3,7 @@
 use crate::support::paths::path;
 use crate::support::{Rng, assert_refused, near};
 use casteljau::glam::DVec2;
+use casteljau::path::{CornerOptions, FillRule, PathTime};
 use casteljau::{Curve, Path};
 use std::f64::consts::PI;
 
@@ -55,6 +56,83 @@ fn tangent_points_of_straight_segments_are_exact() {
         assert!(starts.contains(&DVec2::from(p)), "{p:?} in {result}");
     }
     assert_eq!(starts[0], DVec2::new(2.0, 0.0));
+}
+
+#[test]
+fn chosen_corners_are_rounded_and_others_stay() {
+    let square = path("M0 0H10V10H0Z M20 0H30V10");
+    let corners = |places: &[(usize, f64)]| {
+        let places: Vec<PathTime> = places.iter().map(|&(k, t)| PathTime::new(k, t)).collect();
+        let options = CornerOptions::new().corners(&places);
+        square.round_corners_with(2.0, &options)
+    };
+    let areas = |places| {
+        corners(places)
+            .expect("joints")
+            .filled_area(FillRule::NonZero)
+    };
+    let missing = (4.0 - PI) * 1.0;
+    for (places, count) in [
+        (&[][..], 0.0),
+        (&[(0, 1.0)], 1.0),
+        (&[(0, 0.0), (0, 4.0)], 1.0), // the same joint
+        (&[(0, 0.0), (0, 2.0), (0, 2.0)], 2.0),
+        (&[(1, 0.0), (1, 2.0)], 0.0), // ends
+        (&[(1, 1.0)], 1.0),
+    ] {
+        near(
+            areas(places).expect("an area"),
+            150.0 - count * missing,
+            1e-7,
+        );
+    }
+    // An arc does not go beyond a corner that stays.
+    let options = CornerOptions::new().corners(&[PathTime::new(0, 2.0)]);
+    let large = path("M0 0H10V10H0Z")
+        .round_corners_with(50.0, &options)
+        .expect("a joint");
+    near(large.area(), 100.0 - (1.0 - 0.25 * PI) * 100.0, 1e-6);
+    // Segments that are points lie at the corner.
+    let repeated = path("M0 0H10L10 0L10 0V10H0Z");
+    for t in [1.0, 2.0, 3.0] {
+        let options = CornerOptions::new().corners(&[PathTime::new(0, t)]);
+        let result = repeated.round_corners_with(2.0, &options).expect("a joint");
+        near(result.area(), 100.0 - missing, 1e-7);
+    }
+    for t in [0.5, -1.0, 5.0, f64::NAN] {
+        assert_refused(corners(&[(0, t)]), "corners: expected the t of a joint");
+    }
+    assert_refused(corners(&[(2, 0.0)]), "subpath: expected an index");
+}
+
+#[test]
+fn a_tolerance_takes_fewer_cubics() {
+    let square = path("M0 0H10V10H0Z");
+    let mut count = usize::MAX;
+    for tolerance in [1e-9, 1e-6, 1e-3, 10.0] {
+        let options = CornerOptions::new().tolerance(tolerance);
+        let result = square
+            .round_corners_with(4.0, &options)
+            .expect("a tolerance");
+        assert!(result.segment_count() < count, "{tolerance}");
+        count = result.segment_count();
+        for curve in result.segments().filter(|curve| curve.degree() == 3) {
+            for t in [0.2, 0.4, 0.7] {
+                let p = curve.eval(t);
+                let center = DVec2::new(
+                    if p.x < 5.0 { 4.0 } else { 6.0 },
+                    if p.y < 5.0 { 4.0 } else { 6.0 },
+                );
+                near(p.distance(center), 4.0, tolerance);
+            }
+        }
+    }
+    assert_eq!(count, 8);
+    let options = CornerOptions::new().tolerance(0.0);
+    assert_refused(
+        square.round_corners_with(1.0, &options),
+        "tolerance: expected ",
+    );
 }
 
 /// The arc at an angle of 2α is r cot α away from the corner, and each point of it r from the centre.

@@ -26,6 +26,10 @@ export const degrees: [number | undefined, number | null | undefined] = [
 ];
 export const pairs: number[][] | undefined = document.querySelector("bezier-coordinates")?.points;
 export const made: BezierAppletElement = new BezierApplet();
+applet.theme = "dark";
+applet.appendPoint([3, 4]);
+// @ts-expect-error
+applet.basis = "cubic";
 document.body.append(applet, made);
 
 export function Page() {
@@ -48,7 +52,14 @@ export function Page() {
       <bezier-bernstein for="a" degree={3} />
       <bezier-equation htmlFor="a" editable form="matrix" />
       <bezier-coordinates points="0,0 1,1" className="table" />
-      <bezier-easing name="easing" required value="ease-in" form="f" onChange={() => {}} />
+      <bezier-easing
+        name="easing"
+        required
+        value="ease-in"
+        form="f"
+        oninput={() => {}}
+        onchange={(event) => event.target}
+      />
     </main>
   );
 }
@@ -56,6 +67,8 @@ export function Page() {
 export const mistakes = [
   // @ts-expect-error
   <bezier-applet points={3} key="1" />,
+  // @ts-expect-error
+  <bezier-surface model="cup" key="0" />,
   // @ts-expect-error
   <bezier-applet joints={["c7"]} key="2" />,
   // @ts-expect-error

@@ -68,6 +68,23 @@ const path = Path.fromSVG("M0 0H1V1Z");
 const patch = new Patch(new Float64Array(48));
 const surface = Surface.fromPatches([patch]);
 
+// A matrix has 6 or 16 numbers, and the level of detail is given in one way.
+// @ts-expect-error
+curve.transform([1, 2]);
+// @ts-expect-error
+path.transform([1, 0, 0, 1, 5]);
+// @ts-expect-error
+surface.tessellate({ tolerance: 0.1, segments: 4 });
+// @ts-expect-error
+patch.tessellate({ segments: 4, viewport: [100, 100] });
+export const moved: [Curve, Path, Surface, Curve, Path] = [
+  curve.transform([1, 0, 0, 1, 5, 5]),
+  path.transform("rotate(30)"),
+  surface.transform(new THREE.Matrix4()),
+  curve.transform([1, 0, 0, 1].concat([5, 5])),
+  path.transform({ a: 1, b: 0, c: 0, d: 1, e: 5, f: 5 }),
+];
+
 // Results have the named types.
 export const results: [
   Point,

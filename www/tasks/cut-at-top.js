@@ -23,10 +23,10 @@ export function check(figure) {
   );
 }
 
-/** @param {{ figure: any, undo(): void, insert(t?: number): void, t: number }} element */
+/** @param {{ figure: any, undo(): void, insertJoint(t?: number): void, t: number }} element */
 export function reveal(element) {
   const [t] = firstCurve(element.figure).extrema().y;
   if (t === undefined) return;
   element.t = t;
-  element.insert(t);
+  element.insertJoint(t);
 }

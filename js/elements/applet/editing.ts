@@ -98,21 +98,16 @@ export class AppletEditing extends AppletAttributes {
     return pieces[Math.min(next.segment, pieces.length - 1)].curve.split(t);
   }
 
-  insert(t?: number) {
+  insertJoint(t?: number) {
     this.byPage((state) => edits.inserted(state, t));
   }
 
-  /** @param index a point; without one the element itself is removed, as every element */
-  remove(index?: number) {
-    if (index === undefined) super.remove();
-    else this.byPage((state) => edits.removed(state, index));
+  removePoint(index: number) {
+    this.byPage((state) => edits.removed(state, index));
   }
 
-  /** @param what a point; nodes are appended to the element, as to every one */
-  append(...what: (Place | Node | string)[]) {
-    const [point] = what;
-    if (Array.isArray(point)) this.byPage((state) => edits.appended(state, point));
-    else super.append(...(what as (Node | string)[]));
+  appendPoint(point: Place) {
+    this.byPage((state) => edits.appended(state, point));
   }
 
   /** Few points, or all. */
@@ -179,9 +174,9 @@ export class AppletEditing extends AppletAttributes {
     this.history.close(next);
   }
 
-  /** The page sets a property. Before the first action of the user, what it sets is what `reset` restores. */
+  /** The page sets a property. Before the first action of the user, this is what `reset` restores, and no undo step. */
   #assign(change: (state: State) => State) {
-    this.byPage(change);
+    this.byPage(change, this.#isTouched);
     if (!this.#isTouched) this.#origin = null;
   }
 

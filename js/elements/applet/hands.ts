@@ -135,7 +135,8 @@ export class Hands extends Acting {
         this.tapping &&
         this.chosen >= 0 &&
         this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
-      point: (at) => this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at }),
+      point: (at) =>
+        this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at?.() ?? null }),
       look: (factor, from, to) => this.#look(factor, from, to),
       drawn: (told) => this.hear(told),
     };

@@ -32,7 +32,7 @@ export interface StagePort {
   /** On an empty place */
   tap: (at: Place) => unknown;
   /** The pointer has moved */
-  point: (at: Place | null) => unknown;
+  point: (at: (() => Place) | null) => unknown;
   look: (factor: number, from: Place, to: Place) => void;
   /** With what the layers tell */
   drawn: (told: { name: string; words: string }[]) => void;
@@ -190,7 +190,7 @@ export class Stage {
       const still = Math.hypot(event.clientX - x, event.clientY - y) <= TAP_PX;
       if (event.target === overlay && still) port.tap(this.#placeAt(event));
     });
-    overlay.addEventListener("pointermove", (event) => port.point(this.#placeAt(event)));
+    overlay.addEventListener("pointermove", (event) => port.point(() => this.#placeAt(event)));
     overlay.addEventListener("pointerleave", () => port.point(null));
     listenToGestures(overlay, {
       place: (event) => this.#placeAt(event),

@@ -8,8 +8,8 @@
 export interface CompanionProperties {
   /** The name for screen readers */
   label: string;
-  /** "light", "dark" or "auto" */
-  theme: string;
+  /** The colours; "auto" follows the color scheme of the user */
+  theme: "light" | "dark" | "auto";
 }
 
 /**
@@ -29,8 +29,8 @@ export interface BernsteinProperties {
   degree: number;
   /** The parameter, from 0 to 1 */
   t: number;
-  /** "bezier" (Bernstein polynomials), "hermite", "b-spline" or "catmull-rom" */
-  basis: string;
+  /** The functions whose weights are shown; "bezier": Bernstein polynomials */
+  basis: "bezier" | "hermite" | "b-spline" | "catmull-rom";
 }
 
 /** `<bezier-equation>`: the curve's equation in MathML, with numbers. */
@@ -42,11 +42,11 @@ export interface EquationProperties {
   /** The degree of the curve, which uses as many points as it needs; null uses all points */
   degree: number | null;
   /** As in `<bezier-bernstein>`, or "matrix" */
-  basis: string;
+  basis: "bezier" | "hermite" | "b-spline" | "catmull-rom" | "matrix";
   /** 16 numbers, row by row: the curve is [t³ t² t 1] · M · P */
   matrix: string;
-  /** "sum" (weights times points), "matrix" or "casteljau" */
-  form: string;
+  /** The form of the equation; "sum": weights times points */
+  form: "sum" | "matrix" | "casteljau";
   /** Whether the numbers of the matrix can be changed */
   editable: boolean;
 }

@@ -18,6 +18,7 @@ export class SurfaceAttributes extends LitElement {
   declare show: string;
   declare evaluation: string;
   declare label: string;
+  declare theme: string;
   declare segments: number;
   declare tolerance: number | null;
   declare pixels: number | null;
@@ -41,6 +42,7 @@ export class SurfaceAttributes extends LitElement {
     show: text,
     evaluation: text,
     label: text,
+    theme: { ...text, useDefault: true },
     probe: text,
     segments: number,
     tolerance: number,
@@ -73,6 +75,7 @@ export class SurfaceAttributes extends LitElement {
     this.show = "surface";
     this.evaluation = "cpu";
     this.label = "";
+    this.theme = "auto";
     this.segments = 12;
     this.tolerance = null;
     this.pixels = null;

@@ -115,6 +115,7 @@ export class BezierSurface extends SurfaceAttributes {
     this.#deafen?.();
     this.#deafen = null;
     this.#camera = this.view;
+    this.#handles?.endDrags();
     this.#stage?.end();
     this.#stage = null;
     this.#drawn = false;
@@ -212,6 +213,7 @@ export class BezierSurface extends SurfaceAttributes {
 
   updated(changed: Map<string, unknown>) {
     if (changed.has("turn") && this.turn) this.#turning.restart();
+    if (changed.has("theme")) this.#stage?.recolour();
     if (this.#stage) {
       const scene = this.#scene();
       this.#handles?.update(scene);
@@ -228,8 +230,10 @@ export class BezierSurface extends SurfaceAttributes {
   /** The read-out follows the mesh. */
   #tell(facts: Facts) {
     this.#desk.clear();
-    if (JSON.stringify(facts) === JSON.stringify(this.#facts)) return;
+    const before = this.#facts;
     this.#facts = facts;
+    // How long the mesh took is no reason for another update.
+    if (before && JSON.stringify({ ...before, ms: facts.ms }) === JSON.stringify(facts)) return;
     this.requestUpdate();
   }
 

@@ -60,6 +60,11 @@ export class Handles {
     this.#buttons.forEach((button, i) => this.#describe(button, i, (patch?.degreeU ?? 0) + 1));
   }
 
+  /** Forgets pointers that are down: their other events will not come. */
+  endDrags() {
+    this.#drags.clear();
+  }
+
   #add() {
     const button = this.#overlay.ownerDocument.createElement("button");
     button.type = "button";

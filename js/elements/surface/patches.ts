@@ -14,11 +14,5 @@ export function patchesOf(surface: Surface): readonly Patch[] {
 /** What of a surface the curve of constant u has swept on its way from 0: the first piece of every patch. */
 export function sweptBy(surface: Surface, u: number): Surface {
   const pieces = patchesOf(surface).map((patch) => patch.splitU(u)[0]);
-  return Surface.parse(`${pieces.length}\n${pieces.map(bpt).join("")}`);
-}
-
-function bpt(patch: Patch) {
-  const points = patch.controlPoints();
-  const rows = Array.from({ length: points.length / 3 }, (_, k) => points.subarray(3 * k, 3 * k + 3).join(" "));
-  return `${patch.degreeU} ${patch.degreeV}\n${rows.join("\n")}\n`;
+  return Surface.fromPatches(pieces);
 }

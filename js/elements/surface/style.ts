@@ -1,5 +1,18 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
-import { css } from "lit";
+import { css, unsafeCSS } from "lit";
+
+const light = unsafeCSS(`
+  --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
+  --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
+  --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
+  --bz-accent: #0067a3; --bz-on-accent: #ffffff;
+`);
+const dark = unsafeCSS(`
+  --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
+  --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
+  --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
+  --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
+`);
 
 /**
  * @cssprop --bz-ink - text
@@ -26,21 +39,16 @@ import { css } from "lit";
  */
 export const style = css`
 :host {
-  --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
-  --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
-  --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
-  --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
+  ${light}
+  --bz-hit: 24px;
   display: block; container-type: inline-size; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
   font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
 }
 :host([hidden]) { display: none; }
-@media (prefers-color-scheme: dark) {
-  :host {
-    --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
-    --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
-    --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
-    --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
-  }
+@media (prefers-color-scheme: dark) { :host { ${dark} } }
+@media screen and (forced-colors: none) {
+  :host([theme="light"]) { color-scheme: light; ${light} }
+  :host([theme="dark"]) { color-scheme: dark; ${dark} }
 }
 @media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
 @media (forced-colors: active) {

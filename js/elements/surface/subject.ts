@@ -11,6 +11,8 @@ export class Subject {
   #given: Surface | null = null;
   /** What was dragged: vertex and place. */
   #moves: Map<number, number[]> = new Map();
+  /** The surface with all moves. */
+  #edited: { base: Surface; surface: Surface } | null = null;
 
   /** A surface of the page's own, or null where the model's name says which. */
   get given() {
@@ -20,6 +22,7 @@ export class Subject {
   set given(surface) {
     this.#given = surface;
     this.#moves.clear();
+    this.#edited = null;
   }
 
   get edited() {
@@ -28,10 +31,12 @@ export class Subject {
 
   move(vertex: number, to: number[]) {
     this.#moves.set(vertex, to);
+    if (this.#edited) this.#edited.surface = this.#edited.surface.movePoint(vertex, to);
   }
 
   restore() {
     this.#moves.clear();
+    this.#edited = null;
   }
 
   /** With all moves: parts that are taken away and put back keep theirs. */
@@ -42,8 +47,12 @@ export class Subject {
       [this.#given, model, [...parts].join(), height, up],
       () => this.#given ?? surfaceNamed(settings),
     );
-    const edit = () => [...this.#moves].reduce((surface, [vertex, to]) => surface.movePoint(vertex, to), base);
-    return this.#memo.get("surface", [base, ...this.#moves.values()], edit);
+    if (this.#moves.size === 0) return base;
+    if (this.#edited?.base !== base) {
+      const surface = [...this.#moves].reduce((moved, [vertex, to]) => moved.movePoint(vertex, to), base);
+      this.#edited = { base, surface };
+    }
+    return this.#edited.surface;
   }
 
   /**

@@ -1,10 +1,9 @@
 import { pointsInBasis } from "../basis.js";
-import { CoreCurve } from "../curve/core-curve.js";
-import { curvePointsOf } from "../curve/curve-value.js";
+import { CoreCurve, curvePointsOf } from "../curve/core-curve.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { BasisLike } from "../basis.js";
 import type { PointsLike } from "../check.js";
-import type { CurveJSON } from "../curve/curve-value.js";
+import type { CurveJSON } from "../curve/core-curve.js";
 import type { PointArrays } from "../points.js";
 
 /**

@@ -1,11 +1,10 @@
 import { curveOf } from "./curve.js";
-import { CorePatch } from "../patch/core-patch.js";
-import { netInBasis, patchArguments } from "../patch/patch-value.js";
+import { CorePatch, netInBasis, patchArguments } from "../patch/core-patch.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { BasisLike } from "../basis.js";
 import type { Curve } from "./curve.js";
 import type { NetLike } from "../net.js";
-import type { PatchJSON } from "../patch/patch-value.js";
+import type { PatchJSON } from "../patch/core-patch.js";
 
 /**
  * One tensor-product Bézier patch of degrees 1 to 64 in u and in v, in 3D.

@@ -1,6 +1,6 @@
 import { CorePath, packedFrom, packedFromJSON, pathFrom } from "../path/core-path.js";
 import type { Shape } from "../path/core-path.js";
-import type { SplineJSON } from "../spline/spline-value.js";
+import type { SplineJSON } from "../spline/core-spline.js";
 
 /**
  * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be

@@ -1,11 +1,10 @@
 import { curveOf } from "./curve.js";
-import { CoreSpline, joinCurves } from "../spline/core-spline.js";
-import { CheckedSplineData, readSplineData, splineDataOf } from "../spline/spline-value.js";
+import { CoreSpline, joinCurves, CheckedSplineData, readSplineData, splineDataOf } from "../spline/core-spline.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { SplineData } from "../brand.js";
 import type { Curve } from "./curve.js";
 import type { CoreCurve } from "../curve/core-curve.js";
-import type { SplineJSON } from "../spline/spline-value.js";
+import type { SplineJSON } from "../spline/core-spline.js";
 
 /**
  * Bézier curves joined end to end. Segment k covers t from k to k + 1 and has its own degree.

@@ -7,7 +7,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "./curve.js";
 import type { Patch } from "./patch.js";
 import type { Network, TeapotOptions } from "../surface/network.js";
-import type { PatchValue } from "../patch/patch-value.js";
+import type { CorePatch } from "../patch/core-patch.js";
 import type { SurfaceJSON } from "../surface-network.js";
 
 /**
@@ -69,7 +69,7 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
    *
    * @param patches patches of any degrees
    */
-  static fromPatches(patches: readonly PatchValue[]): Surface {
+  static fromPatches(patches: readonly CorePatch[]): Surface {
     return surfaceOf(networkOfPatches(patches, joinedOf));
   }
 

@@ -1,24 +1,287 @@
+import * as check from "../check.js";
+import { curveData } from "../brand.js";
+import { showInNode } from "../inspected.js";
+import { flatten, nested, pointAt, pointList, samePoints, requireList, boxAt } from "../points.js";
+import {
+  CheckedPoints,
+  writeArguments,
+  readResult,
+  readResultInto,
+  readLargeResult,
+  readPolyline,
+} from "../../wasm/transfer.js";
+import { core, cubicEval } from "../../wasm/init.js";
 import { basisNumbers, BASES } from "../basis.js";
 import { affine } from "../affine.js";
-import * as check from "../check.js";
-import { CurveEvaluation } from "./curve-evaluation.js";
-import { boxAt } from "../points.js";
 import { readTree } from "../subdivision.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
-import { core } from "../../wasm/init.js";
 import { packedSpline } from "../../wasm/packed-path.js";
-import { readPolyline, readResult } from "../../wasm/transfer.js";
+import type { SplineData } from "../brand.js";
+import type { PointsLike, TransformLike, Complete } from "../check.js";
+import type { Point, PointArrays, Bounds } from "../points.js";
 import type { BasisLike, BasisName } from "../basis.js";
-import type { TransformLike } from "../check.js";
-import type { Bounds } from "../points.js";
 import type { Subdivision } from "../subdivision.js";
 import type { SvgOptions } from "../../io/svg-write.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
+/** What `Curve.toJSON` returns; `Curve.fromJSON` also reads other forms of points. */
+export type CurveJSON = { points: PointsLike; dimension?: 2 | 3 };
 
 /**
  * What the curves of all entry points have in common. Where a function takes a curve, it takes the curves of every entry
  * point.
  */
-export class CoreCurve<D extends 2 | 3 = 2 | 3> extends CurveEvaluation<D> {
+export class CoreCurve<D extends 2 | 3 = 2 | 3> {
+  #flat: Float64Array;
+  #dimension: D;
+
+  /**
+   * The curve of the given control points.
+   *
+   * @param points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
+   * @param options `dimension`: 2 or 3, how a flat array is read; 2 by default
+   * @throws {RangeError} for a wrong count, a NaN or an infinity
+   * @throws {TypeError} for a value that is not a point
+   */
+  constructor(points: PointArrays<D> | PointsLike, options?: { dimension?: D }) {
+    if (!isShown) isShown = showInNode(CoreCurve.prototype, "Curve", (value) => value.toJSON());
+    const checked = points as unknown;
+    if (checked instanceof CheckedPoints) {
+      this.#flat = checked.flat;
+      this.#dimension = checked.dimension as D;
+      return;
+    }
+    const { flat, dimension } = checkedPoints(points, options);
+    this.#flat = flat;
+    this.#dimension = dimension as D;
+  }
+
+  /** The degree n: one less than the number of control points. */
+  get degree() {
+    return this.#flat.length / this.#dimension - 1;
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#dimension;
+  }
+
+  /**
+   * @returns a copy of the coordinates of P₀ … Pₙ
+   */
+  controlPoints(): Float64Array {
+    return this.#flat.slice();
+  }
+
+  /** The control points P₀ … Pₙ as objects. */
+  points(): Point<D>[] {
+    return pointList(this.#flat, this.#dimension);
+  }
+
+  /**
+   * Whether both have the same degree and each control point lies within a distance of its counterpart.
+   *
+   * @param other the value to compare with
+   * @param tolerance by default 0: equal coordinates
+   */
+  equals(other: CoreCurve, tolerance = 0): boolean {
+    const { flat, dimension } = curveData(other, "other");
+    return this.#dimension === dimension && samePoints(this.#flat, flat, dimension, tolerance);
+  }
+
+  /**
+   * The curve as an object for JSON, from which `Curve.fromJSON` makes an equal curve; it has `dimension: 3` for a curve in space.
+   */
+  toJSON(): { points: number[][] } {
+    return { points: nested(this.#flat, this.#dimension) };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   */
+  get casteljauType(): "curve" {
+    return "curve";
+  }
+
+  /**
+   * The curve as a spline of one segment.
+   *
+   * @internal
+   */
+  casteljauData(): SplineData {
+    return { flat: this.#flat, dimension: this.#dimension, degrees: [this.degree], closed: false };
+  }
+
+  /**
+   * The coordinates of the control points, not copied.
+   *
+   * @internal
+   */
+  get _flat() {
+    return this.#flat;
+  }
+
+  /**
+   * A curve of the same class and dimension. The class of each entry point implements it.
+   *
+   * @internal
+   */
+  _curveOf(flat: Float64Array): this {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the control points, and then further numbers, to the arena.
+   * @returns the number of points
+   */
+  _write(further?: ArrayLike<number>): number {
+    const view = writeArguments(this.#flat, further?.length);
+    if (further) view.set(further, this.#flat.length);
+    return this.#flat.length / this.#dimension;
+  }
+
+  /**
+   * @internal
+   * Reads the control points of a curve from the arena.
+   */
+  _read(length: number): this {
+    return this._curveOf(readResult(0, length));
+  }
+
+  /**
+   * @internal
+   */
+  _readPoint(): Point<D> {
+    return pointAt(readResult(0, 3), 0, this.#dimension);
+  }
+
+  /**
+   * @internal
+   */
+  _require2D(method: string) {
+    check.require2D(method, "curve", this.#dimension);
+  }
+
+  /**
+   * The point at t.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   */
+  eval(t: number): Point<D> {
+    if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
+    const flat = this._flat;
+    if (flat.length === 4 * this.dimension) return cubicAt(flat, t) as Point<D>;
+    core().curve_eval(this.dimension, this._write(), t);
+    return this._readPoint();
+  }
+
+  /**
+   * `segments` + 1 points at t = i / segments.
+   *
+   * @param segments how many parts, at least 1
+   * @param options `into`: at least (segments + 1) · dimension numbers long
+   */
+  sample(segments: number, options?: { into?: Float64Array }): Float64Array {
+    check.segmentCount(segments);
+    const { into } = check.options(options, ["into"]);
+    const length = (segments + 1) * this.dimension;
+    if (into !== undefined) check.resultArray(into, length);
+    const count = core().curve_sample(this.dimension, this._write(), segments);
+    if (into !== undefined) return readResultInto(into, count);
+    return readLargeResult(count);
+  }
+
+  /**
+   * The points at the given parameters.
+   *
+   * @param ts the parameters
+   * @param options `into`: at least ts.length · dimension numbers long
+   */
+  evalAt(ts: ArrayLike<number>, options?: { into?: Float64Array }): Float64Array {
+    const parameters = check.numbers(ts, "ts");
+    const length = parameters.length * this.dimension;
+    const into = check.resultArray(check.options(options, ["into"]).into, length);
+    const count = this._write(parameters);
+    core().curve_eval_at(this.dimension, count, parameters.length);
+    return readResultInto(into, length);
+  }
+
+  /** The derivative as a curve of degree n − 1; the derivative of a line is a line whose two points are equal. */
+  derivative(...surplus: never[]): this {
+    check.noSurplus(surplus, "derivative", 0, "derivativeAt(t)");
+    return this._read(core().curve_derivative(this.dimension, this._write()));
+  }
+
+  /**
+   * The k-th derivative at t; zero if k is greater than the degree.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   * @param k the order of the derivative, by default 1
+   */
+  derivativeAt(t: number, k = 1): Point<D> {
+    check.finite(t, "t");
+    check.whole(k, "k", 0, 0xffffffff);
+    core().curve_derivative_at(this.dimension, this._write(), t, k);
+    return this._readPoint();
+  }
+
+  /**
+   * The unit tangent at t. Where the derivative vanishes (handles of length 0, cusps) it is the limit; if all control
+   * points are equal, it is zero.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   */
+  tangent(t: number): Point<D> {
+    check.finite(t, "t");
+    core().curve_tangent(this.dimension, this._write(), t);
+    return this._readPoint();
+  }
+
+  /**
+   * The unit normal at t: in 2D the tangent turned by +90°, (x, y) → (−y, x); in 3D the principal normal, which is zero
+   * where the curve is straight.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   */
+  normal(t: number): Point<D> {
+    check.finite(t, "t");
+    core().curve_normal(this.dimension, this._write(), t);
+    return this._readPoint();
+  }
+
+  /**
+   * The curvature at t: in 2D positive when turning counter-clockwise (x right, y up), in 3D never negative. Infinite
+   * at a cusp.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   */
+  curvature(t: number): number {
+    check.finite(t, "t");
+    return core().curve_curvature(this.dimension, this._write(), t);
+  }
+
+  /**
+   * All levels of de Casteljau's algorithm at t: the first level is the control points, the last is the point of the
+   * curve.
+   *
+   * @param t the parameter, from 0 to 1; others extrapolate
+   */
+  deCasteljau(t: number): Float64Array[] {
+    check.finite(t, "t");
+    core().curve_de_casteljau(this.dimension, this._write(), t);
+    const levels: Float64Array[] = [];
+    for (let length = this._flat.length, from = 0; length > 0; length -= this.dimension) {
+      levels.push(readResult(from, from + length));
+      from += length;
+    }
+    return levels;
+  }
+
   /**
    * The values of the n + 1 Bernstein polynomials of a degree at t; for t in [0, 1] their sum is 1 within one ulp.
    *
@@ -101,7 +364,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> extends CurveEvaluation<D> {
    * @param matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
-  transform(matrix: TransformLike): this {
+  transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     return this._read(core().points_transform(this.dimension, this._write(affine(matrix))));
   }
 
@@ -187,4 +450,34 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> extends CurveEvaluation<D> {
     core().curve_bounds(this.dimension, this._write(), exact);
     return boxAt(readResult(0, 6), this.dimension);
   }
+}
+
+function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {
+  requireList(points);
+  const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
+  const count = flat.length / dimension;
+  if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);
+  throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
+}
+
+/**
+ * The control points of a curve in JSON.
+ *
+ * @internal
+ */
+export function curvePointsOf(json: CurveJSON): CheckedPoints {
+  if (typeof json !== "object" || json === null) {
+    throw new TypeError(`json: expected an object with points, got ${check.describe(json)}`);
+  }
+  return checkedPoints(json.points, { dimension: json.dimension });
+}
+
+/**
+ * The point of a cubic, the most common kind of curve. Passing its coordinates as arguments takes a quarter of the time
+ * of passing them through the arena.
+ */
+function cubicAt(p: Float64Array, t: number): Point {
+  const at = cubicEval();
+  if (p.length === 8) return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
+  return { x: at(p[0], p[3], p[6], p[9], t), y: at(p[1], p[4], p[7], p[10], t), z: at(p[2], p[5], p[8], p[11], t) };
 }

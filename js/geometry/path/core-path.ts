@@ -1,30 +1,92 @@
-import { pathData } from "../brand.js";
 import * as check from "../check.js";
-import { intersectPathWith, selfIntersectPath } from "../intersections.js";
-import { requireList } from "../points.js";
-import { splineDataOf } from "../spline/spline-value.js";
-import { readPathData } from "../../io/path-data.js";
-import { readSvg } from "../../io/svg-read.js";
-import { checkTolerance } from "../../io/svg-write.js";
-import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
-import { packedShape, require2D } from "./packed-shape.js";
-import { PathBuilder } from "./path-builder.js";
-import { PathMeasures } from "./path-measures.js";
 import * as shapes from "./path-shapes.js";
-import { CheckedPath, coordinatesOf } from "./path-value.js";
-import type { PointLike, PointsLike } from "../check.js";
-import type { Intersection, PathIntersection } from "../intersections.js";
-import type { PathSegment } from "../../io/path-data.js";
+import { pathData } from "../brand.js";
+import { affine } from "../affine.js";
+import { showInNode } from "../inspected.js";
+import { samePoints, writePoint, boxAt, requireList } from "../points.js";
+import { checkedSplineData, packedShape, require2D } from "./packed-shape.js";
+import { splineOf } from "../spline/spline.js";
+import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
+import { findArcs } from "../../io/svg-arcs.js";
+import { svgOf, traceOn, checkTolerance } from "../../io/svg-write.js";
+import { extents, packedSplines, packedPaths } from "../../wasm/packed-path.js";
+import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
+import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
+import { pointAndDirections } from "../arc-length.js";
+import { PathSegmentIndex } from "./path-segment-index.js";
+import { nearestOnPath, readTimes } from "./path-queries.js";
+import { SegmentTree } from "../segment-tree.js";
+import { segmentAtLength } from "../spline/arc-length-table.js";
+import { core } from "../../wasm/init.js";
+import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
+import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import { splineDataOf } from "../spline/core-spline.js";
+import { readSvg } from "../../io/svg-read.js";
+import { PathBuilder } from "./path-builder.js";
+import type { TransformLike, Complete, PointLike, PointsLike } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
-import type { CoreSpline } from "../spline/core-spline.js";
-import type { SimplifyOptions } from "../spline/spline.js";
-import type { SplineJSON } from "../spline/spline-value.js";
-import type { PathPoint, PathTime } from "./path-queries.js";
+import type { Curve } from "../curve/curve.js";
+import type { CoreSpline, SplineJSON } from "../spline/core-spline.js";
+import type { Spline, SimplifyOptions } from "../spline/spline.js";
+import type { CssOptions, PathSegment } from "../../io/path-data.js";
+import type { PathSvgOptions } from "../../io/svg-write.js";
+import type { PathExtrema } from "./path-coordinates.js";
+import type { PathTime, PathPoint, PathPointAtLength } from "./path-queries.js";
+import type { Point, Bounds } from "../points.js";
+import type { Intersection, PathIntersection } from "../intersections.js";
 import type { ArcOptions, RectOptions } from "./path-shapes.js";
-import type { PathValue } from "./path-value.js";
+
+/** Longer path data is cut off in Node's console, as Node does with long arrays. */
+const MAX_SHOWN_LENGTH = 1000;
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
+/** The limit of one result in the core: 1 GiB of coordinates. */
+const MAX_SAMPLE_SEGMENTS = (1 << 26) - 1;
+
+/** The rule that decides which winding numbers are inside: all except 0, or the odd ones. */
+export type FillRule = "nonzero" | "evenodd";
+
+/** The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number. */
+export interface Moments {
+  /** The integral of 1 */
+  area: number;
+  /** The integral of x; x / area is the x coordinate of the centroid */
+  x: number;
+  /** The integral of y; y / area is the y coordinate of the centroid */
+  y: number;
+  /** The integral of x² */
+  xx: number;
+  /** The integral of xy */
+  xy: number;
+  /** The integral of y² */
+  yy: number;
+}
+
+/** How a path is filled. */
+export interface RegionOptions {
+  /**
+   * Which points a path contains: those with a winding number other than 0 ("nonzero", the default), or with an odd
+   * one ("evenodd")
+   */
+  fillRule?: FillRule;
+}
+
+const FILL_RULES: readonly FillRule[] = ["nonzero", "evenodd"];
+
+/**
+ * @internal
+ * @returns whether the rule is "evenodd"
+ */
+export function isEvenOdd(options: RegionOptions | undefined): boolean {
+  const { fillRule = "nonzero" } = check.options(options, ["fillRule"]);
+  check.oneOf(fillRule, "fillRule", FILL_RULES);
+  return fillRule === "evenodd";
+}
 
 /** What a path can be made of and intersected with, from any entry point of this package. */
-export type Shape = PathValue | CoreSpline | CoreCurve;
+export type Shape = CorePath | CoreSpline | CoreCurve;
 
 /** What `Path.nearestOf` finds: the index of the path, and the nearest point on it. */
 export type NearestPath = PathPoint & { index: number };
@@ -36,7 +98,594 @@ export type PathClass<P> = new (splines: ArrayLike<CoreSpline | CoreCurve>) => P
  * What the class `Path` has in every entry point: all but operations on regions. Static methods make paths of the class on
  * which they are called; `from` and `fromJSON`, which may be passed to `map`, are in the classes themselves.
  */
-export class CorePath extends PathMeasures {
+export class CorePath {
+  /** See `packed-path.js` */
+  #packed: Float64Array;
+  #subpaths: readonly Spline[] | null = null;
+  /** The segments of the subpaths that were asked for */
+  #segments: (readonly Curve[])[] = [];
+
+  /**
+   * The path with the given splines and curves as its subpaths, in their order.
+   *
+   * @param splines 2D
+   * @throws {TypeError} for values that are not splines or curves, and for 3D ones
+   */
+  constructor(splines: ArrayLike<CoreSpline | CoreCurve>) {
+    if (!isShown) isShown = showInNode(CorePath.prototype, "Path", shownData);
+    const checked = splines as unknown;
+    if (checked instanceof CheckedPath) {
+      this.#packed = checked.packed;
+      return;
+    }
+    if (!Array.isArray(splines)) {
+      const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
+      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
+    }
+    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
+  }
+
+  /** The number of subpaths. */
+  get subpathCount() {
+    return this.#packed[0];
+  }
+
+  /** The subpaths, a frozen array. */
+  get subpaths() {
+    this.#subpaths ??= Object.freeze(unpack(this.#packed));
+    return this.#subpaths;
+  }
+
+  /**
+   * The path as the `d` attribute of an SVG `<path>`; segments of higher degree become cubics.
+   *
+   * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
+   * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
+   * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
+   * rounding.
+   */
+  toSVG(options?: PathSvgOptions): string {
+    return svgOf(this.#packed, options, findArcs);
+  }
+
+  /**
+   * The path as segments of path data, as `getPathData` of SVG elements gives them, with absolute commands M, L, Q, C
+   * and Z; segments of higher degree become cubics.
+   *
+   *     Path.fromSVG("M0 0H4").toPathData(); // [{ type: "M", values: [0, 0] }, { type: "L", values: [4, 0] }]
+   *
+   * @param options `tolerance`: for degrees above 3, the largest distance of the cubics
+   */
+  toPathData(options?: { tolerance?: number }): PathSegment[] {
+    return pathDataOf(this.#packed, options);
+  }
+
+  /**
+   * The path as the function `shape()` of CSS, for `clip-path`, `offset-path` and `shape-outside`, in pixels; an empty
+   * path gives "none".
+   *
+   *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
+   */
+  toCSS(options?: CssOptions): string {
+    return cssOf(this.#packed, options);
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param other the value to compare with
+   * @param tolerance the largest distance of two control points, by default 0
+   */
+  equals(other: CorePath, tolerance = 0): boolean {
+    const [a, b] = [this.#packed, pathData(other, "other")];
+    samePoints(new Float64Array(0), new Float64Array(0), 2, tolerance); // checks the tolerance
+    if (a.length !== b.length || a[0] !== b[0]) return false;
+    for (const { degrees, points, end } of extents(a)) {
+      for (let k = degrees - 2; k < points; k++) if (a[k] !== b[k]) return false;
+      if (!samePoints(a.subarray(points, end), b.subarray(points, end), 2, tolerance)) return false;
+    }
+    return true;
+  }
+
+  /**
+   * The path transformed by an affine map.
+   *
+   * @param matrix a matrix, or a text such as "translate(50 50) rotate(30)"
+   * @throws {RangeError} for an image with a coordinate beyond 2^500
+   */
+  transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
+    const [a, b, , c, d, , , , , e, f] = affine(matrix);
+    const packed = this.#packed.slice();
+    let index = 0;
+    for (const { points, end } of extents(packed)) {
+      for (let k = points; k < end; k += 2, index++) {
+        const [x, y] = [packed[k], packed[k + 1]];
+        packed[k] = a * x + c * y + e;
+        packed[k + 1] = b * x + d * y + f;
+        const bad = [packed[k], packed[k + 1]].find((number) => !check.isCoordinate(number));
+        if (bad !== undefined) check.coordinate(bad, `image[${index}]`);
+      }
+    }
+    return this._pathOf(packed);
+  }
+
+  /**
+   * The same path with each subpath reversed; the order of the subpaths and the first points of closed ones are kept.
+   */
+  reverse(): this {
+    const packed = this.#packed.slice();
+    for (const { closed, degrees, points, end } of extents(packed)) {
+      packed.subarray(degrees, points).reverse();
+      const first = closed ? points + 2 : points;
+      // Reversing the array also exchanges x and y of each point.
+      packed.subarray(first, end).reverse();
+      for (let k = first; k < end; k += 2) [packed[k], packed[k + 1]] = [packed[k + 1], packed[k]];
+    }
+    return this._pathOf(packed);
+  }
+
+  /**
+   * Draws the path on a canvas context or a Path2D.
+   *
+   * @param target a canvas context or a Path2D
+   * @param options `tolerance`: for degrees above 3, which are drawn as cubics
+   */
+  trace(
+    target: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D,
+    options?: { tolerance?: number },
+  ) {
+    traceOn(this.#packed, target, options);
+  }
+
+  /**
+   * A new Path2D of the path, for `fill`, `stroke`, `clip` and `isPointInPath` of a canvas context. In environments
+   * without Path2D (Node, for example) it throws an Error; `trace` draws on any context.
+   *
+   * @param options `tolerance`: for degrees above 3, which are drawn as cubics
+   */
+  toPath2D(options?: { tolerance?: number }): Path2D {
+    if (typeof Path2D !== "function") throw new Error("toPath2D: expected an environment with Path2D, got none");
+    const target = new Path2D();
+    this.trace(target, options);
+    return target;
+  }
+
+  /** The path as an object for JSON, from which `Path.fromJSON` makes an equal path. */
+  toJSON(): { subpaths: ReturnType<Spline["toJSON"]>[] } {
+    return { subpaths: this.subpaths.map((spline) => spline.toJSON()) };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   */
+  get casteljauType(): "path" {
+    return "path";
+  }
+
+  /**
+   * The packed path, not copied.
+   *
+   * @internal
+   */
+  casteljauData(): Float64Array {
+    return this.#packed;
+  }
+
+  /**
+   * The packed path, not copied.
+   *
+   * @internal
+   */
+  get _packed() {
+    return this.#packed;
+  }
+
+  /**
+   * The segments of a subpath.
+   *
+   * @internal
+   */
+  _segments(subpath: number): readonly Curve[] {
+    this.#segments[subpath] ??= this.subpaths[subpath].segments();
+    return this.#segments[subpath];
+  }
+
+  /**
+   * A path of the same class. The class `Path` implements it.
+   *
+   * @internal
+   */
+  _pathOf(packed: Float64Array): this {
+    throw new TypeError(`expected a class that makes paths of ${packed.length} numbers`);
+  }
+
+  /**
+   * The point at a location.
+   *
+   * @param location a subpath and a parameter on it
+   */
+  eval(location: PathTime): Point<2> {
+    const [curve, t] = segmentAt(this, location);
+    return curve.eval(t);
+  }
+
+  /**
+   * The points at the given locations.
+   *
+   *     path.evalAt(path.equidistantTimes(100)); // 101 points, evenly spaced along the path
+   *
+   * @param locations subpaths and parameters on them
+   * @param options `into`: at least 2 · locations.length numbers long
+   */
+  evalAt(locations: ArrayLike<PathTime>, options?: { into?: Float64Array }): Float64Array {
+    if (!Array.isArray(locations)) {
+      throw new TypeError(`locations: expected an array of {subpath, t}, got ${check.describe(locations)}`);
+    }
+    const checked = Array.from(locations, (location, k) => checkedLocation(this, location, `locations[${k}]`));
+    const points = check.resultArray(check.options(options, ["into"]).into, 2 * checked.length);
+    checked.forEach((location, k) => {
+      const { x, y } = this.eval(location);
+      points[2 * k] = x;
+      points[2 * k + 1] = y;
+    });
+    return points;
+  }
+
+  /**
+   * For each subpath, points at equally spaced t, both ends included, see `Spline.sample`.
+   *
+   * @param segmentsPerCurve how many parts for each segment, at least 1
+   */
+  sample(segmentsPerCurve: number): Float64Array[] {
+    check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
+    let total = 0;
+    for (const { segments } of extents(this._packed)) total += segmentsPerCurve * segments;
+    if (total > MAX_SAMPLE_SEGMENTS) {
+      throw new RangeError(`segments: expected at most ${MAX_SAMPLE_SEGMENTS}, this needs ${total}`);
+    }
+    return this.subpaths.map((spline) => spline.sample(segmentsPerCurve));
+  }
+
+  /**
+   * The k-th derivative with respect to t at a location; zero if k is greater than the degree of the segment.
+   *
+   * @param location a subpath and a parameter on it
+   * @param k the order of the derivative, by default 1
+   */
+  derivativeAt(location: PathTime, k = 1): Point<2> {
+    const [curve, t] = segmentAt(this, location);
+    return curve.derivativeAt(t, k);
+  }
+
+  /**
+   * The unit tangent at a location, see `Curve.tangent`; zero if the segment is a point.
+   *
+   * @param location a subpath and a parameter on it
+   */
+  tangent(location: PathTime): Point<2> {
+    const [curve, t] = segmentAt(this, location);
+    return curve.tangent(t);
+  }
+
+  /**
+   * The unit normal at a location: the tangent turned by +90°, (x, y) → (−y, x).
+   *
+   * @param location a subpath and a parameter on it
+   */
+  normal(location: PathTime): Point<2> {
+    const [curve, t] = segmentAt(this, location);
+    return curve.normal(t);
+  }
+
+  /**
+   * The curvature at a location, positive when turning counter-clockwise (x right, y up). Infinite at a cusp.
+   *
+   * @param location a subpath and a parameter on it
+   */
+  curvature(location: PathTime): number {
+    const [curve, t] = segmentAt(this, location);
+    return curve.curvature(t);
+  }
+
+  /**
+   * The part of the path before a location and the part after it. The subpath that contains the location becomes two
+   * open ones (a closed subpath is also divided at its start); all others are unchanged. At the start or the end of a
+   * subpath nothing is divided, so that one of the parts may be an empty path.
+   *
+   *     const [before, after] = Path.fromSVG("M0 0H4 M0 1H4").split({ subpath: 1, t: 0.5 });
+   *     before.toSVG(); // "M0,0 L4,0 M0,1 L2,1"
+   *     after.toSVG(); // "M2,1 L4,1"
+   *
+   * @param location a subpath and a parameter on it
+   */
+  split(location: PathTime, ...surplus: never[]): [this, this] {
+    check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
+    const at = checkedLocation(this, location);
+    const last = this.subpathCount - 1;
+    const end = { subpath: last, t: this._segments(last).length };
+    const parts = [partsBetween(this, { subpath: 0, t: 0 }, at), partsBetween(this, at, end)];
+    return parts.map((splines) => this._pathOf(packedSplines(splines))) as [this, this];
+  }
+
+  /**
+   * The part of the path from one location to another; if `from` is after `to`, the same part with the opposite
+   * direction and the subpaths in the opposite order.
+   *
+   * Parts of a subpath are open; a closed subpath that is contained as a whole stays closed. A part does not cross the
+   * start of a closed subpath. If both locations are equal, the part is a single segment that is a point.
+   *
+   * @param from the location of the start
+   * @param to the location of the end
+   */
+  subsegment(from: PathTime, to: PathTime, ...surplus: never[]): this {
+    check.noSurplus(surplus, "subsegment", 2);
+    const [a, b] = [checkedLocation(this, from, "from"), checkedLocation(this, to, "to")];
+    if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this, b, a).reverse())).reverse();
+    const isPoint = a.subpath === b.subpath && a.t === b.t;
+    return this._pathOf(packedSplines(isPoint ? [pointAsSubpath(this, a)] : partsBetween(this, a, b)));
+  }
+
+  /**
+   * The locations where a coordinate has a local extremum (its derivative changes sign), inside segments and at joints,
+   * in the order of the path. The ends of open subpaths do not count. Where the coordinate is constant between
+   * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
+   * `Spline.extrema`.
+   */
+  extrema(...surplus: never[]): PathExtrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return extremaOfPath(this);
+  }
+
+  /**
+   * All locations at which a coordinate has the given value, end points and tangencies included, in the order of the
+   * path. A joint is reported once, the end of a closed subpath as its start. For a segment on which the coordinate has
+   * that value everywhere: its ends.
+   *
+   * @param where one coordinate and its value
+   */
+  timesAtCoordinate(where: { x: number } | { y: number }): PathTime[] {
+    return timesAtCoordinateOfPath(this, where);
+  }
+
+  #segmentIndex: PathSegmentIndex | undefined;
+  #tree: SegmentTree | undefined;
+  /** That of the closed subpaths, for winding numbers */
+  #filled: SegmentTree | undefined;
+  #askedForWinding = false;
+  #askedForNearest = false;
+  /** The arc lengths from the start of the path to the end of each segment, after a 0 */
+  #ends: Float64Array | undefined;
+  #bounds: Bounds<2> | null | undefined;
+  #controlBounds: Bounds<2> | null | undefined;
+  #area: number | undefined;
+
+  /** The smallest box that contains the path; null for an empty one. */
+  bounds(...surplus: never[]): Bounds<2> | null {
+    check.noSurplus(surplus, "bounds", 0);
+    this.#bounds ??= this._box(true);
+    return copyOfBounds(this.#bounds);
+  }
+
+  /** The box of the control points, which contains the path; null for an empty one. */
+  controlBounds(): Bounds<2> | null {
+    this.#controlBounds ??= this._box(false);
+    return copyOfBounds(this.#controlBounds);
+  }
+
+  /**
+   * The sum of the lengths of all segments.
+   *
+   * @param tolerance the largest error, by default 1e-12 of the length
+   */
+  length(tolerance?: number, ...surplus: never[]): number {
+    check.noSurplus(surplus, "length", 1);
+    if (tolerance === undefined) return this.#segmentEnds().at(-1) as number;
+    const maxError = check.optionalTolerance(tolerance);
+    writeArguments(this._packed);
+    return readResult(0, core().path_length(maxError))[0];
+  }
+
+  /**
+   * The position at which the arc length from the start of the first subpath is s; null for an empty path.
+   *
+   * @param s outside of [0, length] it gives the nearer end
+   * @param tolerance the largest error, as a length
+   */
+  timeAtLength(s: number, tolerance?: number): PathTime | null {
+    check.finite(s, "s");
+    const maxError = check.optionalTolerance(tolerance);
+    if (tolerance !== undefined) {
+      writeArguments(this._packed);
+      return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+    }
+    const ends = this.#segmentEnds();
+    const { count } = this.#index();
+    if (count === 0) return null;
+    if (s <= 0) return { subpath: 0, t: 0 };
+    const k = segmentAtLength(ends, s);
+    if (k === count) return this.#index().location(count - 1, 1);
+    const { subpath, t } = this.#index().location(k, 0);
+    return { subpath, t: t + this._segments(subpath)[t].timeAtLength(s - ends[k]) };
+  }
+
+  /**
+   * The location at which the arc length from the start of the first subpath is s, with its point, unit tangent and unit
+   * normal: for text, markers and motion along a path. Null for an empty path.
+   *
+   * @param s outside of [0, length] it gives the nearer end
+   * @param tolerance the largest error, as a length
+   */
+  pointAtLength(s: number, tolerance?: number): PathPointAtLength | null {
+    const time = this.timeAtLength(s, tolerance);
+    if (!time) return null;
+    const [curve, t] = segmentAt(this, time);
+    return { ...pointAndDirections(curve, t), ...time };
+  }
+
+  /**
+   * `segments` + 1 positions that divide the whole path into parts of equal length; none for an empty path.
+   *
+   * @param segments how many parts, at least 1
+   */
+  equidistantTimes(segments: number): PathTime[] {
+    check.segmentCount(segments);
+    writeArguments(this._packed);
+    const times = readTimes(core().path_equidistant_times(segments));
+    releaseMemory();
+    return times;
+  }
+
+  /**
+   * The arc length from the start of the path to a location: the lengths of the subpaths before it and of the part of
+   * its own; the inverse of `timeAtLength`.
+   *
+   *     path.lengthAt(path.nearest(point)); // how far along the path the nearest point is
+   *
+   * @param location a subpath and a parameter on it; beyond its ends, the end counts
+   */
+  lengthAt(location: PathTime): number {
+    const { subpath, t } = checkedLocation(this, location);
+    const before = this.subpaths.slice(0, subpath).reduce((sum, spline) => sum + spline.length(), 0);
+    const spline = this.subpaths[subpath];
+    return before + (t <= 0 ? 0 : spline.subsegment(0, Math.min(t, spline.segmentCount)).length());
+  }
+
+  /**
+   * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
+   * line.
+   */
+  area(): number {
+    if (this.#area === undefined) {
+      writeArguments(this._packed);
+      this.#area = core().path_area();
+    }
+    return this.#area;
+  }
+
+  /**
+   * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
+   * area.
+   */
+  moments(): Moments {
+    writeArguments(this._packed);
+    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
+    return { area, x, y, xx, xy, yy };
+  }
+
+  /**
+   * The point of the path that is nearest to another point, the first one of several; null for an empty path.
+   *
+   * @param point the point, in the unit of the points
+   */
+  nearest(point: PointLike): PathPoint | null {
+    const p = coordinatesOf(point);
+    if (this.#tree || this.#askedForNearest) return this._nearest(p, Infinity);
+    this.#askedForNearest = true;
+    return nearestOnPath(this._packed, p);
+  }
+
+  /**
+   * The winding number of the path around a point: counter-clockwise is positive (x right, y up). Open subpaths are
+   * closed by a line. A point on the boundary counts as slightly displaced to the right and upwards.
+   *
+   * @param point the point, in the unit of the points
+   */
+  windingNumber(point: PointLike): number {
+    const [x, y] = coordinatesOf(point);
+    if (this.#filled || this.#askedForWinding) {
+      this.#filled ??= new SegmentTree(new PathSegmentIndex(this._packed, true));
+      return this.#filled.crossings(x, y);
+    }
+    this.#askedForWinding = true;
+    writeArguments(this._packed);
+    return core().path_winding_number(x, y);
+  }
+
+  /**
+   * Whether the path, filled by the rule, contains a point.
+   *
+   * @param point the point, in the unit of the points
+   */
+  contains(point: PointLike, options?: RegionOptions): boolean {
+    const evenOdd = isEvenOdd(options);
+    const winding = this.windingNumber(point);
+    return evenOdd ? winding % 2 !== 0 : winding !== 0;
+  }
+
+  /**
+   * For each subpath a polyline whose distance from it is nowhere greater than `tolerance`; joints are vertices.
+   *
+   * @param tolerance the largest distance, in the unit of the points
+   * @returns `closed`: whether the subpath is; then the last vertex is the first one again
+   */
+  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
+    check.noSurplus(surplus, "flatten", 1);
+    check.positive(tolerance, "tolerance");
+    writeArguments(this._packed);
+    const numbers = readResult(0, core().path_flatten(tolerance));
+    releaseMemory();
+    const subpaths = extents(this._packed);
+    const polylines: { points: Float64Array; ts: Float64Array; closed: boolean }[] = [];
+    for (let at = 0; at < numbers.length; ) {
+      const points = at + 1;
+      const ts = points + 2 * numbers[at];
+      at = ts + numbers[at];
+      const { closed } = subpaths.next().value ?? { closed: false };
+      polylines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at), closed });
+    }
+    return polylines;
+  }
+
+  /**
+   * The nearest point within a distance.
+   *
+   * @internal
+   */
+  _nearest(point: Float64Array, maxDistance: number): PathPoint | null {
+    const nearest = this.#segmentTree()?.nearest(point, maxDistance);
+    if (!nearest) return null;
+    const { t, point: at, distance } = nearest.found;
+    return { ...this.#index().location(nearest.k, t), point: at, distance };
+  }
+
+  /**
+   * The distance of a point from the box of the control points; infinite for an empty path.
+   *
+   * @internal
+   */
+  _boxDistance(point: Float64Array): number {
+    return this.#segmentTree()?.distance(point) ?? Infinity;
+  }
+
+  #segmentTree() {
+    if (this.subpathCount > 0) this.#tree ??= new SegmentTree(this.#index());
+    return this.#tree;
+  }
+
+  #index() {
+    this.#segmentIndex ??= new PathSegmentIndex(this._packed);
+    return this.#segmentIndex;
+  }
+
+  #segmentEnds() {
+    if (!this.#ends) {
+      writeArguments(this._packed);
+      this.#ends = readResult(0, core().path_segment_ends());
+    }
+    return this.#ends;
+  }
+
+  /**
+   * @internal
+   */
+  _box(exact: boolean) {
+    writeArguments(this._packed);
+    const numbers = readResult(0, core().path_bounds(exact));
+    return numbers.length ? boxAt(numbers, 2) : null;
+  }
+
   /**
    * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
@@ -189,7 +838,7 @@ export class CorePath extends PathMeasures {
    * @param options `maxDistance`: by default there is no limit
    */
   static nearestOf(
-    paths: ArrayLike<PathValue>,
+    paths: ArrayLike<CorePath>,
     point: PointLike,
     options?: { maxDistance?: number },
   ): NearestPath | null {
@@ -246,7 +895,7 @@ export class CorePath extends PathMeasures {
   intersections<S extends Shape>(
     other: S,
     ...surplus: never[]
-  ): Intersection<PathTime, S extends PathValue ? PathTime : number>[] {
+  ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {
     check.noSurplus(surplus, "intersections", 1);
     return intersectPathWith(this._packed, other) as any;
   }
@@ -259,6 +908,43 @@ export class CorePath extends PathMeasures {
     check.noSurplus(surplus, "selfIntersections", 0);
     return selfIntersectPath(this._packed);
   }
+}
+
+/**
+ * A packed path that is already checked: the constructor accepts it from inside the package.
+ *
+ * @internal
+ */
+export class CheckedPath {
+  packed: Float64Array;
+
+  constructor(packed: Float64Array) {
+    this.packed = packed;
+  }
+}
+
+/**
+ * @internal
+ */
+export function coordinatesOf(point: PointLike): Float64Array {
+  const coordinates = new Float64Array(2);
+  writePoint(coordinates, 0, point, 2, "point");
+  return coordinates;
+}
+
+function unpack(packed: Float64Array): Spline[] {
+  return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
+    splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
+  );
+}
+
+function shownData(path: CorePath): string {
+  const text = path.toSVG();
+  return text.length > MAX_SHOWN_LENGTH ? `${text.slice(0, MAX_SHOWN_LENGTH)}…` : text || "(empty)";
+}
+
+function copyOfBounds(box: Bounds<2> | null): Bounds<2> | null {
+  return box && { min: { ...box.min }, max: { ...box.max } };
 }
 
 /**

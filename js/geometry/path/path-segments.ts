@@ -1,9 +1,9 @@
-// The segments of a path at a location, and parts of a path, for the queries of `PathEvaluation`.
+// The segments of a path at a location, and parts of a path, for the queries of `CorePath`.
 import * as check from "../check.js";
 import type { SplineData } from "../brand.js";
 import type { Curve } from "../curve/curve.js";
 import type { PathTime } from "./path-queries.js";
-import type { PathValue } from "./path-value.js";
+import type { CorePath } from "./core-path.js";
 
 /**
  * A checked copy of a location.
@@ -12,7 +12,7 @@ import type { PathValue } from "./path-value.js";
  * @throws {TypeError} for a value that is not an object
  * @throws {RangeError} for a subpath that does not exist, and a t that is not finite
  */
-export function checkedLocation(path: PathValue, location: unknown, name = "location"): PathTime {
+export function checkedLocation(path: CorePath, location: unknown, name = "location"): PathTime {
   if (typeof location !== "object" || location === null) {
     throw new TypeError(`${name}: expected an object {subpath, t}, got ${check.describe(location)}`);
   }
@@ -40,7 +40,7 @@ function locate(count: number, t: number): [number, number] {
  *
  * @internal
  */
-export function segmentAt(path: PathValue, location: PathTime): [Curve, number] {
+export function segmentAt(path: CorePath, location: PathTime): [Curve, number] {
   const { subpath, t } = checkedLocation(path, location);
   const segments = path._segments(subpath);
   const [segment, rest] = locate(segments.length, t);
@@ -74,7 +74,7 @@ function join(curves: Curve[]): SplineData {
  * The part of a subpath from t0 to t1, reversed if t0 > t1. The whole subpath is returned unchanged, and therefore
  * closed if it is closed.
  */
-function partOfSubpath(path: PathValue, subpath: number, t0: number, t1: number): SplineData {
+function partOfSubpath(path: CorePath, subpath: number, t0: number, t1: number): SplineData {
   const segments = path._segments(subpath);
   if (t0 === 0 && t1 === segments.length) return path.subpaths[subpath].casteljauData();
   if (t0 <= t1) return join(forwardPart(segments, t0, t1));
@@ -100,7 +100,7 @@ export function isAfter(a: PathTime, b: PathTime) {
  * @internal
  * @param to not before `from`
  */
-export function partsBetween(path: PathValue, from: PathTime, to: PathTime): SplineData[] {
+export function partsBetween(path: CorePath, from: PathTime, to: PathTime): SplineData[] {
   const parts: SplineData[] = [];
   for (let k = from.subpath; k <= to.subpath; k++) {
     const t0 = k === from.subpath ? from.t : 0;
@@ -115,6 +115,6 @@ export function partsBetween(path: PathValue, from: PathTime, to: PathTime): Spl
  *
  * @internal
  */
-export function pointAsSubpath(path: PathValue, { subpath, t }: PathTime): SplineData {
+export function pointAsSubpath(path: CorePath, { subpath, t }: PathTime): SplineData {
   return join(forwardPart(path._segments(subpath), t, t));
 }

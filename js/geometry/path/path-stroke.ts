@@ -1,11 +1,12 @@
 // Strokes, dashes, offsets of regions and rounded corners: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
-import { coordinatesOf } from "./path-value.js";
+import { coordinatesOf } from "./core-path.js";
 import { core } from "../../wasm/init.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { readPath, writePaths } from "./path-boolean.js";
 import type { PointLike } from "../check.js";
+import type { PathTime } from "./path-queries.js";
 
 /** What corners of a stroke look like: the outer sides extended to their intersection, an arc, or a straight line. */
 export type StrokeJoin = "miter" | "round" | "bevel";
@@ -46,6 +47,17 @@ export interface StrokeShape {
 export type StrokeOptions = StrokeShape & { tolerance?: number; simple?: boolean };
 
 /** In the order of the core */
+/** The options of `roundCorners`. */
+export interface CornerOptions {
+  /** The largest distance of the cubics from the arcs, 1e-9 of the radius by default */
+  tolerance?: number;
+  /** The corners that are rounded, `{subpath, t}` with the t of a joint: all by default */
+  corners?: readonly PathTime[];
+}
+
+/** The largest index that the core accepts. */
+const MAX_INDEX = 2 ** 32 - 1;
+
 const JOINS: readonly StrokeJoin[] = ["miter", "round", "bevel"];
 /** In the order of the core */
 const CAPS: readonly StrokeCap[] = ["butt", "round", "square"];
@@ -130,8 +142,22 @@ export function offset(path: Float64Array, distance: number, options?: RegionOff
  * @internal
  * @returns a packed path
  */
-export function roundCorners(path: Float64Array, radius: number): Float64Array {
+export function roundCorners(path: Float64Array, radius: number, options?: CornerOptions): Float64Array {
   check.finite(radius, "radius");
-  writePaths([path]);
-  return readPath(core(regionsModule).region_round_corners(radius));
+  const { tolerance, corners } = check.options(options, ["tolerance", "corners"]);
+  const maxError = check.optionalTolerance(tolerance);
+  const places = Float64Array.from(corners === undefined ? [] : cornerNumbers(corners));
+  writePaths([path, places]);
+  const count = corners === undefined ? -1 : places.length / 2;
+  return readPath(core(regionsModule).region_round_corners(radius, maxError, count));
+}
+
+/** The locations of corners as pairs of numbers; the core checks whether they exist. */
+function cornerNumbers(corners: unknown): number[] {
+  if (!Array.isArray(corners))
+    throw new TypeError(`corners: expected an array of locations {subpath, t}, got ${check.describe(corners)}`);
+  return corners.flatMap((corner, k) => {
+    const { subpath, t } = Object(corner) as { subpath?: unknown; t?: unknown };
+    return [check.whole(subpath, `corners[${k}].subpath`, 0, MAX_INDEX), check.finite(t, `corners[${k}].t`)];
+  });
 }

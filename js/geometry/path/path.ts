@@ -5,12 +5,14 @@ import * as regions from "./path-boolean.js";
 import * as strokes from "./path-stroke.js";
 import type { PointLike } from "../check.js";
 import type { ThreeShapes } from "../../io/three.js";
-import type { Shape } from "./core-path.js";
+import type { Shape, Moments, RegionOptions } from "./core-path.js";
 import type { BooleanOperation } from "./path-boolean.js";
-import type { Moments, RegionOptions } from "./path-measures.js";
-import type { RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js";
-import type { PathValue } from "./path-value.js";
-import type { SplineJSON } from "../spline/spline-value.js";
+import { arcsOf } from "./path-arcs.js";
+import { svgOfArcs } from "../../io/svg-write.js";
+import type { PathSvgOptions } from "../../io/svg-write.js";
+import type { CircularArc } from "./path-arcs.js";
+import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js";
+import type { SplineJSON } from "../spline/core-spline.js";
 
 /**
  * The error that `Path.fromSVG` throws: a RangeError with the offset of the error in the text, in characters, and the
@@ -81,7 +83,7 @@ export class Path extends CorePath {
    * @param further more paths, and at last the options
    * @throws {RangeError} for more segments or intersections than the limit
    */
-  union(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+  union(other: CorePath, ...further: (CorePath | RegionOptions | undefined)[]): this {
     return this._pathOf(regions.combineWith(this._packed, other, "union", further));
   }
 
@@ -90,12 +92,12 @@ export class Path extends CorePath {
    *
    * @param further more paths, and at last the options
    */
-  intersect(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+  intersect(other: CorePath, ...further: (CorePath | RegionOptions | undefined)[]): this {
     return this._pathOf(regions.combineWith(this._packed, other, "intersect", further));
   }
 
   /** The difference of two regions: the points inside this path and outside of the other one. See `union`. */
-  subtract(other: PathValue, options?: RegionOptions): this {
+  subtract(other: CorePath, options?: RegionOptions): this {
     return this._pathOf(regions.subtract(this._packed, other, options));
   }
 
@@ -105,7 +107,7 @@ export class Path extends CorePath {
    *
    * @param further more paths, and at last the options
    */
-  exclude(other: PathValue, ...further: (PathValue | RegionOptions | undefined)[]): this {
+  exclude(other: CorePath, ...further: (CorePath | RegionOptions | undefined)[]): this {
     return this._pathOf(regions.combineWith(this._packed, other, "exclude", further));
   }
 
@@ -118,7 +120,7 @@ export class Path extends CorePath {
    * The parts into which another path divides the region: one path for each, with its holes. The other path is not
    * filled; its open subpaths stay open. A part of it that ends inside the region divides nothing.
    */
-  divide(other: PathValue, options?: RegionOptions): this[] {
+  divide(other: CorePath, options?: RegionOptions): this[] {
     return regions.divide(this._packed, other, options).map((packed) => this._pathOf(packed));
   }
 
@@ -128,7 +130,7 @@ export class Path extends CorePath {
    *
    * @param options how `region` is filled
    */
-  clip(region: PathValue, options?: RegionOptions): this {
+  clip(region: CorePath, options?: RegionOptions): this {
     return this._pathOf(regions.clip(this._packed, region, options));
   }
 
@@ -190,17 +192,48 @@ export class Path extends CorePath {
    *     Path.rect([0, 0], 10, 10).roundCorners(2).area(); // 96.56637061…
    *
    * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
-   * subpaths. Arcs are cubics within 1e-9 of their radius; segments that no arc replaces are returned bit for bit. An arc
+   * subpaths. Arcs are cubics within 1e-9 of their radius, or within `tolerance`; segments that no arc replaces are returned bit for bit. An arc
    * replaces at most the 64 segments on each side that follow each other without a corner: where these are too short, or
    * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, each ends in the
    * middle between them (in the parameter) at the latest.
    *
    * @param radius 0 gives the path
-   * @throws {RangeError} for a negative radius
+   * @throws {RangeError} for a negative radius, and for a corner that is not at a joint
    */
-  roundCorners(radius: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "roundCorners", 1);
-    return this._pathOf(strokes.roundCorners(this._packed, radius));
+  roundCorners(radius: number, options?: CornerOptions): this {
+    return this._pathOf(strokes.roundCorners(this._packed, radius, options));
+  }
+
+  /**
+   * The subpaths as lines and arcs of circles, one list for each, for machines that have no other curves (G-code G1 to
+   * G3).
+   *
+   *     Path.circle([0, 0], 1).toArcs(0.001)[0].length; // 2: half circles
+   *
+   * Each arc starts where the previous one ends. Within a segment they come in pairs with a common tangent (biarcs),
+   * each pair as long as the tolerance permits; straight parts are lines, and neighbouring arcs of one circle are joined,
+   * up to half a turn. The Hausdorff distance of a subpath from its arcs is at most the tolerance.
+   *
+   * @param tolerance the largest distance, in the unit of the path
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate, and for more than 2²² arcs
+   */
+  toArcs(tolerance: number): CircularArc[][] {
+    return arcsOf(this._packed, tolerance);
+  }
+
+  /**
+   * The path as the `d` attribute of an SVG `<path>`; segments of higher degree become cubics.
+   *
+   * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
+   * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
+   * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
+   * rounding. With a number as `arcs`, all segments are written as lines and arcs of circles within that distance.
+   */
+  override toSVG(options?: PathSvgOptions): string {
+    if (typeof options?.arcs !== "number") return super.toSVG(options);
+    const { arcs, ...others } = options;
+    const closed = this.subpaths.map((spline) => spline.closed);
+    return svgOfArcs(this.toArcs(arcs), closed, others);
   }
 
   /**

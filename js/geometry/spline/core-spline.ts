@@ -1,22 +1,357 @@
-import { curveData } from "../brand.js";
-import { affine } from "../affine.js";
 import * as check from "../check.js";
-import { modeCode, modeCodes } from "../joints.js";
-import { SplineEvaluation } from "./spline-evaluation.js";
-import { svgOf, traceOn } from "../../io/svg-write.js";
+import { onlySplineData, curveData } from "../brand.js";
+import { showInNode } from "../inspected.js";
+import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList, boxAt } from "../points.js";
+import { SegmentIndex } from "./segment-index.js";
+import { writeArguments, readResult, readPolyline, readResultInto, releaseMemory } from "../../wasm/transfer.js";
 import { core } from "../../wasm/init.js";
+import { affine } from "../affine.js";
+import { modeCode, modeCodes } from "../joints.js";
+import { svgOf, traceOn } from "../../io/svg-write.js";
 import { packedSpline } from "../../wasm/packed-path.js";
-import { writeArguments, readResult } from "../../wasm/transfer.js";
-import type { TransformLike, PointLike } from "../check.js";
+import type { SplineData } from "../brand.js";
+import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
+import type { Point, PointArrays, Bounds } from "../points.js";
 import type { Continuity, JointMode } from "../joints.js";
 import type { SvgOptions } from "../../io/svg-write.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
+/** Options of the constructor of `Spline`. */
+export interface SplineOptions {
+  /** Of all segments, 3 by default */
+  degree?: number;
+  /** Whether the spline is closed, so that its end is its start; false by default */
+  closed?: boolean;
+  /** How a flat array of coordinates is read, 2 by default */
+  dimension?: 2 | 3;
+}
+
+/** What `Spline.toJSON` returns; `Spline.fromJSON` also reads other forms of points. */
+export type SplineJSON = { points: PointsLike; degrees: number[]; closed: boolean; dimension?: 2 | 3 };
 
 /**
  * What the splines of all entry points have in common. Where a function takes a spline, it takes the splines of every
  * entry point.
  */
-export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCurve<D>> extends SplineEvaluation<D, C> {
+export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCurve<D>> {
+  #data: SplineData;
+  /** The segments that were asked for so far. */
+  #segments: C[] = [];
+  #index: SegmentIndex | undefined;
+
+  /**
+   * The spline of the given control points, with segments of one degree that share their end points.
+   *
+   * @param points n · degree + 1 control points, closed n · degree
+   * @param options `degree`: of all segments, 3 by default; `closed`: whether the last segment ends at the first
+   *   point, false by default; `dimension`: 2 or 3, how a flat array is read
+   * @throws {RangeError} for a wrong number of points, a NaN or an infinity
+   */
+  constructor(points: PointArrays<D> | PointsLike, options?: { degree?: number; closed?: boolean; dimension?: D }) {
+    if (!isShown) isShown = showInNode(CoreSpline.prototype, "Spline", (value) => value.toJSON());
+    const checked = points as unknown;
+    if (checked instanceof CheckedSplineData) {
+      this.#data = checked.data;
+      return;
+    }
+    this.#data = checkedData(points, options);
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#data.dimension as D;
+  }
+
+  /** Whether the last segment ends at the start of the first. */
+  get closed() {
+    return this.#data.closed;
+  }
+
+  /** The number of segments, which is also the t of the end. */
+  get segmentCount() {
+    return this.#data.degrees.length;
+  }
+
+  /** The degree of each segment. */
+  get degrees() {
+    return [...this.#data.degrees];
+  }
+
+  /**
+   * @returns a copy of the coordinates of all control points; joints are listed once
+   */
+  controlPoints(): Float64Array {
+    return this.#data.flat.slice();
+  }
+
+  /** All control points as objects; joints are listed once. */
+  points(): Point<D>[] {
+    return pointList(this.#data.flat, this.dimension);
+  }
+
+  /** The segments as curves. */
+  segments(): C[] {
+    return this.#data.degrees.map((_, k) => this._segment(k));
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param other the value to compare with
+   * @param tolerance the largest distance of two control points, by default 0
+   */
+  equals(other: CoreSpline, tolerance = 0): boolean {
+    const [a, b] = [this.#data, onlySplineData(other, "other")];
+    const sameStructure = a.closed === b.closed && a.dimension === b.dimension && `${a.degrees}` === `${b.degrees}`;
+    return sameStructure && samePoints(a.flat, b.flat, a.dimension, tolerance);
+  }
+
+  /** The spline as an object for JSON, from which `Spline.fromJSON` makes an equal spline. */
+  toJSON(): { points: number[][]; degrees: number[]; closed: boolean } {
+    const { flat, dimension, degrees, closed } = this.#data;
+    return { points: nested(flat, dimension), degrees: [...degrees], closed };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   */
+  get casteljauType(): "spline" {
+    return "spline";
+  }
+
+  /**
+   * @internal
+   */
+  casteljauData(): SplineData {
+    return this.#data;
+  }
+
+  /**
+   * Where the segments are in the list of points.
+   *
+   * @internal
+   */
+  get _index() {
+    this.#index ??= new SegmentIndex(this.#data);
+    return this.#index;
+  }
+
+  /**
+   * Segment k as a curve, which is created by the first call.
+   *
+   * @internal
+   */
+  _segment(k: number): C {
+    this.#segments[k] ??= this._curveOf(this._index.pointsOf(k).slice());
+    return this.#segments[k];
+  }
+
+  /**
+   * The segment that contains t, its index k, and the parameter on it. A joint belongs to the segment that starts
+   * there, the end to the last segment; values outside belong to the first and the last segment.
+   *
+   * @internal
+   */
+  _locate(t: number): { k: number; segment: C; rest: number } {
+    check.finite(t, "t");
+    const k = Math.min(Math.max(Math.floor(t), 0), this.#data.degrees.length - 1);
+    return { k, segment: this._segment(k), rest: t - k };
+  }
+
+  /**
+   * A segment. The class of each entry point implements it.
+   *
+   * @internal
+   */
+  _curveOf(flat: Float64Array): C {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  /**
+   * A spline of the same class. The class of each entry point implements it.
+   *
+   * @internal
+   */
+  _splineOf(data: SplineData): this {
+    throw new TypeError(`expected a class that makes splines of ${data.flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the spline, and then further numbers, to the arena.
+   * @returns the dimension
+   */
+  _write(further?: ArrayLike<number>): D {
+    const { flat, dimension, degrees, closed } = this.#data;
+    const head = 2 + degrees.length;
+    const view = writeArguments(
+      Float64Array.of(degrees.length, closed ? 1 : 0),
+      head + flat.length + (further?.length ?? 0),
+    );
+    view.set(degrees, 2);
+    view.set(flat, head);
+    if (further) view.set(further, head + flat.length);
+    return dimension as D;
+  }
+
+  /**
+   * @internal
+   * Reads a spline of the same dimension from the arena.
+   */
+  _read(length: number): this {
+    return this._splineOf(readSplineData(length, this.dimension));
+  }
+
+  /**
+   * @internal
+   */
+  _readPoint(): Point<D> {
+    return pointAt(readResult(0, 3), 0, this.dimension);
+  }
+
+  /**
+   * @internal
+   */
+  _coordinates(point: PointLike, name: string): Float64Array {
+    const coordinates = new Float64Array(this.dimension);
+    writePoint(coordinates, 0, point, this.dimension, name);
+    return coordinates;
+  }
+
+  /**
+   * @internal
+   */
+  _require2D(method: string) {
+    check.require2D(method, "spline", this.dimension);
+  }
+
+  /** The smallest and the largest coordinates, once asked for */
+  #bounds: Float64Array | undefined;
+
+  /**
+   * The point at t, from 0 to the number of segments.
+   *
+   * @param t the parameter, from 0 to the number of segments; others extrapolate
+   */
+  eval(t: number): Point<D> {
+    const { segment, rest } = this._locate(t);
+    return segment.eval(rest);
+  }
+
+  /**
+   * The k-th derivative with respect to t; k = 0 is the point itself. At a joint the segment that starts there counts,
+   * at the end the last segment. It is zero if k is greater than the degree of the segment.
+   *
+   * @param t 0 to the number of segments
+   * @param k 1 by default
+   * @returns in the unit of the points
+   * @throws {RangeError} for a t that is not finite, and a k that is negative or no integer
+   */
+  derivativeAt(t: number, k = 1): Point<D> {
+    const { segment, rest } = this._locate(t);
+    return segment.derivativeAt(rest, k);
+  }
+
+  /**
+   * The unit tangent at t, see `Curve.tangent`. At a joint the segment that starts there counts, at the end the last
+   * segment. It is zero if all control points of that segment are equal.
+   *
+   * @param t 0 to the number of segments
+   * @throws {RangeError} for a t that is not finite
+   */
+  tangent(t: number): Point<D> {
+    const { segment, rest } = this._locate(t);
+    return segment.tangent(rest);
+  }
+
+  /**
+   * The unit normal at t: in 2D the tangent turned by +90°, (x, y) → (−y, x); in 3D the principal normal, which is zero
+   * where the spline is straight. At a joint the segment that starts there counts, at the end the last segment.
+   *
+   * @param t 0 to the number of segments
+   * @throws {RangeError} for a t that is not finite
+   */
+  normal(t: number): Point<D> {
+    const { segment, rest } = this._locate(t);
+    return segment.normal(rest);
+  }
+
+  /**
+   * The curvature at t: in 2D positive when turning counter-clockwise (x right, y up), in 3D never negative. At a joint
+   * the segment that starts there counts, at the end the last segment. Infinite at a cusp.
+   *
+   * @param t 0 to the number of segments
+   * @returns in 1 / unit of the points
+   * @throws {RangeError} for a t that is not finite
+   */
+  curvature(t: number): number {
+    const { segment, rest } = this._locate(t);
+    return segment.curvature(rest);
+  }
+
+  /**
+   * Points at equally spaced t, both ends included.
+   *
+   * @param segmentsPerCurve how many parts for each segment, at least 1
+   * @param options `into`: an array for the result, long enough
+   */
+  sample(segmentsPerCurve: number, options?: { into?: Float64Array }): Float64Array {
+    check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
+    const into = check.options(options, ["into"]).into;
+    const length = (segmentsPerCurve * this.segmentCount + 1) * this.dimension;
+    if (into !== undefined) check.resultArray(into, length);
+    const count = core().spline_sample(this._write(), segmentsPerCurve);
+    const result = into ? readResultInto(into, count) : readResult(0, count);
+    releaseMemory();
+    return result;
+  }
+
+  /**
+   * The points at the given parameters.
+   *
+   * @param ts the parameters
+   * @param options `into`: an array for the result, long enough
+   */
+  evalAt(ts: ArrayLike<number>, options?: { into?: Float64Array }): Float64Array {
+    const parameters = check.numbers(ts, "ts");
+    const length = parameters.length * this.dimension;
+    const into = check.resultArray(check.options(options, ["into"]).into, length);
+    core().spline_eval_at(this._write(parameters), parameters.length);
+    return readResultInto(into, length);
+  }
+
+  /**
+   * A polyline whose distance from the spline is nowhere greater than `tolerance`; joints are vertices.
+   *
+   * @param tolerance the largest distance, in the unit of the points
+   */
+  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
+    check.noSurplus(surplus, "flatten", 1);
+    check.positive(tolerance, "tolerance");
+    return readPolyline(core().spline_flatten(this._write(), tolerance), this.dimension);
+  }
+
+  /** The smallest box that contains the spline. */
+  bounds(...surplus: never[]): Bounds<D> {
+    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+    if (!this.#bounds) {
+      core().spline_bounds(this._write(), true);
+      this.#bounds = readResult(0, 6);
+    }
+    return boxAt(this.#bounds, this.dimension);
+  }
+
+  /** The box of the control points. */
+  controlBounds(): Bounds<D> {
+    core().spline_bounds(this._write(), false);
+    return boxAt(readResult(0, 6), this.dimension);
+  }
+
   /**
    * The continuity at the joint t = `joint` (closed splines have a joint 0, too).
    *
@@ -170,7 +505,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param matrix a matrix, or a text such as "translate(50 50) rotate(30)"
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
-  transform(matrix: TransformLike): this {
+  transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { flat, dimension } = this.casteljauData();
     writeArguments(flat, 12).set(affine(matrix), flat.length);
     const length = core().points_transform(dimension, flat.length / dimension);
@@ -230,6 +565,73 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   _checkJoint(joint: unknown) {
     check.whole(joint, "joint", this.closed ? 0 : 1, this.segmentCount - 1);
   }
+}
+
+/**
+ * Data that is already checked: the constructor accepts it from inside the package.
+ *
+ * @internal
+ */
+export class CheckedSplineData {
+  data: SplineData;
+
+  constructor(data: SplineData) {
+    this.data = data;
+  }
+}
+
+function checkedData(points: PointsLike, options: SplineOptions | undefined): SplineData {
+  requireList(points);
+  const { degree = 3, closed, dimension: requested } = check.options(options, ["degree", "closed", "dimension"]);
+  const isClosed = check.optionalBoolean(closed, "closed");
+  check.whole(degree, "degree", 1, 64);
+  const { flat, dimension } = flatten(points, requested, 2);
+  const count = flat.length / dimension;
+  const rest = isClosed ? 0 : 1;
+  const segments = (count - rest) / degree;
+  if (segments < 1 || !Number.isInteger(segments)) {
+    const rule = isClosed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
+    const others = [1, 2, 3].filter((other) => other !== degree && Number.isInteger((count - rest) / other));
+    const hint = count > rest + 1 && others.length ? `; ${count} points fit degree ${others.join(" or ")}` : "";
+    throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}${hint}`);
+  }
+  return { flat, dimension, degrees: new Array(segments).fill(degree), closed: isClosed };
+}
+
+/**
+ * The data of a spline in JSON.
+ *
+ * @internal
+ */
+export function splineDataOf(json: SplineJSON): SplineData {
+  if (typeof json !== "object" || json === null) {
+    throw new TypeError(`json: expected an object with points, degrees and closed, got ${check.describe(json)}`);
+  }
+  const { flat, dimension } = flatten(json.points, json.dimension, 2);
+  const degrees = [...check.numbers(json.degrees, "degrees")];
+  degrees.forEach((degree, k) => check.whole(degree, `degrees[${k}]`, 1, 64));
+  const closed = Boolean(json.closed);
+  const needed = degrees.reduce((sum, degree) => sum + degree, closed ? 0 : 1);
+  if (degrees.length === 0 || needed !== flat.length / dimension) {
+    throw new RangeError(`points: expected ${needed} (the sum of the degrees), got ${flat.length / dimension}`);
+  }
+  return { flat, dimension, degrees, closed };
+}
+
+/**
+ * Reads a spline from the arena.
+ *
+ * @internal
+ */
+export function readSplineData(length: number, dimension: 2 | 3): SplineData {
+  const numbers = readResult(0, length);
+  const head = 2 + numbers[0];
+  return {
+    flat: numbers.slice(head),
+    dimension,
+    degrees: [...numbers.subarray(2, head)],
+    closed: numbers[1] === 1,
+  };
 }
 
 /**

@@ -7,7 +7,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "../curve/curve.js";
 import type { Patch } from "../patch/patch.js";
 import type { Network, TeapotOptions } from "./network.js";
-import type { PatchValue } from "../patch/patch-value.js";
+import type { CorePatch } from "../patch/core-patch.js";
 import type { SurfaceJSON } from "../surface-network.js";
 
 /**
@@ -71,7 +71,7 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
    *
    * @param patches patches of any degrees
    */
-  static fromPatches(patches: readonly PatchValue[]): Surface {
+  static fromPatches(patches: readonly CorePatch[]): Surface {
     return surfaceOf(networkOfPatches(patches, joinedOf));
   }
 

@@ -21,7 +21,7 @@ mod side;
 mod side_boundary;
 
 pub use offset::OffsetOptions;
-pub use options::{StrokeCap, StrokeOptions};
+pub use options::{CornerOptions, StrokeCap, StrokeOptions};
 
 use super::Path;
 use super::boolean::BooleanOperation;

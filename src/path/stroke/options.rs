@@ -2,6 +2,7 @@
 
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::Error;
+use crate::path::PathTime;
 use crate::spline::OffsetJoin;
 
 /// What the ends of open subpaths look like.
@@ -125,6 +126,56 @@ impl StrokeOptions {
 
     pub(super) fn check(&self) -> Result<(), Error> {
         check_miter_limit(self.miter_limit)
+    }
+}
+
+/// Options of [`Path::round_corners_with`](crate::Path::round_corners_with).
+///
+/// ```
+/// use casteljau::{Path, path::{CornerOptions, PathTime}};
+///
+/// let square: Path = "M0 0H10V10H0Z".parse().expect("path data");
+/// let first = CornerOptions::new().corners(&[PathTime::new(0, 1.0)]).tolerance(0.001);
+/// assert_eq!(square.round_corners_with(2.0, &first)?.segment_count(), 5);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+#[non_exhaustive]
+pub struct CornerOptions {
+    /// The largest distance of the cubics from the arcs: 10⁻⁹ of the radius by default.
+    pub tolerance: Option<f64>,
+    /// The joints at which corners are rounded: all by default. Joints without a corner in the list stay.
+    pub corners: Option<Vec<PathTime>>,
+}
+
+/// Methods that set one option, for chaining.
+impl CornerOptions {
+    /// The default options.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets the largest distance of the cubics from the arcs.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self {
+            tolerance: Some(tolerance),
+            ..self
+        }
+    }
+
+    /// Sets the joints at which corners are rounded.
+    #[must_use]
+    pub fn corners(self, corners: &[PathTime]) -> Self {
+        Self {
+            corners: Some(corners.to_vec()),
+            ..self
+        }
     }
 }
 

@@ -2,10 +2,12 @@
 
 use super::corner_arc::{CornerArc, corner_arc, is_corner};
 use super::has_size;
+use super::options::CornerOptions;
 use crate::curve::Curve;
-use crate::geometry::check::clamp_to_limit;
+use crate::geometry::check::{check_tolerance, clamp_to_limit};
 use crate::geometry::error::Error;
-use crate::path::{Path, Subpath};
+use crate::numeric::float::as_f64;
+use crate::path::{Path, PathTime, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
 use crate::spline::offset::{end_tangent, start_tangent};
 use glam::DVec2;
@@ -49,6 +51,16 @@ impl Path {
     /// # Errors
     /// [`Error::Range`] for a radius that is negative or not finite.
     pub fn round_corners(&self, radius: f64) -> Result<Self, Error> {
+        self.round_corners_with(radius, &CornerOptions::default())
+    }
+
+    /// [`round_corners`](Self::round_corners) at some corners only, or with fewer cubics within a tolerance.
+    ///
+    /// # Errors
+    /// As [`round_corners`](Self::round_corners); [`Error::Index`] for a corner on a subpath that does not exist;
+    /// [`Error::Range`] for one that is not at a joint, and for a tolerance that is not finite, not above 0 or below 4
+    /// ulps of the largest coordinate.
+    pub fn round_corners_with(&self, radius: f64, options: &CornerOptions) -> Result<Self, Error> {
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(Error::Range {
                 what: "radius",
@@ -56,14 +68,37 @@ impl Path {
                 got: radius,
             });
         }
+        if let Some(tolerance) = options.tolerance {
+            check_tolerance(tolerance, self.max_abs())?;
+        }
+        let corners = options.corners.as_deref();
+        for &corner in corners.unwrap_or_default() {
+            self.check_joint(corner)?;
+        }
         if radius == 0.0 {
             return Ok(self.clone());
         }
         let mut path = Self::default();
-        for part in self.parts() {
-            RoundedSubpath::new(part, radius).push_to(&mut path);
+        for (subpath, part) in self.parts().enumerate() {
+            let chosen = corners.map(|all| {
+                let here = all.iter().filter(|corner| corner.subpath == subpath);
+                here.map(|corner| corner.t).collect()
+            });
+            RoundedSubpath::new(part, radius, chosen).push_to(&mut path, options.tolerance);
         }
         Ok(path)
+    }
+
+    fn check_joint(&self, corner: PathTime) -> Result<(), Error> {
+        let t = self.checked(corner)?.t;
+        if t.fract() == 0.0 && t >= 0.0 && t <= self.end_of(corner.subpath).t {
+            return Ok(());
+        }
+        Err(Error::Range {
+            what: "corners",
+            expected: "the t of a joint",
+            got: t,
+        })
     }
 }
 
@@ -74,6 +109,8 @@ struct RoundedSubpath<'a> {
     curves: Vec<Curve<DVec2>>,
     /// Whether there is a corner at the end of each of these segments.
     corners: Vec<bool>,
+    /// Whether it is rounded.
+    rounded: Vec<bool>,
     /// Whether the path turns back there.
     reversals: Vec<bool>,
     arcs: Vec<Option<CornerArc>>,
@@ -89,10 +126,27 @@ struct Cut {
 }
 
 impl<'a> RoundedSubpath<'a> {
-    fn new(part: Subpath<'a>, radius: f64) -> Self {
-        let segments = part.segments().map(Curve::from_slice);
-        let curves: Vec<Curve<DVec2>> = segments.filter(has_size).collect();
+    /// `chosen`: the joints at which corners are rounded, if not all are.
+    fn new(part: Subpath<'a>, radius: f64, chosen: Option<Vec<f64>>) -> Self {
+        let segments = part.segments().map(Curve::from_slice).enumerate();
+        let (places, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
+            segments.filter(|(_, curve)| has_size(curve)).unzip();
         let count = curves.len();
+        let total = part.segment_count();
+        // Segments that are points may follow segment k: the joints at both of their ends are those of the corner.
+        let is_chosen_after = |k: usize| {
+            chosen.as_ref().is_none_or(|joints| {
+                let next = places[(k + 1) % count];
+                let last = if next > places[k] { next } else { next + total };
+                let joints_here = as_f64(places[k] + 1)..=as_f64(last);
+                let mut joints = joints.iter();
+                joints.any(|joint| {
+                    [0.0, as_f64(total)]
+                        .iter()
+                        .any(|turn| joints_here.contains(&(joint + turn)))
+                })
+            })
+        };
         let tangents = |k: usize| {
             let next = &curves[(k + 1) % count];
             [end_tangent(&curves[k]), start_tangent(next)]
@@ -102,9 +156,13 @@ impl<'a> RoundedSubpath<'a> {
             let [before, after] = tangents(k);
             before.dot(after) < 0.0
         };
+        let corners: Vec<bool> = (0..count).map(is_corner_after).collect();
         let mut rounded = Self {
             part,
-            corners: (0..count).map(is_corner_after).collect(),
+            rounded: (0..count)
+                .map(|k| corners[k] && is_chosen_after(k))
+                .collect(),
+            corners,
             reversals: (0..count).map(turns_back_after).collect(),
             arcs: vec![None; count],
             cuts: vec![[None; 2]; count],
@@ -180,7 +238,7 @@ impl<'a> RoundedSubpath<'a> {
 
     /// The arc at the end of segment k.
     fn arc(&self, k: usize, radius: f64, limits: [f64; 2]) -> Option<CornerArc> {
-        if !self.corners[k] {
+        if !self.rounded[k] {
             return None;
         }
         let side = |side: usize| -> Vec<Curve<DVec2>> {
@@ -238,7 +296,7 @@ impl<'a> RoundedSubpath<'a> {
         moved.unwrap_or(self.part.points[0])
     }
 
-    fn push_to(&self, path: &mut Path) {
+    fn push_to(&self, path: &mut Path, tolerance: Option<f64>) {
         if self.arcs.iter().all(Option::is_none) {
             let count = self.part.points.len() - usize::from(self.part.closed);
             let points = &self.part.points[..count];
@@ -251,7 +309,7 @@ impl<'a> RoundedSubpath<'a> {
         let mut k = 0;
         for points in self.part.segments() {
             if points.iter().any(|&p| p != points[0]) {
-                self.push_segment(k, &mut out);
+                self.push_segment(k, &mut out, tolerance);
                 k += 1;
             } else if self.keeps_point(k) {
                 out.add(points);
@@ -272,12 +330,12 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// Appends what is left of segment k, and the arc after it.
-    fn push_segment(&self, k: usize, out: &mut Pieces) {
+    fn push_segment(&self, k: usize, out: &mut Pieces, tolerance: Option<f64>) {
         if self.used(k) < 1.0 - MEETS {
             out.add(&self.rest(k));
         }
         if let Some(arc) = self.arcs[k] {
-            out.add_arc(&arc);
+            out.add_arc(&arc, tolerance);
         }
     }
 
@@ -314,13 +372,15 @@ impl Pieces {
         self.degrees.push(points.len() - 1);
     }
 
-    fn add_arc(&mut self, arc: &CornerArc) {
+    /// `tolerance`: the largest distance from the arc, by default a small part of its radius.
+    fn add_arc(&mut self, arc: &CornerArc, tolerance: Option<f64>) {
         let [from, to] = arc.tangents;
         let angle = from.perp_dot(to).atan2(from.dot(to));
         // The start is the origin.
         let center = from.perp() * arc.radius;
         let mut points = Vec::new();
-        let tolerance = ARC_TOLERANCE * arc.radius.abs();
+        let default = ARC_TOLERANCE * arc.radius.abs();
+        let tolerance = tolerance.map_or(default, |tolerance| tolerance / arc.unit);
         add_arc(
             [center; 2],
             [from, to],

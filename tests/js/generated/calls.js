@@ -165,6 +165,8 @@ const PATH = {
   "Path.strokeContains": (a) => a.path.strokeContains(a.p, Math.abs(a.width), { join: a.join }),
   "Path.dash": (a) => a.path.dash([Math.abs(a.s), Math.abs(a.width)], a.offset),
   "Path.offset": (a) => a.path.offset(a.distance, { join: a.join, tolerance: a.tolerance }),
+  // The radius of a line is infinite.
+  "Path.toArcs": (a) => a.path.toArcs(a.tolerance).map((list) => list.map((arc) => ({ ...arc, radius: 0 }))),
   "Path.roundCorners": (a) => a.path.roundCorners(Math.abs(a.radius)),
   "Path.filledArea": (a) => a.path.area({ fillRule: a.rule }),
   "Path.filledMoments": (a) => a.path.moments({ fillRule: a.rule }),

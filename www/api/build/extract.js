@@ -211,6 +211,7 @@ function cleanType(text) {
   return text
     .replace(/\/\*[\s\S]*?\*\//g, "")
     .replace(/import\("[^"]*"\)\./g, "")
+    .replace("M & Complete<M>", "TransformLike") // for the compiler
     .replace(/\s+/g, " ")
     .replace(/; }/g, " }")
     .trim();

@@ -132,6 +132,7 @@ fn npm_package(context: &Context) -> Result<Done> {
         "--test-reporter=spec",
         "tests/js/generated.test.js",
         "tests/js/large-drawings.test.js",
+        "tests/js/memory.test.js",
     ]);
     tests.env_remove("CHROME_PATH");
     shell::run(&mut with_variables(tests, context))?;
