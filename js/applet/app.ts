@@ -109,7 +109,7 @@ export class BezierApp extends EventTarget {
 
   /** Shows four points only; called again, all of them. Nothing is deleted. */
   toggleMode() {
-    this.#engine.command(states.toggled);
+    this.#engine.command(states.allPointsToggled);
   }
 
   /** Appends a segment that ends at a point, with two automatic handles; then all points are shown. */

@@ -1,13 +1,13 @@
 // Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 /** What dragging needs to know and may do. */
 export interface DragPort {
   /** Where a handle stands, in the view box */
-  placeOf: (index: number) => Place;
+  placeOf: (index: number) => Point2;
   /** A pointer's place in the view box */
-  toBox: (event: PointerEvent) => Place;
+  toBox: (event: PointerEvent) => Point2;
   /** A handle's element */
   boxOf: (index: number) => HTMLElement;
   /** How many handles there are */
@@ -16,7 +16,7 @@ export interface DragPort {
   /** Asks for a frame, which calls `apply` */
   schedule: () => void;
   /** Where it came from, and the move, which knows the keys that are held */
-  move: (index: number, to: Place, drag: { from: Place; event?: PointerEvent }) => void;
+  move: (index: number, to: Point2, drag: { from: Point2; event?: PointerEvent }) => void;
   /** The first pointer has come down: what is now may have to be restored */
   begun: () => void;
   /** Esc, or the only pointer was taken away: back to what was at the beginning */
@@ -25,7 +25,7 @@ export interface DragPort {
   ended: (moved: number[]) => void;
 }
 
-export type Drag = { index: number; grip: Place; from: Place; to: Place | null; event?: PointerEvent };
+export type Drag = { index: number; grip: Point2; from: Point2; to: Point2 | null; event?: PointerEvent };
 
 /** A second press within this distance of the last one is on the same stack. */
 const SAME_PLACE_PX = 4;

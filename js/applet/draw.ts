@@ -6,7 +6,7 @@ import type { State } from "./state.js";
 import type { Derived } from "./derive.js";
 import type { Paper } from "./pen.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 const LABEL_DISTANCE = 19;
 /** Labels keep this far from the edge of the picture. */
@@ -34,7 +34,7 @@ function drawHull(paper: Paper, hull: Float64Array) {
   pen.tint(paper, paper.theme.curve);
 }
 
-function drawPolygon(paper: Paper, points: Place[]) {
+function drawPolygon(paper: Paper, points: Point2[]) {
   pen.path(paper.ctx, points.flat());
   paper.ctx.globalAlpha = pen.POLYGON_OPACITY;
   pen.stroke(paper, paper.theme.ink, pen.POLYGON_WIDTH);
@@ -42,7 +42,7 @@ function drawPolygon(paper: Paper, points: Place[]) {
 }
 
 /** From each end of a segment to its neighbour off the curve. */
-function drawTangents(paper: Paper, points: Place[]) {
+function drawTangents(paper: Paper, points: Point2[]) {
   paper.ctx.beginPath();
   points.forEach((point, i) => {
     if (i % POINTS_PER_SEGMENT === 1) pen.line(paper.ctx, points[i - 1], point);
@@ -70,19 +70,19 @@ function drawConstruction(paper: Paper, levels: Float64Array[]) {
   levels.slice(1, -1).forEach((level, i) => {
     pen.path(ctx, level);
     pen.stroke(paper, hues[i % hues.length], pen.SCAFFOLD_WIDTH);
-    for (let k = 0; k < level.length; k += 2) pen.hollow(paper, [level[k], level[k + 1]], hues[i % hues.length]);
+    for (let k = 0; k < level.length; k += 2) pen.ring(paper, [level[k], level[k + 1]], hues[i % hues.length]);
   });
 }
 
 /** A disc on the curve, a square off it; hollow at the edge where the point itself lies outside. */
-function drawPoint(paper: Paper, state: State, point: Place, onCurve: boolean) {
+function drawPoint(paper: Paper, state: State, point: Point2, onCurve: boolean) {
   const inside = isInside(state.box, point);
   const at = inside ? point : pen.atEdge(state.box, point, pen.DISC_RADIUS * paper.px);
-  pen.knob(paper, at, onCurve, onCurve ? paper.theme.curve : paper.theme.handle, inside);
+  pen.controlPoint(paper, at, onCurve, onCurve ? paper.theme.curve : paper.theme.handle, inside);
 }
 
 /** The name of a point, on the side away from its neighbours. */
-function drawLabel(paper: Paper, { box }: State, point: Place, index: number, points: Place[]) {
+function drawLabel(paper: Paper, { box }: State, point: Point2, index: number, points: Point2[]) {
   const at = clamped(box, point);
   const [dx, dy] = pen.awayFrom(at, [points[index - 1], points[index + 1]]);
   const away = LABEL_DISTANCE * paper.px;

@@ -15,7 +15,7 @@ import { place, shownWords } from "./words.js";
 import type { State } from "./state.js";
 import type { Box } from "./state.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 export class Engine {
   /** Undo what was done to the page, in this order. */
@@ -127,16 +127,16 @@ export class Engine {
   }
 
   /** Moves a point as far as the picture goes. */
-  #move(index: number, to: Place) {
+  #move(index: number, to: Point2) {
     this.set(states.withPointAt(this.#state, index, states.clamped(this.#state.box, to)));
   }
 
   /** Where a point stands on the screen: at the edge if it is outside. */
-  #placeOf(index: number): Place {
+  #placeOf(index: number): Point2 {
     return states.clamped(this.#state.box, states.pointsOf(this.#state)[index]);
   }
 
-  #toBox({ clientX, clientY }: MouseEvent): Place {
+  #toBox({ clientX, clientY }: MouseEvent): Point2 {
     const { left, top, width, height } = this.#view.overlay.getBoundingClientRect();
     const { box } = this.#state;
     return [((clientX - left) / width) * box.width, ((clientY - top) / height) * box.height];
@@ -159,7 +159,7 @@ export class Engine {
     this.#moveByKey(index, input.dataset.axis === "x" ? [value, y] : [x, this.#state.box.height - value]);
   }
 
-  #moveByKey(index: number, to: Place) {
+  #moveByKey(index: number, to: Point2) {
     this.#move(index, to);
     this.#voice.say(place(this.#placeOf(index), index));
     this.#fire("input");
@@ -173,7 +173,7 @@ export class Engine {
     this.#fire("change");
   }
 
-  #append(at: Place) {
+  #append(at: Point2) {
     const added = (state: State) => `Point added. ${shownWords(state)}`;
     this.#byUser((state) => states.appended(state, at), added);
   }
@@ -193,7 +193,7 @@ export class Engine {
   }
 
   #toggle() {
-    if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#byUser(states.toggled, shownWords);
+    if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#byUser(states.allPointsToggled, shownWords);
   }
 
   #keyPort(): import("./keys.js").KeyPort {

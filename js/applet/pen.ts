@@ -1,6 +1,6 @@
 // What pictures are drawn with: lines and marks whose sizes are CSS pixels, turned into the canvas's units by `px`.
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 export interface Paper<Role extends string = import("./theme.js").Role> {
   /** Scaled to the view box */
@@ -37,7 +37,7 @@ export function path(ctx: CanvasRenderingContext2D, flat: ArrayLike<number>) {
   for (let i = 0; i < flat.length; i += 2) ctx.lineTo(flat[i], flat[i + 1]);
 }
 
-export function line(ctx: CanvasRenderingContext2D, from: Place, to: Place) {
+export function line(ctx: CanvasRenderingContext2D, from: Point2, to: Point2) {
   ctx.moveTo(...from);
   ctx.lineTo(...to);
 }
@@ -61,7 +61,7 @@ export function tint(paper: AnyPaper, colour: string) {
 }
 
 /** A control point: a disc on the curve, a square off it; hollow where the point itself lies elsewhere. */
-export function knob(paper: AnyPaper, [x, y]: Place, onCurve: boolean, colour: string, full: boolean) {
+export function controlPoint(paper: AnyPaper, [x, y]: Point2, onCurve: boolean, colour: string, full: boolean) {
   const { ctx, theme, px } = paper;
   ctx.beginPath();
   if (onCurve) ctx.arc(x, y, DISC_RADIUS * px, 0, 2 * Math.PI);
@@ -72,7 +72,7 @@ export function knob(paper: AnyPaper, [x, y]: Place, onCurve: boolean, colour: s
 }
 
 /** A point that follows from others. */
-export function hollow(paper: AnyPaper, [x, y]: Place, colour: string) {
+export function ring(paper: AnyPaper, [x, y]: Point2, colour: string) {
   const { ctx, theme, px } = paper;
   ctx.beginPath();
   ctx.arc(x, y, HOLLOW_RADIUS * px, 0, 2 * Math.PI);
@@ -82,7 +82,7 @@ export function hollow(paper: AnyPaper, [x, y]: Place, colour: string) {
 }
 
 /** The point at t. */
-export function diamond(paper: AnyPaper, [x, y]: Place) {
+export function diamond(paper: AnyPaper, [x, y]: Point2) {
   const { ctx, theme, px } = paper;
   const half = DIAMOND_HALF * px;
   path(ctx, [x, y - half, x + half, y, x, y + half, x - half, y]);
@@ -96,7 +96,7 @@ export function diamond(paper: AnyPaper, [x, y]: Place) {
 export function label(
   { ctx, theme, px }: AnyPaper,
   words: string,
-  [x, y]: Place,
+  [x, y]: Point2,
   [weight, size]: readonly [weight: number, size: number] = FONT,
 ) {
   ctx.font = `${weight} ${size * px}px system-ui, sans-serif`;
@@ -110,7 +110,7 @@ export function label(
 }
 
 /** The direction opposite to the neighbours; where they lie on both sides, across. */
-export function awayFrom(at: Place, neighbours: (Place | undefined)[]): Place {
+export function awayFrom(at: Point2, neighbours: (Point2 | undefined)[]): Point2 {
   const directions = neighbours.flatMap((point) => (point ? [unit([at[0] - point[0], at[1] - point[1]])] : []));
   const sum = directions.reduce(([x, y], [dx, dy]) => [x + dx, y + dy], [0, 0]);
   const [x, y] = directions[0] ?? [1, 0];
@@ -120,7 +120,7 @@ export function awayFrom(at: Place, neighbours: (Place | undefined)[]): Place {
 /**
  * @returns of length 1; upwards where there is none
  */
-export function unit([x, y]: Place): Place {
+export function unit([x, y]: Point2): Point2 {
   const length = Math.hypot(x, y);
   return length > 0 ? [x / length, y / length] : [0, -1];
 }
@@ -128,6 +128,6 @@ export function unit([x, y]: Place): Place {
 /**
  * @returns just inside the picture
  */
-export function atEdge(box: import("./state.js").Box, [x, y]: Place, margin: number): Place {
+export function atEdge(box: import("./state.js").Box, [x, y]: Point2, margin: number): Point2 {
   return [Math.min(Math.max(x, margin), box.width - margin), Math.min(Math.max(y, margin), box.height - margin)];
 }

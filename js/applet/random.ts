@@ -7,7 +7,7 @@ import type { Box } from "./state.js";
 /** Random points keep this share of the box's smaller side as a margin, so that handles are not cut. */
 const MARGIN_RATIO = 0.06;
 /** About three draws in four put a C1 handle outside: the chance that 64 draws all fail is 1e-8. */
-const MOST_DRAWS = 64;
+const MAX_DRAWS = 64;
 /** Of so many random places the one with most room is taken: points that lie on each other teach nothing. */
 const CANDIDATES = 5;
 /** Columns and rows of the candidates for a new point. */
@@ -72,13 +72,13 @@ function withJointInside(
   for (let draws = 0; ; draws++) {
     const held = spline.setJoint(joint, mode);
     const placed = pairs(held.controlPoints()).slice(anchor - 1, anchor + 3); // P2 to P5 at P3
-    if (draws > MOST_DRAWS || placed.every((point) => isInside(box, point))) return held;
+    if (draws > MAX_DRAWS || placed.every((point) => isInside(box, point))) return held;
     const points = pairs(spline.controlPoints());
     const others = points.filter((_, index) => Math.abs(index - anchor) > 1);
     for (const index of [anchor - 1, anchor, anchor + 1]) points[index] = roomyPlace(box, others, random);
     // The mirror image in the centre of what is inside is inside.
-    if (draws >= MOST_DRAWS) points[anchor] = [box.width / 2, box.height / 2];
-    if (draws >= MOST_DRAWS) points[anchor + 1] = points[anchor - 1];
+    if (draws >= MAX_DRAWS) points[anchor] = [box.width / 2, box.height / 2];
+    if (draws >= MAX_DRAWS) points[anchor + 1] = points[anchor - 1];
     spline = cubics(points);
   }
 }

@@ -104,7 +104,7 @@ export function withShown(state: State, count: unknown): State {
 }
 
 /** Four points when there are more to see, else all. */
-export function toggled(state: State): State {
+export function allPointsToggled(state: State): State {
   return { ...state, shown: state.shown === FEWEST_POINTS ? pointCount(state) : FEWEST_POINTS };
 }
 

@@ -118,11 +118,11 @@ export function followSize(canvas: HTMLCanvasElement, view: View, resized: (widt
 function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
   const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
   const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
-  const told = entry.devicePixelContentBoxSize?.[0];
-  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
+  const reported = entry.devicePixelContentBoxSize?.[0];
+  const exact = reported && Math.abs(reported.inlineSize - width) <= 1 && Math.abs(reported.blockSize - height) <= 1;
   return {
-    width: Math.max(1, exact ? told.inlineSize : Math.round(width)),
-    height: Math.max(1, exact ? told.blockSize : Math.round(height)),
+    width: Math.max(1, exact ? reported.inlineSize : Math.round(width)),
+    height: Math.max(1, exact ? reported.blockSize : Math.round(height)),
   };
 }
 

@@ -42,7 +42,7 @@ export class Speaker {
 export class Voice {
   #view;
   #shown: { state: State; derived: Derived } | null = null;
-  #told = "";
+  #announced = "";
   #speaker;
 
   constructor(view: View) {
@@ -59,7 +59,7 @@ export class Voice {
     const first = this.#shown === null;
     this.#shown = { state, derived };
     if (!first) return this.#speaker.say();
-    this.#told = verdict; // what is there from the start is described, not announced
+    this.#announced = verdict; // what is there from the start is described, not announced
     this.#news();
   }
 
@@ -77,8 +77,8 @@ export class Voice {
     const { state, derived } = this.#shown;
     setText(this.#view.description, description(state, derived));
     const { verdict, text } = jointLabel(derived);
-    const news = verdict === this.#told ? "" : text;
-    this.#told = verdict;
+    const news = verdict === this.#announced ? "" : text;
+    this.#announced = verdict;
     return news;
   }
 }

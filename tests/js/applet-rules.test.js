@@ -74,9 +74,9 @@ test("random points are inside the box, differ from those before, keep the joint
 });
 
 test("the joint mode holds at a hidden joint and at a joint that is added later", () => {
-  const few = states.toggled(withJoint(first, "c1"));
+  const few = states.allPointsToggled(withJoint(first, "c1"));
   const hidden = withPointAt(few, 2, [215, 135]);
-  assert.deepEqual([hidden.shown, states.toggled(hidden).shown], [4, 7]);
+  assert.deepEqual([hidden.shown, states.allPointsToggled(hidden).shown], [4, 7]);
   aligned(pointsOf(hidden));
   let longer = states.appended(hidden, [300, 60]);
   assert.equal(longer.shown, 10);
@@ -152,7 +152,7 @@ test("the label of the joint states continuity, angle and lengths", () => {
     [first, "G1", /^P2, P3, P4 aligned: G1 at P3\. C1 when .*; now 142\.\d and 170\.\d\.$/],
     [withJoint(first, "c1"), "C1", /^P2, P3, P4 aligned and \|P2P3\| = \|P3P4\|: G1 and C1 at P3\.$/],
     [from("0,200 50,200 100,200 200,200 200,300 350,300 400,400"), "C0", /^Broken at P3: the tangent turns by 90°/],
-    [states.toggled(first), "", /^One cubic Bézier curve: P0 to P3, no joint\.$/],
+    [states.allPointsToggled(first), "", /^One cubic Bézier curve: P0 to P3, no joint\.$/],
   ])) {
     const label = jointLabel(derive(state));
     assert.equal(label.verdict, verdict);
@@ -166,7 +166,13 @@ test("descriptions and announcements are made of the values", () => {
     description(moved([1, [195, 80]]), derive(moved([1, [195, 80]]))),
     /^2 cubic Bézier curves joined end to end through P0 at 70, 330, P3 at .* with P1 at 195, 80, .* t is 0\.50\.$/,
   );
-  assert.match(description(states.toggled(first), derive(states.toggled(first))), /^One cubic Bézier curve through P0/);
+  assert.match(
+    description(states.allPointsToggled(first), derive(states.allPointsToggled(first))),
+    /^One cubic Bézier curve through P0/,
+  );
   assert.equal(place([12.4, 7.6], 3), "P3 at 12, 8");
-  assert.deepEqual([first, states.toggled(first)].map(shownWords), ["7 points shown", "4 points shown: one cubic"]);
+  assert.deepEqual([first, states.allPointsToggled(first)].map(shownWords), [
+    "7 points shown",
+    "4 points shown: one cubic",
+  ]);
 });

@@ -11,8 +11,8 @@ import {
   BASES,
   firstState,
   isHome,
-  MOST_POINTS,
-  toggled,
+  MAX_POINTS,
+  allPointsToggled,
   toPlane,
   withHome,
   withPoints,
@@ -73,7 +73,7 @@ test("refusals name the field and what came", () => {
       { points: pointsOf("1,2 3,2e6") },
       "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000",
     ],
-    [{ points: Array(MOST_POINTS + 1).fill([0, 0]) }, "RangeError points: expected 2 to 500 points, got 501"],
+    [{ points: Array(MAX_POINTS + 1).fill([0, 0]) }, "RangeError points: expected 2 to 500 points, got 501"],
     [{ t: 1.5 }, "RangeError t: expected a number from 0 to 1, got 1.5"],
     [{ t: 1.5, show: ["extrapolation"] }, "nothing"], // there t goes on
     [{ t: 1.6, show: ["extrapolation"] }, "RangeError t: expected a number from -0.5 to 1.5, got 1.6"],
@@ -113,7 +113,7 @@ test("waiting points stay behind the chain, hidden ones are held and stay hidden
   const few = { ...state, shown: 4 };
   assert.equal(edits.withPointAt(few, 2, [5, 5]).shown, 4);
   assert.deepEqual(edits.modesOf(few), []);
-  assert.equal(toggled(few).shown, 9);
+  assert.equal(allPointsToggled(few).shown, 9);
   assert.equal(edits.appended(few, [1, 1]).shown, 10, "a new point is to be seen");
 });
 
@@ -184,10 +184,10 @@ test("a path of lines, quadratics and arcs becomes cubics that meet", () => {
 });
 
 test("no edit makes more points than can be read back", () => {
-  const points = Array.from({ length: MOST_POINTS }, (_, i) => [i, i]);
+  const points = Array.from({ length: MAX_POINTS }, (_, i) => [i, i]);
   const full = withPoints(firstState(), points);
   const refusal = { name: "RangeError", message: /^points: expected at most 500, got 50[13]$/ };
   assert.throws(() => edits.appended(full, [1, 2]), refusal);
   assert.throws(() => edits.inserted(full, 0.5), refusal);
-  assert.equal(edits.removed(full, 3).points.length, MOST_POINTS - 3);
+  assert.equal(edits.removed(full, 3).points.length, MAX_POINTS - 3);
 });

@@ -1,7 +1,7 @@
 // <bezier-applet> as an object, without a page: properties and attributes, methods, events, undo, actions and what is announced.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Acting } from "#js/elements/applet/acting.js";
+import { AppletActions } from "#js/elements/applet/actions.js";
 import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
 import * as edits from "#js/elements/applet/edits.js";
@@ -69,8 +69,8 @@ const REFUSED = {
 test("properties and methods refuse with the right error, and nothing changes", () => {
   const { applet, events } = element();
   const before = JSON.stringify(applet);
-  for (const [name, acts] of Object.entries(REFUSED))
-    for (const act of acts) {
+  for (const [name, actions] of Object.entries(REFUSED))
+    for (const act of actions) {
       assert.match(
         thrown(() => act(applet)),
         new RegExp(`^${name}: .*expected .*got `),
@@ -218,7 +218,7 @@ test("split shows the halves and returns them", () => {
 /** The actions of the user on an element, and what they announce. */
 function actions(attributes = {}) {
   const { applet, events } = element(attributes);
-  const acting = new Acting(applet);
+  const acting = new AppletActions(applet);
   const said = [];
   acting.speaker = /** @type {any} */ ({ say: (words) => said.push(words) });
   return { applet, events, acting, said };
@@ -238,9 +238,9 @@ test("Enter at a joint goes through its modes, by turns, and nowhere else", () =
 
 test("each action is announced and is one undo step; a refusal is announced and changes nothing", () => {
   for (const [act, words, count] of /** @type {[(acting: any) => unknown, string, number][]} */ ([
-    [({ acts }) => acts.append(), "Point added", 10],
-    [({ acts }) => acts.insert(), "Split at t", 10],
-    [({ acts }) => acts.randomize(), "Points randomized", 7],
+    [({ actions }) => actions.append(), "Point added", 10],
+    [({ actions }) => actions.insert(), "Split at t", 10],
+    [({ actions }) => actions.randomize(), "Points randomized", 7],
     [(acting) => acting.removeAt(6), "P6 removed", 4],
     [(acting) => acting.removeAt(1, true), "P1 removed", 6],
     [(acting) => acting.take("1,2 3,4"), "Opened", 2],
@@ -249,17 +249,17 @@ test("each action is announced and is one undo step; a refusal is announced and 
     const { applet, events, acting, said } = actions();
     act(acting);
     assert.deepEqual([said.at(-1), applet.points.length, events], [words, count, ["input", "change"]]);
-    acting.acts.undo();
+    acting.actions.undo();
     assert.equal(text(applet.points), FIRST, words);
     assert.equal(said.at(-1), "Undone");
-    acting.acts.redo();
+    acting.actions.redo();
     assert.deepEqual([said.at(-1), applet.points.length], ["Done again", count]);
   }
   const { applet, acting, said } = actions({ points: CUBIC });
   acting.removeAt(0);
   assert.match(applet.message, /^remove: .*only segment/);
   applet.setAttribute("basis", "b-spline");
-  acting.acts.insert();
+  acting.actions.insert();
   assert.match(applet.message, /^insert: expected the basis bezier or hermite/);
   assert.deepEqual([text(applet.points), said], [CUBIC, ["", ""]]);
   acting.take("no figure");
@@ -268,9 +268,9 @@ test("each action is announced and is one undo step; a refusal is announced and 
 
 test("the same refusal is announced again", () => {
   const { acting } = actions({ points: CUBIC });
-  acting.heard = ["the message", "At P3: C0"];
+  acting.announced = ["the message", "At P3: C0"];
   acting.removeAt(0);
-  assert.deepEqual(acting.heard, ["At P3: C0"]);
+  assert.deepEqual(acting.announced, ["At P3: C0"]);
 });
 
 test("in every basis a point is moved, and undone it is back", () => {

@@ -24,7 +24,7 @@ export function derived(name, changes) {
   const layer = LAYERS.find((each) => each.name === name);
   if (!layer) throw new RangeError(`expected the name of a layer, got ${name}`);
   const data = layer.derive(figure, state);
-  return { data, figure, state, words: layer.tell?.(data, state) ?? "" };
+  return { data, figure, state, words: layer.describe?.(data, state) ?? "" };
 }
 
 /** Every call to a canvas, with the paints it had then. */

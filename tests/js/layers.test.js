@@ -6,7 +6,7 @@ import { figureOf } from "#js/elements/applet/figure.js";
 import { nameAt, namesOf } from "#js/elements/applet/layers/names.js";
 import { deviation, treeOf } from "#js/elements/applet/layers/halving.js";
 import { envelopeLines } from "#js/elements/applet/layers/envelope.js";
-import { combOf, ways } from "#js/elements/applet/layers/ways.js";
+import { combOf, pointsAndDirections } from "#js/elements/applet/layers/directions.js";
 import { weightsAt } from "#js/elements/applet/layers/weights.js";
 import { BASES } from "#js/elements/applet/state.js";
 import { derived, stateWith } from "./layers-page.js";
@@ -71,12 +71,12 @@ test("every string touches the curve: the point at t divides it as t does, and i
 });
 
 test("points and unit tangents, also where the derivative vanishes", () => {
-  const [x, y, tx, ty] = ways(CUSP, [0.5]);
+  const [x, y, tx, ty] = pointsAndDirections(CUSP, [0.5]);
   assert.deepEqual([x, y], [330, 175]);
   near(Math.hypot(tx, ty), 1, 1e-12);
-  const flat = ways(PARABOLA, [0.75]); // x = ½, slope 1
+  const flat = pointsAndDirections(PARABOLA, [0.75]); // x = ½, slope 1
   near(flat.slice(2, 4), [Math.SQRT1_2, Math.SQRT1_2]);
-  assert.deepEqual([...ways(new Curve([5, 5, 5, 5, 5, 5]), [0.5])], [5, 5, 0, 0]);
+  assert.deepEqual([...pointsAndDirections(new Curve([5, 5, 5, 5, 5, 5]), [0.5])], [5, 5, 0, 0]);
 });
 
 test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + slope²) of the flattest chord", () => {

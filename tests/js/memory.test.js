@@ -118,5 +118,6 @@ test("what paths keep for repeated questions goes with them", () => {
   ask(process.env.CASTELJAU_DEEP ? 20_000 : 600);
   const after = usedBytes();
   assert.ok(after.core <= before.core, `the memory of the core grew by ${after.core - before.core}`);
-  assert.ok(after.values <= before.values + MIB, `${before.values} grew to ${after.values}`);
+  // One path keeps some 40 kB; what else is used changes by a few MiB.
+  assert.ok(after.values <= before.values + 8 * MIB, `${before.values} grew to ${after.values}`);
 });

@@ -7,11 +7,11 @@ import { Surface } from "#js/index.js";
 test("any number in an attribute is one that can be drawn with", () => {
   for (const name of ["segments", "tolerance", "pixels", "flatness", "lines", "u", "v", "step"]) {
     for (const value of [Infinity, -Infinity, NaN, 1e308, 5e-324, 0, -1, "Infinity", "x", "", null]) {
-      const { fineness, lines, u, v, step } = settingsOf(/** @type {any} */ ({ [name]: value }));
+      const { detail: fineness, lines, u, v, step } = settingsOf(/** @type {any} */ ({ [name]: value }));
       for (const number of [...Object.values(fineness), lines, u, v, step])
         assert.ok(Number.isFinite(number), `${name}="${value}": ${number}`);
     }
   }
-  const { fineness } = settingsOf(/** @type {any} */ ({ tolerance: Infinity }));
+  const { detail: fineness } = settingsOf(/** @type {any} */ ({ tolerance: Infinity }));
   assert.ok(Surface.teapot().tessellate(/** @type {any} */ (fineness)).indices.length > 0);
 });

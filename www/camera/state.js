@@ -8,7 +8,7 @@
 
 /** Where points may be: left, front, low; right, back, high. */
 export const BOX = { min: [-13, -9, 0.3], max: [9, 9, 8] };
-const MOST_POINTS = 24;
+const MAX_POINTS = 24;
 export const FEWEST_POINTS = 3;
 
 /** @type {State} */
@@ -56,9 +56,9 @@ export function checked(json) {
   const { points } = given;
   const fine =
     points.length >= FEWEST_POINTS &&
-    points.length <= MOST_POINTS &&
+    points.length <= MAX_POINTS &&
     points.every((point) => Array.isArray(point) && point.length === 3 && point.every(Number.isFinite));
-  if (!fine) throw new RangeError(`points: expected ${FEWEST_POINTS} to ${MOST_POINTS} times three numbers`);
+  if (!fine) throw new RangeError(`points: expected ${FEWEST_POINTS} to ${MAX_POINTS} times three numbers`);
   for (const [name, values] of Object.entries(CHOICES)) {
     if (!(/** @type {readonly unknown[]} */ (values).includes(given[name])))
       throw new RangeError(`${name}: expected one of ${values.join(", ")}`);
@@ -94,7 +94,7 @@ export const moved = (state, index, to) => ({
  * @returns {State}
  */
 export function added(state, index, at) {
-  if (state.points.length >= MOST_POINTS) return state;
+  if (state.points.length >= MAX_POINTS) return state;
   const k = Math.min(index, state.points.length - (state.closed ? 1 : 2));
   const points = [...state.points];
   points.splice(k + 1, 0, at(k + 0.5));

@@ -8,7 +8,7 @@ import { grouped } from "./lib/numbers.js";
 
 const BYTES_PER_NUMBER = 4; // 32-bit floats on both sides
 const BYTES_PER_INDEX = 2;
-const MOST_SEGMENTS = 64;
+const MAX_SEGMENTS = 64;
 /** @type {Surface | null} made when it is first asked for: a page about curves needs none */
 let known = null;
 const teapot = () => (known ??= Surface.teapot());
@@ -54,7 +54,7 @@ export function teapotBytes(segments) {
 export class FigBytes extends Figure {
   static properties = {
     model: oneOf(["teapot", "curve"]),
-    segments: numeric({ least: 1, most: MOST_SEGMENTS, whole: true, otherwise: 16 }),
+    segments: numeric({ least: 1, most: MAX_SEGMENTS, whole: true, otherwise: 16 }),
   };
 
   constructor() {
@@ -100,7 +100,7 @@ export class FigBytes extends Figure {
             name: "Segments",
             value: this.segments,
             min: 1,
-            max: MOST_SEGMENTS,
+            max: MAX_SEGMENTS,
             step: 1,
             text: String(this.segments),
             change: (n) => {

@@ -8,7 +8,7 @@ import { decimal, short } from "./lib/numbers.js";
 const [WIDTH, HEIGHT] = [100, 76];
 const BOX = /** @type {const} */ ({ min: [1, -3], max: [99, 79] });
 /** Fit into a half of the figure. */
-const MOST_WIDTH = 460;
+const MAX_WIDTH = 460;
 
 /** @typedef {[number, number]} Place */
 /** @typedef {{ ends: [Place, Place], middle: Place, handles: [Place, Place] }} Shape */
@@ -106,7 +106,7 @@ export class FigCompare extends Figure {
 
   /** @returns {{ wide: number, height: number, scale: number, place: (p: readonly [number, number]) => Place, unplace: (p: readonly [number, number]) => Place }} */
   sheet() {
-    const wide = this.wide >= 562 ? (this.wide - 1) / 2 : Math.min(this.wide, MOST_WIDTH);
+    const wide = this.wide >= 562 ? (this.wide - 1) / 2 : Math.min(this.wide, MAX_WIDTH);
     const scale = wide / (WIDTH + 4);
     const height = Math.round((HEIGHT + 18) * scale);
     const [left, top] = [2 * scale, 11 * scale];

@@ -168,7 +168,7 @@ export const toCubics = (outline) =>
   });
 
 /** So many pieces a cubic at most. */
-const MOST_PIECES = 64;
+const MAX_PIECES = 64;
 
 /**
  * A cubic as quadratics, as fonts of the TrueType kind want it: pieces of equal t, as few as the tolerance allows, the
@@ -193,7 +193,7 @@ export function quadratics(curve, tolerance) {
       ]);
     });
     const error = Math.max(...curves.map((quadratic, i) => quadratic.hausdorff(pieces[i])));
-    if (error <= tolerance || n === MOST_PIECES) return { curves, error };
+    if (error <= tolerance || n === MAX_PIECES) return { curves, error };
   }
 }
 

@@ -3,8 +3,8 @@
 /** @typedef {{ x: number, y: number, units: number }} View */
 
 /** A unit becomes at most so many pixels: closer, 32-bit pictures have no digits left. */
-const MOST_PIXELS_PER_UNIT = 2000;
-const MOST_UNITS = 1e5;
+const MAX_PIXELS_PER_UNIT = 2000;
+const MAX_UNITS = 1e5;
 /** Room around what is fitted. */
 const MARGIN = 0.09;
 
@@ -29,7 +29,7 @@ export function fitted({ min, max }, aspect) {
  * @returns {View}
  */
 export function zoomed(view, factor, [x, y], width) {
-  const units = Math.min(Math.max(view.units / factor, width / MOST_PIXELS_PER_UNIT), MOST_UNITS);
+  const units = Math.min(Math.max(view.units / factor, width / MAX_PIXELS_PER_UNIT), MAX_UNITS);
   const k = units / view.units;
   return { x: x - (x - view.x) * k, y: y - (y - view.y) * k, units };
 }

@@ -3,7 +3,7 @@
 
 /** Nobody types or shares a longer one; what is longer is not read at all. */
 export const LONGEST_ADDRESS = 10_000;
-const MOST_SHOWN = 40;
+const MAX_SHOWN = 40;
 
 const POINTS = "points";
 const NUMBER = "number";
@@ -71,7 +71,7 @@ const FORMS = {
 };
 
 /** A value as it can be told: foreign and perhaps long. @param {string} text */
-export const shortened = (text) => (text.length > MOST_SHOWN ? `${text.slice(0, MOST_SHOWN)}…` : text);
+export const shortened = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHOWN)}…` : text);
 
 /**
  * What of a query an element can be given; an empty value means the attribute's absence.

@@ -6,7 +6,7 @@ const TURN_DEGREES_PER_SECOND = 24;
 const DEGREES_PER_DRAGGED_PIXEL = 0.5;
 const DEGREES_PER_KEY = 5;
 /** Above and below, the picture ends: no standing on the head. */
-const MOST_TILT = 90;
+const MAX_TILT = 90;
 /** A frame after a pause (a hidden tab) does not make the teapot jump. */
 const LONGEST_FRAME_MS = 100;
 
@@ -52,7 +52,7 @@ function schedule() {
 /** @param {number} turn in degrees @param {number} tilt */
 function turnTo(turn, tilt) {
   view.turn = ((((turn + 180) % 360) + 360) % 360) - 180; // −180 … 180
-  view.tilt = Math.min(Math.max(tilt, -MOST_TILT), MOST_TILT);
+  view.tilt = Math.min(Math.max(tilt, -MAX_TILT), MAX_TILT);
   turnSlider.value = String(view.turn);
   tiltSlider.value = String(view.tilt);
   schedule();

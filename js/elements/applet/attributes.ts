@@ -76,7 +76,7 @@ export class AppletAttributes extends LitElement {
   /**
    * @internal
    */
-  become(state: State) {
+  setState(state: State) {
     this.now();
     this.#state = state;
   }

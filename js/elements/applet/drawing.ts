@@ -1,3 +1,3 @@
 // What the element needs as soon as it is near what is seen of the page, and not before; a file of its own in the bundle.
-export { Hands } from "./hands.js";
+export { AppletView } from "./applet-view.js";
 export { style } from "./style.js";

@@ -5,9 +5,9 @@ import * as edits from "./edits.js";
 import { FIELDS, jsonOf, stateOf } from "./fields.js";
 import { figureOf } from "./figure.js";
 import { History } from "./history.js";
-import { BASIS_NAMES, firstState, toggled } from "./state.js";
+import { BASIS_NAMES, firstState, allPointsToggled } from "./state.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 import type { Figure } from "./figure.js";
 
 /** What a figure is made of: as long as these are the same, it is. */
@@ -27,7 +27,7 @@ export class AppletEditing extends AppletAttributes {
   #made: { state: State; figure: Figure } | null = null;
 
   /** All points, also the hidden ones; a copy. */
-  get points(): Place[] {
+  get points(): Point2[] {
     return this.now().points.map(([x, y]) => [x, y]);
   }
 
@@ -106,13 +106,13 @@ export class AppletEditing extends AppletAttributes {
     this.byPage((state) => edits.removed(state, index));
   }
 
-  appendPoint(point: Place) {
+  appendPoint(point: Point2) {
     this.byPage((state) => edits.appended(state, point));
   }
 
   /** Few points, or all. */
   toggleMode() {
-    this.byPage(toggled);
+    this.byPage(allPointsToggled);
   }
 
   /**
@@ -125,7 +125,7 @@ export class AppletEditing extends AppletAttributes {
       index,
       point,
       ...values
-    }: { index?: number; point?: Place; t?: number; points?: Place[]; basis?: string; matrix?: number[] },
+    }: { index?: number; point?: Point2; t?: number; points?: Point2[]; basis?: string; matrix?: number[] },
     done = true,
   ) {
     if (this.readonly && (index !== undefined || values.points)) return;
@@ -156,7 +156,7 @@ export class AppletEditing extends AppletAttributes {
    */
   display(state: State) {
     if (state === this.now()) return;
-    this.become(state);
+    this.setState(state);
     this.requestUpdate();
   }
 

@@ -3,16 +3,16 @@ import { type Curve, Spline } from "../../paths.js";
 import { generator, randomChain, randomPlaces } from "../../applet/random.js";
 import { pairs } from "../../applet/state.js";
 import { degreeOf, figureOf } from "./figure.js";
-import { MODES, MOST_POINTS, numberIn, placeIn, wholeIn, wordIn } from "./state.js";
+import { MODES, MAX_POINTS, numberIn, placeIn, wholeIn, wordIn } from "./state.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 import type { JointMode } from "./state.js";
 
 /**
  * All points that fill Bézier segments, also the hidden ones, as a chain whose joints can be held; null where there is
  * none.
  */
-export function chainOf(state: State): { spline: Spline; degree: number; rest: readonly Place[] } | null {
+export function chainOf(state: State): { spline: Spline; degree: number; rest: readonly Point2[] } | null {
   if (state.basis !== "bezier") return null;
   const degree = degreeOf(state);
   const whole = state.degree === "n" ? state.shown : state.points.length;
@@ -42,13 +42,12 @@ function modesFor({ joints }: State, spline: Spline): JointMode[] {
 /**
  * @returns with other points; where all were shown, all are
  */
-function withChain(state: State, spline: Spline, rest: readonly Place[]): State {
+function withChain(state: State, spline: Spline, rest: readonly Point2[]): State {
   return withList(state, [...pairs(spline.controlPoints()), ...rest]);
 }
 
-function withList(state: State, points: readonly Place[]): State {
-  if (points.length > MOST_POINTS)
-    throw new RangeError(`points: expected at most ${MOST_POINTS}, got ${points.length}`);
+function withList(state: State, points: readonly Point2[]): State {
+  if (points.length > MAX_POINTS) throw new RangeError(`points: expected at most ${MAX_POINTS}, got ${points.length}`);
   const change = points.length - state.points.length;
   const shown =
     state.shown === state.points.length ? points.length : Math.min(Math.max(state.shown + change, 2), points.length);
@@ -141,10 +140,10 @@ export function inserted(state: State, t: unknown = state.t): State {
   };
 }
 
-function pointsOf(curve: Curve, basis: "bezier" | "hermite" | string): Place[] {
+function pointsOf(curve: Curve, basis: "bezier" | "hermite" | string): Point2[] {
   const [a, b, c, d, ...more] = pairs(curve.controlPoints());
-  const far = (end: Place, near: Place) => end.map((x, i) => x + 3 * (near[i] - x)) as Place;
-  return basis === "hermite" ? [a, far(a, b), far(d, c), d] : ([a, b, c, d, ...more].filter(Boolean) as Place[]);
+  const far = (end: Point2, near: Point2) => end.map((x, i) => x + 3 * (near[i] - x)) as Point2;
+  return basis === "hermite" ? [a, far(a, b), far(d, c), d] : ([a, b, c, d, ...more].filter(Boolean) as Point2[]);
 }
 
 /**
@@ -199,7 +198,7 @@ export function appended(state: State, point: unknown): State {
   return { ...next, shown: next.points.length };
 }
 
-function longer(state: State, spline: Spline, place: Place) {
+function longer(state: State, spline: Spline, place: Point2) {
   const joint = spline.segmentCount;
   return spline.append(place).setJoint(joint, state.joints[Math.min(joint, state.joints.length) - 1] ?? "free");
 }

@@ -19,10 +19,10 @@ export class BezierApplet extends AppletEditing {
     .poster ::slotted(*) { inline-size: 100%; block-size: 100%; }
   `;
   #watch: IntersectionObserver | null = null;
-  #hands: import("./hands.js").Hands | null = null;
+  #view: import("./applet-view.js").AppletView | null = null;
   /** Whether it is near, or was since it came into the page. */
   #near = false;
-  #told: import("./state.js").State | null = null;
+  #announcedState: import("./state.js").State | null = null;
 
   /** What is shown, as companions read it. */
   get figure() {
@@ -57,7 +57,7 @@ export class BezierApplet extends AppletEditing {
     super.disconnectedCallback();
     this.#watch?.disconnect();
     this.#near = false;
-    this.#hands?.end();
+    this.#view?.end();
     this.settle();
   }
 
@@ -75,29 +75,29 @@ export class BezierApplet extends AppletEditing {
   }
 
   async #loaded() {
-    if (this.#hands) return this.#hands;
-    const { Hands, style } = await loadDrawing();
-    if (this.#hands) return this.#hands; // two have waited
+    if (this.#view) return this.#view;
+    const { AppletView, style } = await loadDrawing();
+    if (this.#view) return this.#view; // two have waited
     const root = (this.renderRoot ?? this.createRenderRoot()) as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, style.styleSheet as CSSStyleSheet];
-    this.#hands = new Hands(this);
+    this.#view = new AppletView(this);
     this.requestUpdate();
     await this.updateComplete;
-    return this.#hands;
+    return this.#view;
   }
 
   updated() {
-    if (this.#near && this.isConnected) this.#hands?.start();
+    if (this.#near && this.isConnected) this.#view?.start();
     if (!this.history.open) this.reflectState();
-    if (this.#told === this.now()) return;
-    this.#told = this.now();
-    this.#hands?.speaker?.say();
+    if (this.#announcedState === this.now()) return;
+    this.#announcedState = this.now();
+    this.#view?.speaker?.say();
     this.dispatchEvent(new Event("update"));
   }
 
   render() {
     return (
-      this.#hands?.template() ??
+      this.#view?.template() ??
       html`<slot name="label"></slot><div class="poster"><slot name="poster"><slot></slot></slot></div>${this.message}<slot name="caption"></slot>`
     );
   }

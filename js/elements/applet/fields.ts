@@ -69,7 +69,7 @@ export const FIELDS: Record<string, Field> = {
       get: ({ matrix }) => [...matrix],
     },
   ),
-  degree: field("degree", (value) => (value === "n" ? value : states.wholeIn(value, "degree", 1, states.MOST_DEGREE)), {
+  degree: field("degree", (value) => (value === "n" ? value : states.wholeIn(value, "degree", 1, states.MAX_DEGREE)), {
     parse: (text) => (trimmed(text) === "n" ? "n" : numberOf(text)),
   }),
   mode: {
@@ -100,7 +100,7 @@ export const FIELDS: Record<string, Field> = {
     write: ({ layers }) => [...layers].join(" "),
   },
   t: field("t", (value, state) => states.numberIn(value, "t", ...states.rangeOfT(state))),
-  segment: field("segment", (value) => states.wholeIn(value, "segment", 0, states.MOST_POINTS)),
+  segment: field("segment", (value) => states.wholeIn(value, "segment", 0, states.MAX_POINTS)),
   labels: field("labels", (value) => states.wordIn(value, "labels", states.LABELS), { parse: trimmed }),
   tolerance: number("tolerance", 0.01, 200),
   segments: count("segments", 200),

@@ -1,8 +1,8 @@
 // The curves that the points mean: pieces in Bézier form, for every basis and degree.
 import { Curve, Spline } from "../../paths.js";
-import { MOST_DEGREE } from "./state.js";
+import { MAX_DEGREE } from "./state.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 import type { Labels } from "./state.js";
 
 export interface Piece {
@@ -14,7 +14,7 @@ export interface Piece {
 
 export interface Figure {
   /** The shown ones */
-  points: readonly Place[];
+  points: readonly Point2[];
   pieces: Piece[];
   /** The pieces as one chain; null where they do not meet, or there are none */
   spline: Spline | null;
@@ -47,7 +47,7 @@ export function figureOf(state: State): Figure {
 /** The degree of the pieces. */
 export function degreeOf({ basis, degree, shown }: Pick<State, "basis" | "degree" | "shown">): number {
   if (basis !== "bezier" && basis !== "b-spline") return 3;
-  return degree === "n" ? Math.min(Math.max(shown - 1, 1), MOST_DEGREE) : degree;
+  return degree === "n" ? Math.min(Math.max(shown - 1, 1), MAX_DEGREE) : degree;
 }
 
 function matrixOf({ basis, matrix }: State, degree: number): number[] | null {
@@ -67,7 +67,7 @@ function product(a: number[], b: number[][]): number[] {
 
 export type Plan = Pick<Figure, "pieces" | "spline" | "kinds">;
 
-const PLANS: Record<State["basis"], (points: Place[], degree: number, matrix: number[]) => Plan> = {
+const PLANS: Record<State["basis"], (points: Point2[], degree: number, matrix: number[]) => Plan> = {
   bezier: (points, degree) => {
     const groups = groupsOf(points, degree);
     const used = groups.length * degree + 1;
@@ -91,20 +91,20 @@ const PLANS: Record<State["basis"], (points: Place[], degree: number, matrix: nu
 };
 
 /** Groups of four points that share ends, blended by a matrix. */
-function byGroups(points: Place[], _: number, matrix: number[]): Plan {
+function byGroups(points: Point2[], _: number, matrix: number[]): Plan {
   const groups = groupsOf(points, 3);
   const pieces = groups.map((indices) => piece(points, indices, matrix));
   return { pieces, spline: chain(pieces), kinds: kindsOf(points, groups, 3) };
 }
 
-function through(points: Place[], kind: "natural" | "catmull-rom"): Plan {
+function through(points: Point2[], kind: "natural" | "catmull-rom"): Plan {
   const spline = points.length > 1 ? Spline.interpolate(points, { kind, dimension: 2 }) : null;
   const near = (k: number) => points.map((_, i) => i).filter((i) => kind === "natural" || (i >= k - 1 && i <= k + 2));
   const pieces = (spline?.segments() ?? []).map((curve, k) => ({ curve, indices: near(k) }));
   return { pieces, spline, kinds: points.map(() => "on") };
 }
 
-function piece(points: Place[], indices: number[], matrix: number[]): Piece {
+function piece(points: Point2[], indices: number[], matrix: number[]): Piece {
   return {
     curve: Curve.fromBasis(
       matrix,
@@ -120,19 +120,19 @@ function joined(curves: Curve[], groups: number[][]): Piece[] {
 }
 
 /** The groups of degree + 1 points that share ends. */
-function groupsOf(points: readonly Place[], degree: number): number[][] {
+function groupsOf(points: readonly Point2[], degree: number): number[][] {
   const count = Math.max(0, Math.floor((points.length - 1) / degree));
   return Array.from({ length: count }, (_, k) => Array.from({ length: degree + 1 }, (_, i) => k * degree + i));
 }
 
 /** All runs of degree + 1 points. */
-function windows(points: readonly Place[], degree: number): number[][] {
+function windows(points: readonly Point2[], degree: number): number[][] {
   return Array.from({ length: Math.max(0, points.length - degree) }, (_, k) =>
     Array.from({ length: degree + 1 }, (_, i) => k + i),
   );
 }
 
-function kindsOf(points: readonly Place[], groups: number[][], degree: number): Figure["kinds"] {
+function kindsOf(points: readonly Point2[], groups: number[][], degree: number): Figure["kinds"] {
   const used = groups.length ? groups.length * degree + 1 : 0;
   return points.map((_, i) => (i >= used ? "wait" : i % degree === 0 ? "on" : "off"));
 }

@@ -4,10 +4,10 @@ import { pairs } from "../../applet/state.js";
 import { pointsIn, stateOf } from "./fields.js";
 import { withPoints } from "./state.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 
 /** More text than this is no figure. */
-const MOST_CHARACTERS = 2e6;
+const MAX_CHARACTERS = 2e6;
 /** A path that does not fit is made to, with so much room at the sides. */
 const MARGIN_RATIO = 0.08;
 
@@ -23,7 +23,7 @@ export function withText(state: State, text: string): State {
 }
 
 function read(state: State, text: string): State {
-  if (text.length > MOST_CHARACTERS)
+  if (text.length > MAX_CHARACTERS)
     throw new RangeError(`expected points, an SVG path or JSON, got ${text.length} characters`);
   const given = text.trim();
   if (/^[[{]/.test(given)) return withJson(state, given);
@@ -56,7 +56,7 @@ function withPath(state: State, d: string) {
 }
 
 /** Moved and scaled into the box where they lie outside. */
-function fitted(points: Place[], box: State["box"]): Place[] {
+function fitted(points: Point2[], box: State["box"]): Point2[] {
   const [left, top] = [0, 1].map((axis) => Math.min(...points.map((point) => point[axis])));
   const [right, bottom] = [0, 1].map((axis) => Math.max(...points.map((point) => point[axis])));
   if (left >= 0 && top >= 0 && right <= box.width && bottom <= box.height) return points;
@@ -98,5 +98,5 @@ export function listenToFiles(
  * @returns of a file that is too large, only so much that it is seen to be
  */
 export function textIn(file: File): Promise<string> {
-  return file.slice(0, MOST_CHARACTERS + 1).text();
+  return file.slice(0, MAX_CHARACTERS + 1).text();
 }

@@ -1,14 +1,14 @@
 // Looking closer: Ctrl and the wheel, two fingers; and moving about by a finger or the mouse on an empty place.
 
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 
 export interface GesturePort {
   /** Where an event is, in the plane */
-  place: (event: MouseEvent) => Place;
+  place: (event: MouseEvent) => Point2;
   /** Whether there is anywhere to move to */
   enlarged: () => boolean;
   /** Enlarge, and bring what was at one place to another */
-  look: (factor: number, from: Place, to: Place) => void;
+  look: (factor: number, from: Point2, to: Point2) => void;
 }
 
 /** Enlargement of one notch of a wheel, which is 100 pixels on most. */

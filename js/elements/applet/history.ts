@@ -3,7 +3,7 @@
 import type { State } from "./state.js";
 
 /** So many steps can be taken back. */
-const MOST_STEPS = 200;
+const MAX_STEPS = 200;
 
 /** What is no work of the user's and so is not taken back. */
 const PASSING: readonly (keyof State)[] = ["view", "pointer", "segment"];
@@ -42,7 +42,7 @@ export class History {
     this.#open = null;
     if (!before) return false;
     if (differ(before, state)) {
-      this.#past = [...this.#past.slice(1 - MOST_STEPS), before];
+      this.#past = [...this.#past.slice(1 - MAX_STEPS), before];
       this.#future = [];
     }
     return true;

@@ -14,8 +14,8 @@ export interface PanelPort {
   figure: import("./figure.js").Figure;
   joints: import("./words.js").JointFacts[];
   modes: import("./state.js").JointMode[];
-  /** What the layers tell */
-  tells: readonly { name: string; words: string }[];
+  /** The messages of the layers */
+  messages: readonly { name: string; words: string }[];
   /** Whether a group of controls is wanted */
   shows: (group: string) => boolean;
   readonly: boolean;
@@ -28,7 +28,7 @@ export interface PanelPort {
   set: (change: (state: State) => State) => void;
   /** A field of the state */
   put: (name: string, value: unknown, done?: boolean) => void;
-  act: import("./acting.js").Actions;
+  act: import("./actions.js").Actions;
   hold: (joint: number, mode: string) => void;
   zoom: (factor: number) => void;
   code: string;
@@ -117,14 +117,14 @@ const MEASURES: Record<
   ticks: ["Equal lengths", "ticks", { min: 1, max: 50, step: 1 }],
 };
 
-function layers({ state, set, put, tells }: PanelPort) {
+function layers({ state, set, put, messages }: PanelPort) {
   const titles = Object.fromEntries(LAYERS.map(({ name, title }) => [name, title]));
   const layer = (name: (typeof LAYER_NAMES)[number]) =>
     box(titles[name] ?? name, state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
   const measures = Object.entries(MEASURES).filter(([layerName]) => state.layers.has(layerName as any));
   return html`<fieldset><legend>Show</legend><div class="layers">${LAYER_NAMES.map(layer)}</div>
     <div class="measure">${measures.map(([, [label, name, range]]) => slider(label, name, state[name], range, (value, done) => put(name, value, done)))}</div>
-    ${tells.length ? html`<ul class="tells">${tells.map(({ words }) => html`<li>${words}</li>`)}</ul>` : nothing}
+    ${messages.length ? html`<ul class="messages">${messages.map(({ words }) => html`<li>${words}</li>`)}</ul>` : nothing}
   </fieldset>`;
 }
 

@@ -1,7 +1,7 @@
 // Where a dragged point clicks into place.
 import { chainOf } from "./edits.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 
 /** As near as this, in CSS pixels, a point is taken to be meant. */
 const SNAP_PX = 5;
@@ -11,7 +11,7 @@ const STEP = Math.PI / 12;
  * The nearest place in a direction of a multiple of 15°, as seen from the point's neighbour on the curve, or from where
  * it came from.
  */
-export function turnedBy15(state: State, index: number, to: Place, from: Place): Place {
+export function turnedBy15(state: State, index: number, to: Point2, from: Point2): Point2 {
   const [x, y] = anchorOf(state, index) ?? from;
   const angle = Math.round(Math.atan2(to[1] - y, to[0] - x) / STEP) * STEP;
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
@@ -20,7 +20,7 @@ export function turnedBy15(state: State, index: number, to: Place, from: Place):
 }
 
 /** The end on the curve that a point off it belongs to. */
-function anchorOf(state: State, index: number): Place | undefined {
+function anchorOf(state: State, index: number): Point2 | undefined {
   const chain = chainOf(state);
   if (!chain || chain.degree < 2) return undefined;
   const along = index % chain.degree;
@@ -33,7 +33,7 @@ function anchorOf(state: State, index: number): Place | undefined {
  *
  * @param px the length of a CSS pixel
  */
-export function snapped(state: State, index: number, to: Place, px: number): Place {
+export function snapped(state: State, index: number, to: Point2, px: number): Point2 {
   const chain = chainOf(state);
   if (!chain) return to;
   const { degree, spline } = chain;
@@ -50,14 +50,14 @@ export function snapped(state: State, index: number, to: Place, px: number): Pla
  * @param step which of the three is moved: −1, 0, 1
  * @returns first C1, then G1
  */
-function smooth(step: number, a: Place, b: Place, c: Place, to: Place): Place[] {
+function smooth(step: number, a: Point2, b: Point2, c: Point2, to: Point2): Point2[] {
   if (step === 0) return [[(a[0] + c[0]) / 2, (a[1] + c[1]) / 2], onLine(a, c, to)];
   const other = step === -1 ? c : step === 1 ? a : null;
   return other ? [[2 * b[0] - other[0], 2 * b[1] - other[1]], onLine(other, b, to)] : [];
 }
 
 /** The foot of the perpendicular. */
-function onLine([x, y]: Place, through: Place, to: Place): Place {
+function onLine([x, y]: Point2, through: Point2, to: Point2): Point2 {
   const [dx, dy] = [through[0] - x, through[1] - y];
   const square = dx * dx + dy * dy;
   const along = square > 0 ? ((to[0] - x) * dx + (to[1] - y) * dy) / square : 0;

@@ -10,7 +10,7 @@ import { listenToGestures } from "./gestures.js";
 import { drawFigure, ROLES } from "./layers/index.js";
 import { isHome, scaleOf, toPlane } from "./state.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 import type { Figure } from "./figure.js";
 
 /** A tap that wanders farther is none. */
@@ -21,21 +21,21 @@ export interface StagePort {
   /** Whether nothing can be moved */
   fixed: () => boolean;
   begun: () => void;
-  move: (index: number, to: Place, drag: { from: Place; event?: PointerEvent }) => void;
+  move: (index: number, to: Point2, drag: { from: Point2; event?: PointerEvent }) => void;
   restored: () => void;
   ended: (moved: number[]) => void;
   grabbed: (index: number) => void;
   /** What a screen reader does to a slider */
-  slide: (index: number, to: Place) => void;
+  slide: (index: number, to: Point2) => void;
   slid: () => void;
-  doubleTap: (at: Place) => unknown;
+  doubleTap: (at: Point2) => unknown;
   /** On an empty place */
-  tap: (at: Place) => unknown;
+  tap: (at: Point2) => unknown;
   /** The pointer has moved */
-  point: (at: (() => Place) | null) => unknown;
-  look: (factor: number, from: Place, to: Place) => void;
-  /** With what the layers tell */
-  drawn: (told: { name: string; words: string }[]) => void;
+  point: (at: (() => Point2) | null) => unknown;
+  look: (factor: number, from: Point2, to: Point2) => void;
+  /** With the messages of the layers */
+  drawn: (messages: { name: string; words: string }[]) => void;
 }
 
 export class Stage {
@@ -139,9 +139,9 @@ export class Stage {
     this.#drawnFixed = this.#port.fixed();
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
-    const told = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
+    const messages = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
     this.place();
-    this.#port.drawn(told);
+    this.#port.drawn(messages);
   }
 
   /** Puts the handles where the points are. */
@@ -170,7 +170,7 @@ export class Stage {
   /**
    * @returns in the plane
    */
-  #placeAt({ clientX, clientY }: { clientX: number; clientY: number }): Place {
+  #placeAt({ clientX, clientY }: { clientX: number; clientY: number }): Point2 {
     const { left, top, width, height } = this.#overlay.getBoundingClientRect();
     const { state } = this.#port.now();
     return toPlane(state, [

@@ -8,7 +8,7 @@ export type Basis = (typeof BASES)[number];
 export type Labels = (typeof LABELS)[number];
 export type LayerName = (typeof LAYER_NAMES)[number];
 /** In the box's units, y down */
-export type Place = [number, number];
+export type Point2 = [number, number];
 /** The part of the plane that is seen */
 export type View = { x: number; y: number; width: number; height: number };
 
@@ -18,7 +18,7 @@ export interface State {
   /** What is seen of the plane, with the box's proportions */
   view: View;
   /** All of them, also the hidden ones */
-  points: readonly Place[];
+  points: readonly Point2[];
   /** How many points are shown */
   shown: number;
   basis: Basis;
@@ -43,7 +43,7 @@ export interface State {
   /** Parts of equal length */
   ticks: number;
   /** Where the user points */
-  pointer: Place | null;
+  pointer: Point2 | null;
 }
 
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"] as const;
@@ -81,9 +81,9 @@ export const LAYER_NAMES = [
 ] as const;
 
 /** What the core goes up to. */
-export const MOST_DEGREE = 64;
+export const MAX_DEGREE = 64;
 /** More handles than these would help nobody. */
-export const MOST_POINTS = 500;
+export const MAX_POINTS = 500;
 /** Points farther away than this cannot be seen from anywhere near the picture. */
 const FARTHEST = 1e6;
 /** So far beyond both ends t goes where the extrapolation is shown. */
@@ -126,14 +126,14 @@ export function firstState(): State {
  */
 export function withPoints(state: State, value: unknown): State {
   if (!Array.isArray(value)) throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
-  if (value.length < 2 || value.length > MOST_POINTS)
-    throw new RangeError(`points: expected 2 to ${MOST_POINTS} points, got ${value.length}`);
+  if (value.length < 2 || value.length > MAX_POINTS)
+    throw new RangeError(`points: expected 2 to ${MAX_POINTS} points, got ${value.length}`);
   const points = Array.from(value, (point, i) => placeIn(point, `points[${i}]`));
   const shown = state.shown === state.points.length ? points.length : Math.min(state.shown, points.length);
   return { ...state, points, shown };
 }
 
-export function placeIn(value: unknown, name: string): Place {
+export function placeIn(value: unknown, name: string): Point2 {
   const place = pointPair(value, name);
   const far = place.find((x) => Math.abs(x) > FARTHEST);
   if (far !== undefined)
@@ -162,10 +162,10 @@ export function wordIn<Word extends string>(value: unknown, name: string, known:
 }
 
 /** The most that a message shows of a refused text. */
-const MOST_SHOWN = 40;
+const MAX_SHOWN = 40;
 
 export function brief(value: unknown): string {
-  return kindOf(typeof value === "string" && value.length > MOST_SHOWN ? `${value.slice(0, MOST_SHOWN)}…` : value);
+  return kindOf(typeof value === "string" && value.length > MAX_SHOWN ? `${value.slice(0, MAX_SHOWN)}…` : value);
 }
 
 /** The range of t: beyond the ends where the extrapolation is shown. */
@@ -199,7 +199,7 @@ export function withHome(state: State): State {
 }
 
 /** Enlarged about a place, which stays where it is. */
-export function zoomed(state: State, factor: number, [x, y]: Place): State {
+export function zoomed(state: State, factor: number, [x, y]: Point2): State {
   const { view, box } = state;
   const ratio = Math.min(Math.max(1 / factor, (CLOSEST * box.width) / view.width), (WIDEST * box.width) / view.width);
   const next = {
@@ -212,13 +212,13 @@ export function zoomed(state: State, factor: number, [x, y]: Place): State {
 }
 
 /** Few points when there are more to see, else all; nothing is deleted. */
-export function toggled(state: State): State {
-  const few = fewest(state);
+export function allPointsToggled(state: State): State {
+  const few = minPoints(state);
   return { ...state, shown: state.shown === few ? state.points.length : few, segment: 0 };
 }
 
 /** The points of one curve. */
-export function fewest({ basis, degree, points }: State) {
+export function minPoints({ basis, degree, points }: State) {
   const count = (basis === "bezier" || basis === "b-spline") && degree !== "n" ? degree + 1 : 4;
   return Math.min(count, points.length);
 }
@@ -237,6 +237,6 @@ export function isHome({ view, box }: State) {
  * @param place in the box as it is seen
  * @returns in the plane
  */
-export function toPlane({ view, box }: State, [x, y]: readonly number[]): Place {
+export function toPlane({ view, box }: State, [x, y]: readonly number[]): Point2 {
   return [view.x + (x * view.width) / box.width, view.y + (y * view.height) / box.height];
 }

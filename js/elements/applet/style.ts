@@ -45,7 +45,7 @@ legend { float: none; margin-block-end: 0.3rem; }
 fieldset { gap: 0.4rem 1.1rem; }
 .layers { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 9.4rem), 1fr)); gap: 0 0.9rem; inline-size: 100%; }
 .measure { display: grid; gap: 0 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)); inline-size: 100%; }
-.tells { flex: 1 1 100%; margin: 0; padding: 0; list-style: none; color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
+.messages { flex: 1 1 100%; margin: 0; padding: 0; list-style: none; color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 .matrix { display: grid; grid-template-columns: repeat(4, minmax(3.2rem, 5rem)); gap: 4px; }
 input[type="checkbox"] { flex: none; }
 details { border-block-start: 1px solid var(--bz-rim); margin-inline: -0.9rem; padding-inline: 0.9rem; padding-block-start: 0.45rem; }

@@ -97,31 +97,31 @@ export const placeWords = ([x, y]: readonly number[]): string => `${rounded(x)},
 const rounded = (x: number) => Number(x.toFixed(1));
 
 /** A description reads out no more points than this. */
-const MOST_TOLD = 24;
+const MAX_NAMED = 24;
 
 /**
  * The picture in words.
  *
- * @param tells what the layers tell
+ * @param messages those of the layers
  */
-export function description(state: State, figure: Figure, joints: readonly JointFacts[], tells: readonly string[]) {
+export function description(state: State, figure: Figure, joints: readonly JointFacts[], messages: readonly string[]) {
   const { pieces, points, names, kinds, degree } = figure;
   const kind =
     state.basis === "bezier"
       ? `Bézier ${pieces.length === 1 ? "curve" : "curves"} of degree ${degree}`
       : BASIS_NAMES[state.basis];
-  const told = points
-    .slice(0, MOST_TOLD)
+  const places = points
+    .slice(0, MAX_NAMED)
     .map((point, i) => `${names[i]} at ${placeWords(point)}${kinds[i] === "off" ? ", off the curve" : ""}`);
   const modes = modesOf(state);
   return [
     pieces.length ? `${pieces.length} ${kind}` : "Too few points for a curve",
-    `${told.join("; ")}${points.length > MOST_TOLD ? `; and ${points.length - MOST_TOLD} more` : ""}`,
+    `${places.join("; ")}${points.length > MAX_NAMED ? `; and ${points.length - MAX_NAMED} more` : ""}`,
     ...joints.map(
       (facts, k) =>
         `At ${facts.at}: ${facts.verdict}, ${jointWords(facts)}${modes[k] && modes[k] !== "free" ? `, held ${MODE_NAMES[modes[k]]}` : ""}`,
     ),
     `t is ${state.t.toFixed(2)}`,
-    ...tells,
+    ...messages,
   ].join(". ");
 }

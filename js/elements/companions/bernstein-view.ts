@@ -4,7 +4,7 @@ import { intervalOf, lookOf, PLOT, plotOf, tAt, xOf, yOf } from "./plot.js";
 import { slider } from "./slider.js";
 import { style } from "./style.js";
 import { isVector, subjectOf } from "./subject.js";
-import { BASES, MATRIX_DEGREE, MOST_DEGREE, weightsAt } from "./weights.js";
+import { BASES, MATRIX_DEGREE, MAX_DEGREE, weightsAt } from "./weights.js";
 import type { BezierBernstein } from "./bernstein.js";
 import type { Frame, Line } from "./plot.js";
 import type { Subject } from "./subject.js";
@@ -19,7 +19,7 @@ const TITLES: Record<string, string> = {
   matrix: "Weights of the matrix",
 };
 /** So many values are read out; of more, the greatest. */
-const MOST_SPOKEN = 8;
+const MAX_SPOKEN = 8;
 /** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
 const HERMITE_SLOTS = [0, 2, 3, 1];
 
@@ -55,7 +55,7 @@ export class BernsteinView {
 
   /** The polynomial that was chosen here, and the one of the applet's focused point. */
   #chosen: number | null = null;
-  #attended: number | null = null;
+  #focusedPoint: number | null = null;
   #drag = { pointer: -1, start: 0 };
   /** The lines of the last picture, and what they depend on. */
   #plot: { key: string; frame: Frame; lines: Line[] } = { key: "", frame: { x: [0, 1], y: [0, 1] }, lines: [] };
@@ -72,8 +72,8 @@ export class BernsteinView {
     if (linked) return linked;
     const known = BASES.some((name) => name === host.basis);
     const basis = host.checked("basis", host.basis as Basis, known, `one of ${BASES.join(", ")}`, DEFAULTS.basis);
-    const whole = Number.isInteger(host.degree) && host.degree >= 1 && host.degree <= MOST_DEGREE;
-    const free = host.checked("degree", host.degree, whole, `a whole number from 1 to ${MOST_DEGREE}`, DEFAULTS.degree);
+    const whole = Number.isInteger(host.degree) && host.degree >= 1 && host.degree <= MAX_DEGREE;
+    const free = host.checked("degree", host.degree, whole, `a whole number from 1 to ${MAX_DEGREE}`, DEFAULTS.degree);
     const degree = basis === "bezier" || basis === "b-spline" ? free : MATRIX_DEGREE;
     const t = host.checked("t", host.t, Number.isFinite(host.t), "a number", DEFAULTS.t);
     const names =
@@ -88,7 +88,7 @@ export class BernsteinView {
     if (key !== this.#plot.key) this.#plot = { key, ...plotOf(subject) };
     const { frame, lines } = this.#plot;
     const values = weightsAt(subject, t);
-    const marked = [this.#chosen, this.#attended].find((i) => i !== null && i < values.length) ?? null;
+    const marked = [this.#chosen, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
     const title = `${TITLES[basis]}${basis === "bezier" || basis === "b-spline" ? ` of degree ${degree}` : ""}`;
     return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
       ${this.#picture({ frame, lines, values, marked, t, names, title })}
@@ -143,12 +143,12 @@ export class BernsteinView {
     this.#host.requestUpdate();
   }
 
-  attended(event: Event) {
+  handleFocus(event: Event) {
     const handle = event.composedPath().find((node) => node instanceof HTMLElement && node.dataset.index !== undefined);
     const subject = subjectOf(this.#host.target?.figure);
     const index = Number(handle instanceof HTMLElement && handle.dataset.index);
     const slot = handle && subject && event.type === "focusin" ? subject.indices.indexOf(index) : -1;
-    this.#attended = slot < 0 ? null : subject?.basis === "hermite" ? HERMITE_SLOTS[slot] : slot;
+    this.#focusedPoint = slot < 0 ? null : subject?.basis === "hermite" ? HERMITE_SLOTS[slot] : slot;
     this.#host.requestUpdate();
   }
 
@@ -204,10 +204,10 @@ function label({ x, y, above }: Line["peak"], name: string) {
 }
 
 function spoken(values: number[], names: string[], t: number) {
-  const told = values.map((value, i) => ({ name: names[i], value }));
-  if (told.length > MOST_SPOKEN) told.sort((a, b) => b.value - a.value).splice(3);
-  const list = told.map(({ name, value }) => `${name} ${shown(value)}`).join(", ");
-  return `At t = ${shown(t)}: ${values.length > MOST_SPOKEN ? "the greatest are " : ""}${list}.`;
+  const spoken = values.map((value, i) => ({ name: names[i], value }));
+  if (spoken.length > MAX_SPOKEN) spoken.sort((a, b) => b.value - a.value).splice(3);
+  const list = spoken.map(({ name, value }) => `${name} ${shown(value)}`).join(", ");
+  return `At t = ${shown(t)}: ${values.length > MAX_SPOKEN ? "the greatest are " : ""}${list}.`;
 }
 
 /** What the weights of points sum to; vectors do not count. */

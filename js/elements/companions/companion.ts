@@ -7,7 +7,7 @@ import type { LazyView, View, ViewClass } from "./loading.js";
 /** A companion begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
-const MOST_QUOTED = 40;
+const MAX_QUOTED = 40;
 
 /**
  * @fires input - during a change by the user
@@ -102,7 +102,7 @@ export class Companion extends LitElement {
   checked<T>(name: string, value: T, usable: boolean, expected: string, fallback: T): T {
     if (usable) return value;
     const came = typeof value === "string" ? value : (this.getAttribute(name) ?? String(value));
-    this.#wrong.push(`${name}: expected ${expected}, got “${came.slice(0, MOST_QUOTED)}”; ${fallback} is used.`);
+    this.#wrong.push(`${name}: expected ${expected}, got “${came.slice(0, MAX_QUOTED)}”; ${fallback} is used.`);
     return fallback;
   }
 

@@ -3,7 +3,7 @@ import { Fields } from "./fields.js";
 import { readPoints } from "./numbers.js";
 import { style } from "./style.js";
 import type { BezierCoordinates } from "./coordinates.js";
-import type { Place } from "./points.js";
+import type { Point2 } from "./points.js";
 
 const AXES = ["x", "y"] as const;
 
@@ -57,17 +57,17 @@ export class CoordinatesView {
 
   #move(index: number, axis: 0 | 1, value: number, done: boolean) {
     const places = this.#host.places();
-    const place = [...places[index]] as Place;
+    const place = [...places[index]] as Point2;
     place[axis] = value;
     this.#place([place], index, done);
     this.#host.tell(done);
   }
 
   /** Points in a row, from the one at `first` on. */
-  #place(given: Place[], first: number, done: boolean) {
+  #place(given: Point2[], first: number, done: boolean) {
     const { target } = this.#host;
     if (target && given.length === 1) return target.steer({ index: first, point: given[0] }, done);
-    const all = (target && "points" in target ? target.points : this.#host.places()) as Place[];
+    const all = (target && "points" in target ? target.points : this.#host.places()) as Point2[];
     const points = [...all.slice(0, first), ...given, ...all.slice(first + given.length)];
     if (target) target.steer({ points }, done);
     else this.#host.given = points;

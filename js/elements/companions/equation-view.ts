@@ -33,9 +33,9 @@ const BASIS_NAMES: Record<string, string> = {
   matrix: "own numbers",
 };
 /** Of higher degrees, a page has no room for the matrix, */
-const MOST_MATRIX = 10;
+const MAX_MATRIX = 10;
 /** and of de Casteljau's triangle for the last levels only. */
-const MOST_LEVELS = 6;
+const MAX_LEVELS = 6;
 
 /**
  * What `<bezier-equation>` shows.
@@ -107,9 +107,9 @@ export class EquationView {
   #matrixForm(subject: Subject) {
     if (this.#host.editable) subject = editableForm(subject);
     const { basis, degree, t, points, names } = subject;
-    const numbers = degree <= MOST_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
+    const numbers = degree <= MAX_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
     if (!numbers)
-      return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MOST_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
+      return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MAX_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
     const weights = throughMatrix(numbers, t);
     const column = matrix(names.map((each) => [name(each)]));
     const editable = this.#host.editable && numbers.length === 16;
@@ -202,7 +202,7 @@ function casteljauForm({ curve, names, basis, t }: Subject) {
   const levels = curve
     .deCasteljau(t)
     .map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
-  const first = Math.max(0, levels.length - MOST_LEVELS);
+  const first = Math.max(0, levels.length - MAX_LEVELS);
   const bezier = basis === "bezier" ? names : bezierForm(curve).names;
   const own = (level: number, i: number) =>
     level ? mathml`<msubsup><mi>b</mi><mn>${i}</mn><mn>${level}</mn></msubsup>` : name(bezier[i]);

@@ -4,7 +4,7 @@ import { shown, shownFraction } from "./numbers.js";
 import { binomial } from "./weights.js";
 
 /** Binomial coefficients of higher degrees are not written out. */
-const MOST_WRITTEN = 12;
+const MAX_WRITTEN = 12;
 
 export const number = (x: number, decimals = 3) => mathml`<mn>${shown(x, decimals)}</mn>`;
 /** A factor: in brackets where it is negative. */
@@ -33,7 +33,7 @@ export function bernsteinTerm(n: number, i: number) {
   const rest = mathml`<mrow><mo>(</mo><mn>1</mn><mo>−</mo><mi>t</mi><mo>)</mo></mrow>`;
   const written = mathml`<mn>${binomial(n, i)}</mn>`;
   const choose = mathml`<mrow><mo>(</mo><mfrac linethickness="0"><mn>${n}</mn><mn>${i}</mn></mfrac><mo>)</mo></mrow>`;
-  const count = i === 0 || i === n ? nothing : n > MOST_WRITTEN ? choose : written;
+  const count = i === 0 || i === n ? nothing : n > MAX_WRITTEN ? choose : written;
   return mathml`<mrow>${count}${power(rest, n - i)}${power(mathml`<mi>t</mi>`, i)}</mrow>`;
 }
 

@@ -105,7 +105,7 @@ export class Linked extends Companion {
 
   /** However often the applet changes, a companion is drawn once a frame. */
   #updated = (event: Event) => {
-    if (event.type !== "update") return this.view?.attended?.(event);
+    if (event.type !== "update") return this.view?.handleFocus?.(event);
     if (this.near) this.#frame ||= requestAnimationFrame(() => this.#refresh());
   };
 

@@ -5,7 +5,7 @@ import type { CSSResult } from "lit";
 export interface View {
   content: () => unknown;
   /** The applet gets or loses the focus */
-  attended?: (event: Event) => void;
+  handleFocus?: (event: Event) => void;
   /** The user has chosen */
   chosen?: (done: boolean) => void;
   /** The companion leaves the page */

@@ -3,7 +3,7 @@
 /** What is read: a decimal, with a point, an exponent if need be, and either minus. */
 const NUMBER = /^[+\-−]?(\d+\.?\d*|\.\d+)(e[+\-−]?\d+)?$/i;
 /** A message quotes no more of what came. */
-const MOST_QUOTED = 24;
+const MAX_QUOTED = 24;
 
 /**
  * @returns NaN for what is no finite number
@@ -38,7 +38,7 @@ export function readPoints(text: string): [number, number][] {
 /** What came, in words for a message. */
 export function quoted(text: string) {
   if (text === "") return "nothing";
-  return `“${text.length > MOST_QUOTED ? `${text.slice(0, MOST_QUOTED)}…` : text}”`;
+  return `“${text.length > MAX_QUOTED ? `${text.slice(0, MAX_QUOTED)}…` : text}”`;
 }
 
 /** A number with so many decimals, without zeros at the end; very large and very small ones with an exponent. */

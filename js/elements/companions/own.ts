@@ -3,8 +3,8 @@ import { Curve } from "../../paths.js";
 import { readNumber } from "./numbers.js";
 import { FIRST_POINTS, ownPoints } from "./points.js";
 import { withTangents } from "./subject.js";
-import { BASES, MATRIX_DEGREE, MOST_DEGREE } from "./weights.js";
-import type { Check, Place, PointsLike } from "./points.js";
+import { BASES, MATRIX_DEGREE, MAX_DEGREE } from "./weights.js";
+import type { Check, Point2, PointsLike } from "./points.js";
 import type { Subject } from "./subject.js";
 import type { Basis } from "./weights.js";
 
@@ -32,7 +32,7 @@ export function ownSubject(
   const t = check("t", given, Number.isFinite(given), "a number", FIRST_T);
   const all = ownPoints(points, check);
   const free = basis === "bezier" || basis === "b-spline";
-  const most = Math.min(all.length - 1, MOST_DEGREE);
+  const most = Math.min(all.length - 1, MAX_DEGREE);
   const wanted = degree ?? (free ? most : MATRIX_DEGREE);
   const count = check(
     "degree",
@@ -59,7 +59,7 @@ export function ownSubject(
   };
 }
 
-function curveOf(basis: Basis, points: Place[], matrix: number[] | null) {
+function curveOf(basis: Basis, points: Point2[], matrix: number[] | null) {
   if (basis === "bezier") return new Curve(points);
   if (points.length !== MATRIX_DEGREE + 1) return null;
   return Curve.fromBasis(basis === "matrix" ? (matrix ?? []) : basis, points);

@@ -1,6 +1,6 @@
 import { Linked } from "./linked.js";
 import { ownPoints, pointsText } from "./points.js";
-import type { Place, PointsLike } from "./points.js";
+import type { Point2, PointsLike } from "./points.js";
 
 /** A companion with points of its own while it is linked to nothing. */
 export class Pointed extends Linked {
@@ -36,7 +36,7 @@ export class Pointed extends Linked {
    * @internal
    * @returns what is shown: the applet's points, or its own
    */
-  places(): Place[] {
+  places(): Point2[] {
     return this.target ? (this.target.figure?.points ?? []) : ownPoints(this.given, (...args) => this.checked(...args));
   }
 }

@@ -1,13 +1,13 @@
 // The points that a companion has of its own while it is linked to nothing.
 import { readPoints } from "./numbers.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 /** Points as text or as pairs. */
 export type PointsLike = string | ArrayLike<number>[] | null;
 export type Check = <T>(name: string, value: T, usable: boolean, expected: string, fallback: T) => T;
 
 /** The first curve of the applet. */
-export const FIRST_POINTS: Place[] = [
+export const FIRST_POINTS: Point2[] = [
   [70, 330],
   [110, 90],
   [235, 120],
@@ -15,7 +15,7 @@ export const FIRST_POINTS: Place[] = [
 ];
 
 /** The points of an attribute or a property, two at least; else the first curve's. */
-export function ownPoints(given: PointsLike, check: Check): Place[] {
+export function ownPoints(given: PointsLike, check: Check): Point2[] {
   if (given === null || given === "") return FIRST_POINTS;
   const text = pointsText(given);
   try {

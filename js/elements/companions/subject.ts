@@ -1,12 +1,12 @@
 // What the companions speak of: one piece of a curve, its points with their names, and t.
 import { MATRIX_DEGREE } from "./weights.js";
 import type { Curve } from "../../index.js";
-import type { Place } from "./points.js";
+import type { Point2 } from "./points.js";
 import type { Basis } from "./weights.js";
 
 /** The figure of an applet, as far as companions read it. */
 export interface Figure {
-  points: Place[];
+  points: Point2[];
   names?: string[];
   basis: string;
   matrix?: ArrayLike<number> | null;
@@ -22,13 +22,13 @@ export interface Subject {
   matrix: number[] | null;
   t: number;
   /** That the weights are for: control points, and for Hermite curves ends and tangent vectors */
-  points: Place[];
+  points: Point2[];
   /** Theirs */
   names: string[];
   /** In Bézier form */
   curve: Curve | null;
   /** The points that the tangent vectors come from */
-  control?: { points: Place[]; names: string[] };
+  control?: { points: Point2[]; names: string[] };
   /** Of the points in the figure; none where no point of the figure has a weight of its own */
   indices: number[];
 }
@@ -59,13 +59,13 @@ export function subjectOf(figure: Figure | null | undefined): Subject | null {
 /** A curve's own control points. */
 export function bezierForm(curve: Curve) {
   const flat = curve.controlPoints();
-  const points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]] as Place);
+  const points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]] as Point2);
   return { points, names: points.map((_, i) => `b${i}`), degree: points.length - 1 };
 }
 
 /** Of four points: the ends, and the tangent vectors P1 − P0 and P3 − P2. The points themselves are `control`. */
-export function withTangents([a, b, c, d]: Place[], [nameA, nameB, nameC, nameD]: string[]) {
-  const away = (to: Place, from: Place) => [to[0] - from[0], to[1] - from[1]] as Place;
+export function withTangents([a, b, c, d]: Point2[], [nameA, nameB, nameC, nameD]: string[]) {
+  const away = (to: Point2, from: Point2) => [to[0] - from[0], to[1] - from[1]] as Point2;
   const control = { points: [a, b, c, d], names: [nameA, nameB, nameC, nameD] };
   return {
     points: [a, d, away(b, a), away(d, c)],

@@ -3,7 +3,7 @@ import { Curve } from "../../paths.js";
 
 /** The bases that a companion knows by itself. */
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom"] as const;
-export const MOST_DEGREE = 64;
+export const MAX_DEGREE = 64;
 /** Those bases act on four points, through their matrix. */
 export const MATRIX_DEGREE = 3;
 

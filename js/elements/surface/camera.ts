@@ -23,9 +23,9 @@ export type Sight = {
 };
 
 export const HOME: View = Object.freeze({ turn: -35, tilt: 24, zoom: 1, panX: 0, panY: 0 });
-const MOST_TILT = 90;
-const [LEAST_ZOOM, MOST_ZOOM] = [0.25, 40];
-const MOST_PAN = 2;
+const MAX_TILT = 90;
+const [MIN_ZOOM, MAX_ZOOM] = [0.25, 40];
+const MAX_PAN = 2;
 /** Of a key or a button. */
 export const ZOOM_STEP = 1.2;
 /** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
@@ -45,10 +45,10 @@ export function moved(view: View, changes: Partial<View>): View {
   const clamp = (x: number, least: number, most: number) => Math.min(Math.max(x, least), most);
   return {
     turn: ((((turn + 180) % 360) + 360) % 360) - 180,
-    tilt: clamp(tilt, -MOST_TILT, MOST_TILT),
-    zoom: clamp(zoom, LEAST_ZOOM, MOST_ZOOM),
-    panX: clamp(panX, -MOST_PAN, MOST_PAN),
-    panY: clamp(panY, -MOST_PAN, MOST_PAN),
+    tilt: clamp(tilt, -MAX_TILT, MAX_TILT),
+    zoom: clamp(zoom, MIN_ZOOM, MAX_ZOOM),
+    panX: clamp(panX, -MAX_PAN, MAX_PAN),
+    panY: clamp(panY, -MAX_PAN, MAX_PAN),
   };
 }
 

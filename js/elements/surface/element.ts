@@ -2,7 +2,7 @@ import { Surface } from "../../surfaces.js";
 import { adoptProperties } from "../adopt.js";
 import { SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
-import { Desk } from "./desk.js";
+import { FileController } from "./file-controller.js";
 import { acceptDrops } from "../page-files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
@@ -10,7 +10,7 @@ import { loadDrawing } from "./loading.js";
 import { startTurn } from "./start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
-import { Turning } from "./turning.js";
+import { AutoRotation } from "./auto-rotation.js";
 import { MODEL_NAMES, STATES } from "./words.js";
 import type { View } from "./camera.js";
 import type { Facts } from "./geometry.js";
@@ -24,7 +24,7 @@ const NEAR = "300px";
 /** Farther away than so many heights of what is seen it gives the graphics card back. */
 const FAR = "150% 0px";
 /** A file is shown with no more, at first. */
-const MOST_TRIANGLES = 1e6;
+const MAX_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 
@@ -50,8 +50,8 @@ export class BezierSurface extends SurfaceAttributes {
   /** The stage being fetched, for this stay in the document. */
   #coming: Promise<void> | null = null;
   #facts: Facts | null = null;
-  #turning = new Turning();
-  #desk = new Desk({
+  #rotation = new AutoRotation();
+  #files = new FileController({
     show: (surface) => this.#showFile(surface),
     changed: () => this.requestUpdate(),
     picture: () => this.toBlob(),
@@ -179,7 +179,7 @@ export class BezierSurface extends SurfaceAttributes {
         this.#setDrawn(true);
         this.#tell(facts);
       },
-      refused: (message) => this.#desk.say(message),
+      refused: (message) => this.#files.say(message),
       stateChanged: (state) => this.#setState(state),
       turning: () => this.#visible && this.#turns(),
     });
@@ -194,7 +194,7 @@ export class BezierSurface extends SurfaceAttributes {
       home: () => this.#moveByHand(HOME, true),
       pick: (x, y) => this.#pick(x, y),
     });
-    const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#desk.open(file))];
+    const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#files.open(file))];
     this.#deafen = () => endings.forEach((end) => end());
     this.requestUpdate();
   }
@@ -212,7 +212,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   updated(changed: Map<string, unknown>) {
-    if (changed.has("turn") && this.turn) this.#turning.restart();
+    if (changed.has("turn") && this.turn) this.#rotation.restart();
     if (changed.has("theme")) this.#stage?.recolour();
     if (this.#stage) {
       const scene = this.#scene();
@@ -224,16 +224,15 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   #turns() {
-    return this.#turning.on(this.turn);
+    return this.#rotation.on(this.turn);
   }
 
   /** The read-out follows the mesh. */
   #tell(facts: Facts) {
-    this.#desk.clear();
+    this.#files.clear();
     const before = this.#facts;
     this.#facts = facts;
-    // How long the mesh took is no reason for another update.
-    if (before && JSON.stringify({ ...before, ms: facts.ms }) === JSON.stringify(facts)) return;
+    if (before && JSON.stringify(before) === JSON.stringify({ ...facts, ms: sameKind(before.ms, facts.ms) })) return;
     this.requestUpdate();
   }
 
@@ -244,7 +243,7 @@ export class BezierSurface extends SurfaceAttributes {
 
   #moveByHand(changes: Partial<View>, done: boolean) {
     if ("turn" in changes && this.#turns()) {
-      this.#turning.stop();
+      this.#rotation.stop();
       this.requestUpdate();
     }
     this.#move(changes);
@@ -281,9 +280,9 @@ export class BezierSurface extends SurfaceAttributes {
     this.#fire(type);
   }
 
-  #toggleTurning() {
+  #toggleRotation() {
     const turning = !this.#turns();
-    this.#turning.ask(turning);
+    this.#rotation.ask(turning);
     this.turn = turning;
     this.requestUpdate();
     this.#fire("change");
@@ -291,7 +290,7 @@ export class BezierSurface extends SurfaceAttributes {
 
   #showFile(surface: Surface) {
     this.surface = surface;
-    const most = Math.floor(Math.sqrt(MOST_TRIANGLES / 2 / surface.patchCount));
+    const most = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
     if (this.segments > most) this.#set("segments", Math.max(1, most), "input");
     this.#fire("change");
   }
@@ -310,11 +309,11 @@ export class BezierSurface extends SurfaceAttributes {
     return frame({
       name,
       blank: !this.#drawn,
-      message: this.#desk.message || STATES[this.#state],
+      message: this.#files.message || STATES[this.#state],
       facts: this.#facts,
       tools: {
         turning: this.#turns(),
-        toggle: () => this.#toggleTurning(),
+        toggle: () => this.#toggleRotation(),
         nearer: zoomed(ZOOM_STEP),
         farther: zoomed(1 / ZOOM_STEP),
         home: () => this.#moveByHand(HOME, true),
@@ -331,16 +330,16 @@ export class BezierSurface extends SurfaceAttributes {
       patches: this.#scene().surface.patchCount,
       edited: this.#subject.edited,
       set: (...args) => this.#set(...args),
-      setFineness: (kind) => this.#setFineness(kind),
+      setDetail: (kind) => this.#setDetail(kind),
       restore: () => this.#restore(),
-      savePicture: () => this.#desk.savePicture(),
-      saveMesh: (kind) => this.#desk.saveMesh(kind),
-      open: (file) => this.#desk.open(file),
+      savePicture: () => this.#files.savePicture(),
+      saveMesh: (kind) => this.#files.saveMesh(kind),
+      open: (file) => this.#files.open(file),
       backToModel: () => this.#backToModel(),
     };
   }
 
-  #setFineness(kind: "segments" | "tolerance" | "pixels" | "flatness") {
+  #setDetail(kind: "segments" | "tolerance" | "pixels" | "flatness") {
     const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
     const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
     for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
@@ -356,3 +355,8 @@ export class BezierSurface extends SurfaceAttributes {
 
 /** As the sliders have it. */
 const rounded = (x: number) => Math.round(100 * x) / 100;
+
+/** How long a mesh took is no reason for another update, unless one of two was made by the graphics card: the first time then. */
+function sameKind(before: number | null, now: number | null) {
+  return before === null || now === null ? now : before;
+}

@@ -13,13 +13,13 @@ const NOTHING = {
 };
 
 export function figureOf({ surface, picked, settings }: Scene, facts: Facts | null): SurfaceFigure {
-  const { fineness, layers, parts, ...plain } = settings;
+  const { detail, layers, parts, ...plain } = settings;
   const patch = patchesOf(surface)[picked ?? 0] ?? null;
   const { u, v } = settings;
   return {
     ...plain,
-    ...fineness,
-    segments: "segments" in fineness ? fineness.segments : null,
+    ...detail,
+    segments: "segments" in detail ? detail.segments : null,
     parts: [...parts],
     layers: [...layers],
     surface,

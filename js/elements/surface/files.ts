@@ -2,9 +2,9 @@
 import { Mesh, Surface } from "../../surfaces.js";
 
 /** Longer files are refused unread: a browser would stand still over them. */
-const MOST_BYTES = 16e6;
+const MAX_BYTES = 16e6;
 /** More cannot be drawn at sixty frames a second. */
-const MOST_PATCHES = 20_000;
+const MAX_PATCHES = 20_000;
 const MEGABYTE = 1e6;
 
 /**
@@ -13,13 +13,13 @@ const MEGABYTE = 1e6;
  * @throws {RangeError} says what is wrong with the file
  */
 export async function surfaceIn(file: File): Promise<Surface> {
-  if (file.size > MOST_BYTES) {
-    throw new RangeError(`expected at most ${MOST_BYTES / MEGABYTE} MB, got ${(file.size / MEGABYTE).toFixed(1)} MB`);
+  if (file.size > MAX_BYTES) {
+    throw new RangeError(`expected at most ${MAX_BYTES / MEGABYTE} MB, got ${(file.size / MEGABYTE).toFixed(1)} MB`);
   }
   const surface = Surface.parse(await file.text());
   if (surface.patchCount === 0) throw new RangeError("expected patches, got none");
-  if (surface.patchCount > MOST_PATCHES)
-    throw new RangeError(`expected at most ${MOST_PATCHES} patches, got ${surface.patchCount}`);
+  if (surface.patchCount > MAX_PATCHES)
+    throw new RangeError(`expected at most ${MAX_PATCHES} patches, got ${surface.patchCount}`);
   return surface;
 }
 

@@ -5,7 +5,7 @@ import { errorBound } from "./bound.js";
 import * as lines from "./lines.js";
 import { patchesOf, sweptBy } from "./patches.js";
 import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
-import { MOST_GPU_DEGREE } from "./shaders.js";
+import { MAX_GPU_DEGREE } from "./shaders.js";
 import type { Mesh, Surface } from "../../surfaces.js";
 import type { Settings } from "./settings.js";
 import type { Frame, Sight } from "./camera.js";
@@ -62,9 +62,9 @@ export class Geometry {
   }
 
   /** Whether the vertex shader evaluates the patches: it can do grids only, and not of every degree. */
-  onGpu({ surface, settings: { evaluation, fineness } }: Scene) {
-    if (evaluation !== "gpu" || !("segments" in fineness)) return false;
-    return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MOST_GPU_DEGREE);
+  onGpu({ surface, settings: { evaluation, detail } }: Scene) {
+    if (evaluation !== "gpu" || !("segments" in detail)) return false;
+    return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MAX_GPU_DEGREE);
   }
 
   /** What is drawn of the surface: all of it, or what the curve of constant u has swept. */
@@ -75,19 +75,19 @@ export class Geometry {
 
   /** The mesh of the core. */
   mesh(scene: Scene): Mesh {
-    const { fineness, shading, evaluation } = scene.settings;
+    const { detail, shading, evaluation } = scene.settings;
     const surface = this.shown(scene);
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
     const method = evaluation === "forward" ? "forward-difference" : "bernstein";
-    const sight = "pixels" in fineness ? this.#sight : null;
+    const sight = "pixels" in detail ? this.#sight : null;
     const make = (into: Mesh | undefined) => {
-      const [mesh, ms] = timed(() => this.#make(surface, fineness, own, method, into));
+      const [mesh, ms] = timed(() => this.#make(surface, detail, own, method, into));
       this.#ms = ms;
       return mesh;
     };
     return this.#memo.get(
       "mesh",
-      [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, method, sight],
+      [surface, ...Object.values(detail), Object.keys(detail)[0], own, method, sight],
       make,
     );
   }
@@ -97,27 +97,27 @@ export class Geometry {
    */
   #make(
     surface: Surface,
-    fineness: Settings["fineness"],
+    detail: Settings["detail"],
     own: boolean,
     method: "bernstein" | "forward-difference",
     into: Mesh | undefined,
   ) {
     const weld = own ? "none" : "normal";
-    if ("segments" in fineness) return surface.grid({ ...fineness, method, into });
-    if ("tolerance" in fineness) return surface.tessellate({ ...fineness, weld, into });
-    if ("flatness" in fineness) {
-      this.#pieces = surface.subdivide(fineness.flatness);
+    if ("segments" in detail) return surface.grid({ ...detail, method, into });
+    if ("tolerance" in detail) return surface.tessellate({ ...detail, weld, into });
+    if ("flatness" in detail) {
+      this.#pieces = surface.subdivide(detail.flatness);
       return piecesMesh(surface, this.#pieces);
     }
     const { viewProjection = [], viewport = [] } = this.#sight ?? {};
-    return surface.tessellate({ ...fineness, viewProjection, viewport, weld, into });
+    return surface.tessellate({ ...detail, viewProjection, viewport, weld, into });
   }
 
   /** A mesh to take away: as fine as the one that is seen, and closed where the surface is. */
-  closedMesh({ surface, settings: { fineness } }: Scene): Mesh {
-    return "segments" in fineness
-      ? surface.tessellate(fineness)
-      : this.#make(surface, fineness, false, "bernstein", undefined);
+  closedMesh({ surface, settings: { detail } }: Scene): Mesh {
+    return "segments" in detail
+      ? surface.tessellate(detail)
+      : this.#make(surface, detail, false, "bernstein", undefined);
   }
 
   /** The number of the mesh: its arrays are reused, so that it is always the same object. */
@@ -146,7 +146,7 @@ export class Geometry {
 
   /** The gaps of the recursion's mesh; null for the other meshes, which have none. */
   cracks(scene: Scene) {
-    if (!("flatness" in scene.settings.fineness)) return null;
+    if (!("flatness" in scene.settings.detail)) return null;
     this.mesh(scene);
     return this.#memo.get("cracks", [this.version()], () => cracksOf(this.shown(scene), this.#pieces));
   }
@@ -236,10 +236,10 @@ export class Geometry {
   #meshFacts(scene: Scene): Facts {
     const {
       surface,
-      settings: { fineness },
+      settings: { detail },
     } = scene;
-    if (this.onGpu(scene) && "segments" in fineness) {
-      const { segments } = fineness;
+    if (this.onGpu(scene) && "segments" in detail) {
+      const { segments } = detail;
       const count = surface.patchCount;
       return {
         triangles: 2 * count * segments ** 2,
@@ -261,13 +261,13 @@ export class Geometry {
   }
 
   #error(scene: Scene): { error: number | null; unit: "" | "px" } {
-    const { fineness } = scene.settings;
+    const { detail } = scene.settings;
     const surface = this.shown(scene);
-    if ("flatness" in fineness) return { error: null, unit: "" }; // it bounds no distance
-    if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
-    if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };
+    if ("flatness" in detail) return { error: null, unit: "" }; // it bounds no distance
+    if ("tolerance" in detail) return { error: detail.tolerance, unit: "" };
+    if ("pixels" in detail) return { error: detail.pixels, unit: "px" };
     return {
-      error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)),
+      error: this.#memo.get("error", [surface, detail.segments], () => errorBound(surface, detail.segments)),
       unit: "",
     };
   }

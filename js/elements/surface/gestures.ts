@@ -26,12 +26,12 @@ const ARROWS = new Map([
   ["ArrowDown", [0, 1]],
 ]);
 
-export type Place = { x: number; y: number };
+export type Point2 = { x: number; y: number };
 
 export class Gestures {
   #canvas;
   #port;
-  #pointers: Map<number, Place> = new Map();
+  #pointers: Map<number, Point2> = new Map();
   #travelled = 0;
 
   constructor(canvas: HTMLCanvasElement, port: GesturePort) {
@@ -97,8 +97,8 @@ export class Gestures {
   }
 
   /** Two fingers: their distance is the zoom, their middle the shift. */
-  #pinch(before: Place, now: Place, other: Place) {
-    const distance = (place: Place) => Math.max(1, Math.hypot(place.x - other.x, place.y - other.y));
+  #pinch(before: Point2, now: Point2, other: Point2) {
+    const distance = (place: Point2) => Math.max(1, Math.hypot(place.x - other.x, place.y - other.y));
     const { zoom } = this.#port.view();
     this.#port.move({ zoom: (zoom * distance(now)) / distance(before) }, false);
     this.#pan((now.x - before.x) / 2, (now.y - before.y) / 2);

@@ -10,7 +10,7 @@ export interface HandlePort {
 }
 
 /** A net with more points is shown without handles: nobody can tell them apart. */
-const MOST_HANDLES = 100;
+const MAX_HANDLES = 100;
 const [STEP_PX, WIDE_STEP_PX, FINE_STEP_PX] = [4, 20, 1];
 
 /** Towards the right, downwards, away from the eye. */
@@ -53,7 +53,7 @@ export class Handles {
     this.#scene = scene;
     const patch = scene.picked === null ? null : patchesOf(scene.surface)[scene.picked];
     const vertices = patch ? [...scene.surface.patches[scene.picked ?? 0]] : [];
-    this.#vertices = vertices.length > MOST_HANDLES ? [] : vertices;
+    this.#vertices = vertices.length > MAX_HANDLES ? [] : vertices;
     this.#points = patch?.controlPoints() ?? this.#points;
     while (this.#buttons.length > this.#vertices.length) this.#buttons.pop()?.remove();
     while (this.#buttons.length < this.#vertices.length) this.#add();

@@ -6,8 +6,8 @@ import {
   HEIGHTS,
   LAYERS,
   MODELS,
-  MOST_LINES,
-  MOST_SEGMENTS,
+  MAX_LINES,
+  MAX_SEGMENTS,
   PARTS,
   SHADINGS,
   STEPS,
@@ -16,7 +16,7 @@ import {
 import {
   EVALUATION_NAMES,
   figures,
-  FINENESS_NAMES,
+  DETAIL_NAMES,
   LAYER_NAMES,
   MODEL_NAMES,
   SHADING_NAMES,
@@ -29,7 +29,7 @@ export interface PanelPort {
   settings: Settings;
   /** The surface's radius */
   size: number;
-  setFineness: (kind: "segments" | "tolerance" | "pixels" | "flatness") => void;
+  setDetail: (kind: "segments" | "tolerance" | "pixels" | "flatness") => void;
   /** Whether the surface is a model of the list */
   named: boolean;
   edited: boolean;
@@ -44,7 +44,7 @@ export interface PanelPort {
 
 const KINDS = ["obj", "stl", "glb"] as const;
 const UV_STEP = 0.01;
-const FINENESSES = ["segments", "tolerance", "pixels", "flatness"];
+const DETAIL_KINDS = ["segments", "tolerance", "pixels", "flatness"];
 /** The range of the tolerance, in radii of the surface. */
 const [FINEST, COARSEST] = [1e-4, 0.2];
 
@@ -127,14 +127,14 @@ function decades(name: string, label: string, value: number, least: number, most
 
 function meshControls(port: PanelPort) {
   const { settings } = port;
-  const { fineness } = settings;
+  const { detail } = settings;
   return html`<fieldset><legend>Mesh</legend>
-    ${choice("Fineness", FINENESSES, Object.keys(fineness)[0], FINENESS_NAMES, port.setFineness)}
-    ${"segments" in fineness ? slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port) : nothing}
-    ${"tolerance" in fineness ? decades("tolerance", "Tolerance", fineness.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
-    ${"pixels" in fineness ? decades("pixels", "Pixels", fineness.pixels, 0.1, 30, port) : nothing}
-    ${"flatness" in fineness ? decades("flatness", "Flatness", fineness.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
-    ${"segments" in fineness ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
+    ${choice("Fineness", DETAIL_KINDS, Object.keys(detail)[0], DETAIL_NAMES, port.setDetail)}
+    ${"segments" in detail ? slider("segments", "Segments", settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
+    ${"tolerance" in detail ? decades("tolerance", "Tolerance", detail.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"pixels" in detail ? decades("pixels", "Pixels", detail.pixels, 0.1, 30, port) : nothing}
+    ${"flatness" in detail ? decades("flatness", "Flatness", detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"segments" in detail ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
 }
 
@@ -150,7 +150,7 @@ function layerControls(port: PanelPort) {
   const layer = (each: import("./settings.js").Layer) =>
     box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
-    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
+    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? slider("lines", "Strips", lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }
 
 /** The sliders of u and v, where something is shown at them. */

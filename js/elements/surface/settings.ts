@@ -20,11 +20,11 @@ export const LAYERS = [
 ] as const;
 
 /** Cells along each direction of a patch. */
-export const MOST_SEGMENTS = 64;
+export const MAX_SEGMENTS = 64;
 /** Strips of a patch each way that curves or tubes divide it into. */
-export const MOST_LINES = 12;
+export const MAX_LINES = 12;
 /** A mesh finer than this on the screen shows nothing more. */
-const LEAST_PIXELS = 0.05;
+const MIN_PIXELS = 0.05;
 /** Of de Casteljau's algorithm: the first row, all rows, the curve across them, its point. */
 export const STEPS = 4;
 
@@ -39,7 +39,7 @@ export interface Settings {
   height: "squashed" | "original";
   up: "z" | "y";
   segments: number;
-  fineness: Fineness;
+  detail: DetailSettings;
   lines: number;
   shading: Shading;
   layers: Set<Layer>;
@@ -55,7 +55,7 @@ export interface Settings {
  * What makes the mesh as fine as it is: the recursion of the text, or pixels, or a tolerance, or segments, whichever comes
  * first in this order and is there.
  */
-export type Fineness = { segments: number } | { tolerance: number } | { pixels: number } | { flatness: number };
+export type DetailSettings = { segments: number } | { tolerance: number } | { pixels: number } | { flatness: number };
 
 export type Attributes = Record<
   | "model"
@@ -79,20 +79,20 @@ export type Attributes = Record<
 >;
 
 export function settingsOf(given: Attributes): Settings {
-  const segments = Math.round(number(given.segments, 1, MOST_SEGMENTS, 12));
+  const segments = Math.round(number(given.segments, 1, MAX_SEGMENTS, 12));
   return {
     model: word(given.model, MODELS),
     parts: given.parts === null || given.parts === undefined ? new Set(PARTS) : words(given.parts, PARTS),
     height: word(given.height, HEIGHTS),
     up: word(given.up, AXES),
     segments,
-    fineness: finenessOf(
+    detail: detailOf(
       segments,
       number(given.tolerance, 0, Number.MAX_VALUE, 0),
-      number(given.pixels, LEAST_PIXELS, 100, 0),
+      number(given.pixels, MIN_PIXELS, 100, 0),
       number(given.flatness, 0, Number.MAX_VALUE, 0),
     ),
-    lines: Math.round(number(given.lines, 1, MOST_LINES, 4)),
+    lines: Math.round(number(given.lines, 1, MAX_LINES, 4)),
     shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
     layers: words(given.show ?? "surface", LAYERS),
     evaluation: word(given.evaluation, EVALUATIONS),
@@ -104,7 +104,7 @@ export function settingsOf(given: Attributes): Settings {
   };
 }
 
-function finenessOf(segments: number, tolerance: number, pixels: number, flatness: number): Fineness {
+function detailOf(segments: number, tolerance: number, pixels: number, flatness: number): DetailSettings {
   return flatness > 0 ? { flatness } : pixels > 0 ? { pixels } : tolerance > 0 ? { tolerance } : { segments };
 }
 

@@ -2,7 +2,7 @@
 // everything but where a vertex comes from.
 
 /** Patches of higher degrees are evaluated by the core, whatever was asked for. */
-export const MOST_GPU_DEGREE = 8;
+export const MAX_GPU_DEGREE = 8;
 
 /** Shading modes in the order of `SHADINGS`. */
 export const MODES = { smooth: 0, flat: 1, normals: 2, gaussian: 3, mean: 4, patches: 5 };
@@ -17,7 +17,7 @@ precision highp int;
  * degrees below, which it passes, give the derivatives. At t = 0 and 1 all of it is exact.
  */
 const EVALUATION = `
-const int SIZE = ${MOST_GPU_DEGREE + 1};
+const int SIZE = ${MAX_GPU_DEGREE + 1};
 uniform highp sampler2D net; // for each patch its two degrees, then its control points
 uniform int stride;
 uniform float zeroRatio;

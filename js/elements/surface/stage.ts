@@ -3,7 +3,7 @@ import { moved, sightOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
-import { Lease } from "./lease.js";
+import { ContextSlot } from "./context-slot.js";
 import { followColours } from "../../applet/theme.js";
 import { readTheme } from "./theme.js";
 import type { Sight, View } from "./camera.js";
@@ -42,7 +42,7 @@ export class Stage {
   #before = 0;
   #framesAtRest = REST_FRAMES;
   #lost = false;
-  #lease;
+  #slot;
   #endings: (() => void)[] = [];
 
   /**
@@ -55,8 +55,8 @@ export class Stage {
     this.#port = port;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
     this.#lost = this.#view instanceof GlView && this.#view.lost;
-    this.#lease = Lease.of(canvas);
-    if (this.#lost) this.#lease.renew();
+    this.#slot = ContextSlot.of(canvas);
+    if (this.#lost) this.#slot.renew();
     port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
   }
@@ -66,7 +66,7 @@ export class Stage {
     const lost = () => {
       this.#lost = true;
       this.#drawnScene = null;
-      if (!this.#lease.ended) this.#port.stateChanged("lost");
+      if (!this.#slot.ended) this.#port.stateChanged("lost");
     };
     const restored = () => {
       this.#lost = false;
@@ -115,12 +115,12 @@ export class Stage {
     this.#frame = 0;
     this.#lost = true;
     this.#view.drop();
-    this.#lease.end();
+    this.#slot.end();
   }
 
   /** The picture comes back after a rest. */
   wake() {
-    this.#lease.renew();
+    this.#slot.renew();
   }
 
   /** How the scene is seen now, on so many CSS pixels; null before there is one. */
@@ -215,8 +215,8 @@ function observe(observer: ResizeObserver, canvas: HTMLElement) {
  */
 function devicePixels({ contentRect, devicePixelContentBoxSize }: ResizeObserverEntry): [number, number] {
   const [width, height] = [contentRect.width * devicePixelRatio, contentRect.height * devicePixelRatio];
-  const told = devicePixelContentBoxSize?.[0];
-  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
-  const sizes = exact ? [told.inlineSize, told.blockSize] : [Math.round(width), Math.round(height)];
+  const reported = devicePixelContentBoxSize?.[0];
+  const exact = reported && Math.abs(reported.inlineSize - width) <= 1 && Math.abs(reported.blockSize - height) <= 1;
+  const sizes = exact ? [reported.inlineSize, reported.blockSize] : [Math.round(width), Math.round(height)];
   return [Math.max(1, sizes[0]), Math.max(1, sizes[1])];
 }

@@ -15,7 +15,7 @@ export const SHADING_NAMES: Record<string, string> = {
   mean: "Mean curvature",
   patches: "Patch colours",
 };
-export const FINENESS_NAMES: Record<string, string> = {
+export const DETAIL_NAMES: Record<string, string> = {
   segments: "by segments",
   tolerance: "by tolerance",
   pixels: "by pixels",

@@ -5,7 +5,7 @@ import { style } from "./style.js";
 /** What a figure is drawn for until it has been measured, in CSS pixels. */
 const FIRST_WIDTH = 640;
 /** Narrower than this a figure shrinks as a whole. */
-const LEAST_WIDTH = 280;
+const MIN_WIDTH = 280;
 
 /**
  * A figure of the chapters. Subclasses draw in units of CSS pixels, `this.wide` of them from side to side.
@@ -28,7 +28,7 @@ export class Figure extends LitElement {
   connectedCallback() {
     super.connectedCallback();
     this.#observer = new ResizeObserver(([{ contentRect }]) => {
-      if (contentRect.width > 0) this.wide = Math.max(LEAST_WIDTH, Math.round(contentRect.width) - 2); // the frame's rim
+      if (contentRect.width > 0) this.wide = Math.max(MIN_WIDTH, Math.round(contentRect.width) - 2); // the frame's rim
     });
     this.#observer.observe(this);
   }

@@ -1,11 +1,11 @@
 // What is always drawn: the curve, the points with their names and tangents, the point at t.
 import * as pen from "../../../applet/pen.js";
-import { along, dashed, isSeen, lines, mark, onPicture, take } from "./sheet.js";
-import type { Sheet } from "./sheet.js";
+import { along, dashed, isSeen, lines, mark, onPicture, reserve } from "./draw-context.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 const LABEL_DISTANCE = 19;
 /** Words keep this far from the middle of a point, in CSS pixels. */
@@ -18,9 +18,9 @@ const WAITING_OPACITY = 0.55;
 export const curve = {
   derive: ({ pieces }: Figure) => pieces.map((piece) => piece.curve),
 
-  draw(sheet: Sheet, curves: import("../../../index.js").Curve[]) {
-    along(sheet, curves);
-    pen.stroke(sheet, sheet.theme.curve, pen.CURVE_WIDTH);
+  draw(context: DrawContext, curves: import("../../../index.js").Curve[]) {
+    along(context, curves);
+    pen.stroke(context, context.theme.curve, pen.CURVE_WIDTH);
   },
 };
 
@@ -40,10 +40,10 @@ export const handles = {
     return { flat, arrows: basis === "hermite" };
   },
 
-  draw(sheet: Sheet, { flat, arrows }: { flat: number[]; arrows: boolean }) {
-    lines(sheet, flat);
-    pen.stroke(sheet, sheet.theme.handle, pen.TANGENT_WIDTH);
-    if (arrows) heads(sheet, onPicture(sheet, flat), sheet.theme.handle, pen.DISC_RADIUS);
+  draw(context: DrawContext, { flat, arrows }: { flat: number[]; arrows: boolean }) {
+    lines(context, flat);
+    pen.stroke(context, context.theme.handle, pen.TANGENT_WIDTH);
+    if (arrows) arrowheads(context, onPicture(context, flat), context.theme.handle, pen.DISC_RADIUS);
   },
 };
 
@@ -53,13 +53,13 @@ export const handles = {
  * @param flat four numbers for each line, on the picture
  * @param back how far before the end the tip is, in CSS pixels
  */
-export function heads(sheet: Sheet, flat: ArrayLike<number>, colour: string, back = 0) {
-  const { ctx, px } = sheet;
+export function arrowheads(context: DrawContext, flat: ArrayLike<number>, colour: string, back = 0) {
+  const { ctx, px } = context;
   ctx.beginPath();
   for (let i = 0; i < flat.length; i += 4) {
     const [toX, toY] = [flat[i + 2], flat[i + 3]];
     const length = Math.hypot(toX - flat[i], toY - flat[i + 1]);
-    if (!(length > (ARROW_HEAD + back) * px) || !isSeen(sheet, [toX, toY])) continue;
+    if (!(length > (ARROW_HEAD + back) * px) || !isSeen(context, [toX, toY])) continue;
     const [dx, dy] = [((toX - flat[i]) / length) * px, ((toY - flat[i + 1]) / length) * px];
     const [x, y] = [toX - back * dx, toY - back * dy];
     const [long, wide] = [ARROW_HEAD, ARROW_HEAD / 2.4];
@@ -89,9 +89,9 @@ export const joints = {
   /**
    * @param data a point and a direction each
    */
-  draw(sheet: Sheet, data: number[]) {
-    strokesAcross(sheet, data, JOINT_HALF);
-    pen.stroke(sheet, sheet.theme.curve, pen.TANGENT_WIDTH);
+  draw(context: DrawContext, data: number[]) {
+    strokesAcross(context, data, JOINT_HALF);
+    pen.stroke(context, context.theme.curve, pen.TANGENT_WIDTH);
   },
 };
 
@@ -101,7 +101,7 @@ export const joints = {
  * @param data a point and a unit direction each
  * @param half of their length, in CSS pixels
  */
-export function strokesAcross({ ctx, lens, px, box }: Sheet, data: ArrayLike<number>, half: number) {
+export function strokesAcross({ ctx, lens, px, box }: DrawContext, data: ArrayLike<number>, half: number) {
   ctx.beginPath();
   for (let i = 0; i < data.length; i += 4) {
     const at = lens.place(data[i], data[i + 1]);
@@ -116,18 +116,18 @@ export const points = {
   derive: ({ points, kinds, names }: Figure) => ({ points, kinds, names }),
 
   draw(
-    sheet: Sheet,
+    context: DrawContext,
     { points, kinds, names }: Pick<Figure, "points" | "kinds" | "names">,
     _: Figure,
     { labels }: State,
   ) {
-    const places = points.map(([x, y]) => sheet.lens.place(x, y));
-    places.forEach((place, i) => drawPoint(sheet, place, kinds[i]));
+    const places = points.map(([x, y]) => context.lens.place(x, y));
+    places.forEach((place, i) => drawPoint(context, place, kinds[i]));
     if (labels === "none") return;
     places.forEach((place, i) => {
-      const at = pen.atEdge(sheet.box, place, pen.DISC_RADIUS * sheet.px);
+      const at = pen.atEdge(context.box, place, pen.DISC_RADIUS * context.px);
       const away = pen.awayFrom(place, [places[i - 1], places[i + 1]]);
-      sheet.words.push({ text: names[i], at, away, gap: LABEL_DISTANCE, rank: 0 });
+      context.words.push({ text: names[i], at, away, gap: LABEL_DISTANCE, rank: 0 });
     });
   },
 };
@@ -136,25 +136,25 @@ export const points = {
  * A disc on the curve, a square off it; hollow at the edge where the point itself lies outside; faint while it waits for
  * others.
  */
-function drawPoint(sheet: Sheet, place: Place, kind: Figure["kinds"][number]) {
-  const { ctx, theme, px, box } = sheet;
+function drawPoint(context: DrawContext, place: Point2, kind: Figure["kinds"][number]) {
+  const { ctx, theme, px, box } = context;
   const at = pen.atEdge(box, place, pen.DISC_RADIUS * px);
   const inside = place[0] >= 0 && place[1] >= 0 && place[0] <= box.width && place[1] <= box.height;
   const colour = { on: theme.curve, off: theme.handle, wait: theme.quiet }[kind];
   if (kind === "wait") ctx.globalAlpha = WAITING_OPACITY;
-  pen.knob(sheet, at, kind === "on", colour, inside && kind !== "wait");
+  pen.controlPoint(context, at, kind === "on", colour, inside && kind !== "wait");
   ctx.globalAlpha = 1;
-  take(sheet, at, POINT_ROOM);
+  reserve(context, at, POINT_ROOM);
 }
 
 /** The point at t of each piece. */
 export const atT = {
   derive: ({ pieces }: Figure, { t }: State) => pieces.flatMap(({ curve }) => Object.values(curve.eval(t))),
 
-  draw(sheet: Sheet, flat: number[]) {
+  draw(context: DrawContext, flat: number[]) {
     for (let i = 0; i < flat.length; i += 2) {
-      const at = mark(sheet, flat[i], flat[i + 1], POINT_ROOM);
-      if (at) pen.diamond(sheet, at);
+      const at = mark(context, flat[i], flat[i + 1], POINT_ROOM);
+      if (at) pen.diamond(context, at);
     }
   },
 };
@@ -166,9 +166,9 @@ export const waiting = {
     return first < 0 ? [] : points.slice(Math.max(0, first - 1)).flat();
   },
 
-  draw(sheet: Sheet, flat: number[]) {
-    sheet.lens.beginPath();
-    for (let i = 0; i < flat.length; i += 2) sheet.lens[i ? "lineTo" : "moveTo"](flat[i], flat[i + 1]);
-    dashed(sheet, sheet.theme.quiet, pen.POLYGON_WIDTH);
+  draw(context: DrawContext, flat: number[]) {
+    context.lens.beginPath();
+    for (let i = 0; i < flat.length; i += 2) context.lens[i ? "lineTo" : "moveTo"](flat[i], flat[i + 1]);
+    dashed(context, context.theme.quiet, pen.POLYGON_WIDTH);
   },
 };

@@ -1,9 +1,9 @@
 // How the curve comes from its points: polygon, hull, de Casteljau's construction, the halves.
 import * as pen from "../../../applet/pen.js";
 import { Curve } from "../../../paths.js";
-import { along, faint, hollows, through } from "./sheet.js";
+import { along, faint, hollows, through } from "./draw-context.js";
 import { hue } from "./theme.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
@@ -16,9 +16,9 @@ export const polygon = {
     return points.slice(0, waits < 0 ? points.length : waits).flat();
   },
 
-  draw(sheet: Sheet, flat: number[]) {
-    through(sheet, flat);
-    faint(sheet, pen.POLYGON_OPACITY, () => pen.stroke(sheet, sheet.theme.ink, pen.POLYGON_WIDTH));
+  draw(context: DrawContext, flat: number[]) {
+    through(context, flat);
+    faint(context, pen.POLYGON_OPACITY, () => pen.stroke(context, context.theme.ink, pen.POLYGON_WIDTH));
   },
 };
 
@@ -33,16 +33,16 @@ export const hull = {
     return pieces.map(({ indices }) => new Curve(indices.map((i) => points[i])).hull());
   },
 
-  draw(sheet: Sheet, hulls: Float64Array[]) {
+  draw(context: DrawContext, hulls: Float64Array[]) {
     for (const flat of hulls) {
-      sheet.lens.polygon(flat);
-      pen.tint(sheet, sheet.theme.curve);
+      context.lens.polygon(flat);
+      pen.tint(context, context.theme.curve);
     }
   },
 };
 
 /** Above this degree the points of the construction would hide it. */
-const MOST_HOLLOWS_DEGREE = 12;
+const MAX_HOLLOWS_DEGREE = 12;
 
 /** Every level between the control points and the point at t, each with its hue. */
 export const construction = {
@@ -52,24 +52,24 @@ export const construction = {
 
   derive: ({ pieces }: Figure, { t }: State) => pieces.map(({ curve }) => curve.deCasteljau(t)),
 
-  draw(sheet: Sheet, constructions: Float64Array[][], _: Figure, { basis }: State) {
+  draw(context: DrawContext, constructions: Float64Array[][], _: Figure, { basis }: State) {
     for (const levels of constructions) {
-      if (basis !== "bezier") drawOwnPolygon(sheet, levels[0], sheet.theme.quiet);
+      if (basis !== "bezier") drawOwnPolygon(context, levels[0], context.theme.quiet);
       levels.slice(1, -1).forEach((level, i) => {
-        const colour = hue(sheet.theme, i + 1);
-        through(sheet, level);
-        pen.stroke(sheet, colour, pen.SCAFFOLD_WIDTH);
-        if (levels.length <= MOST_HOLLOWS_DEGREE + 1) hollows(sheet, level, colour);
+        const colour = hue(context.theme, i + 1);
+        through(context, level);
+        pen.stroke(context, colour, pen.SCAFFOLD_WIDTH);
+        if (levels.length <= MAX_HOLLOWS_DEGREE + 1) hollows(context, level, colour);
       });
     }
   },
 };
 
 /** The control polygon of a curve whose points are nobody's handles. */
-function drawOwnPolygon(sheet: Sheet, flat: Float64Array, colour: string) {
-  through(sheet, flat);
-  pen.stroke(sheet, colour, pen.POLYGON_WIDTH);
-  hollows(sheet, flat, colour);
+function drawOwnPolygon(context: DrawContext, flat: Float64Array, colour: string) {
+  through(context, flat);
+  pen.stroke(context, colour, pen.POLYGON_WIDTH);
+  hollows(context, flat, colour);
 }
 
 export const halves = {
@@ -78,20 +78,20 @@ export const halves = {
 
   derive: ({ pieces }: Figure, { t }: State) => pieces.map(({ curve }) => curve.split(t)),
 
-  draw(sheet: Sheet, pairs: [Curve, Curve][], _figure: Figure, { layers, segment, labels }: State) {
-    const { theme } = sheet;
+  draw(context: DrawContext, pairs: [Curve, Curve][], _figure: Figure, { layers, segment, labels }: State) {
+    const { theme } = context;
     along(
-      sheet,
+      context,
       pairs.map(([first]) => first),
     );
-    pen.stroke(sheet, theme.first, pen.HALF_WIDTH);
+    pen.stroke(context, theme.first, pen.HALF_WIDTH);
     along(
-      sheet,
+      context,
       pairs.map(([, second]) => second),
     );
-    pen.stroke(sheet, theme.second, pen.HALF_WIDTH);
+    pen.stroke(context, theme.second, pen.HALF_WIDTH);
     if (!layers.has("names") || labels === "none" || layers.has("construction")) return;
     const named = pairs[Math.min(segment, pairs.length - 1)] ?? [];
-    named.forEach((half, side) => drawOwnPolygon(sheet, half.controlPoints(), side ? theme.second : theme.first));
+    named.forEach((half, side) => drawOwnPolygon(context, half.controlPoints(), side ? theme.second : theme.first));
   },
 };

@@ -2,13 +2,13 @@
 import { CURVE_WIDTH, stroke } from "../../../applet/pen.js";
 import { Curve } from "../../../paths.js";
 import { BEYOND } from "../state.js";
-import { along, dashed, faint, lines } from "./sheet.js";
-import type { Sheet } from "./sheet.js";
+import { along, dashed, faint, lines } from "./draw-context.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 
 /** Strings on each piece, and on all together. */
 const STRINGS = 32;
-const MOST_STRINGS = 2000;
+const MAX_STRINGS = 2000;
 const STRING_OPACITY = 0.7;
 
 /** The last line of the construction, at many t: the curve is what all of them touch. */
@@ -18,14 +18,14 @@ export const envelope = {
   costly: true as const,
 
   derive({ pieces }: Figure) {
-    const count = Math.max(4, Math.min(STRINGS, Math.floor(MOST_STRINGS / pieces.length)));
+    const count = Math.max(4, Math.min(STRINGS, Math.floor(MAX_STRINGS / pieces.length)));
     return pieces.map(({ curve }) => envelopeLines(curve, count));
   },
 
-  draw(sheet: Sheet, all: Float64Array[]) {
+  draw(context: DrawContext, all: Float64Array[]) {
     for (const flat of all) {
-      lines(sheet, flat);
-      faint(sheet, STRING_OPACITY, () => stroke(sheet, sheet.theme.level1, 1));
+      lines(context, flat);
+      faint(context, STRING_OPACITY, () => stroke(context, context.theme.level1, 1));
     }
   },
 };
@@ -53,8 +53,8 @@ export const extrapolation = {
   derive: ({ pieces }: Figure) =>
     pieces.flatMap(({ curve }) => [curve.subsegment(-BEYOND, 0), curve.subsegment(1, 1 + BEYOND)]),
 
-  draw(sheet: Sheet, curves: Curve[]) {
-    along(sheet, curves);
-    dashed(sheet, sheet.theme.curve, CURVE_WIDTH / 2);
+  draw(context: DrawContext, curves: Curve[]) {
+    along(context, curves);
+    dashed(context, context.theme.curve, CURVE_WIDTH / 2);
   },
 };

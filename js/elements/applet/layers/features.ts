@@ -1,10 +1,10 @@
 // Places of the curve that stand out: its exact box, extrema, inflections.
 import { POLYGON_WIDTH, stroke, TANGENT_WIDTH } from "../../../applet/pen.js";
 import { strokesAcross } from "./base.js";
-import { dashed, hollows } from "./sheet.js";
-import { ways } from "./ways.js";
+import { dashed, hollows } from "./draw-context.js";
+import { pointsAndDirections } from "./directions.js";
 import type { Curve } from "../../../index.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 
 const EXTREMUM_HALF = 26;
@@ -20,15 +20,15 @@ export const bounds = {
     touches: pieces.flatMap(({ curve }) => extremaOf(curve).points),
   }),
 
-  draw(sheet: Sheet, { boxes, touches }: { boxes: ReturnType<Curve["bounds"]>[]; touches: number[] }) {
+  draw(context: DrawContext, { boxes, touches }: { boxes: ReturnType<Curve["bounds"]>[]; touches: number[] }) {
     for (const { min, max } of boxes) {
-      sheet.lens.polygon([min.x, min.y, max.x, min.y, max.x, max.y, min.x, max.y]);
-      dashed(sheet, sheet.theme.quiet, POLYGON_WIDTH);
+      context.lens.polygon([min.x, min.y, max.x, min.y, max.x, max.y, min.x, max.y]);
+      dashed(context, context.theme.quiet, POLYGON_WIDTH);
     }
-    hollows(sheet, touches, sheet.theme.quiet);
+    hollows(context, touches, context.theme.quiet);
   },
 
-  tell({ boxes }: { boxes: ReturnType<Curve["bounds"]>[] }) {
+  describe({ boxes }: { boxes: ReturnType<Curve["bounds"]>[] }) {
     const range = (axis: "x" | "y") =>
       `${axis} from ${short(Math.min(...boxes.map(({ min }) => min[axis])))} to ${short(Math.max(...boxes.map(({ max }) => max[axis])))}`;
     return boxes.length ? `Exact box: ${range("x")}, ${range("y")}` : "";
@@ -49,13 +49,13 @@ export const extrema = {
     };
   },
 
-  draw(sheet: Sheet, { points, strokes }: { points: number[]; strokes: number[] }) {
-    strokesAcross(sheet, strokes, EXTREMUM_HALF);
-    stroke(sheet, sheet.theme.level1, TANGENT_WIDTH);
-    hollows(sheet, points, sheet.theme.level1);
+  draw(context: DrawContext, { points, strokes }: { points: number[]; strokes: number[] }) {
+    strokesAcross(context, strokes, EXTREMUM_HALF);
+    stroke(context, context.theme.level1, TANGENT_WIDTH);
+    hollows(context, points, context.theme.level1);
   },
 
-  tell: ({ ts }: { ts: number[][] }) => list("Extrema", ts),
+  describe: ({ ts }: { ts: number[][] }) => list("Extrema", ts),
 };
 
 /**
@@ -78,28 +78,28 @@ export const inflections = {
 
   derive({ pieces }: Figure) {
     const ts = pieces.map(({ curve }) => [...curve.inflections()]);
-    const across = pieces.flatMap(({ curve }, k) => [...ways(curve, ts[k])]);
+    const across = pieces.flatMap(({ curve }, k) => [...pointsAndDirections(curve, ts[k])]);
     return { ts, across, kinds: pieces.map(({ curve }) => curve.classify()) };
   },
 
   /** A stroke along the curve's normal, and a hollow mark. */
-  draw(sheet: Sheet, { across }: { across: number[] }) {
+  draw(context: DrawContext, { across }: { across: number[] }) {
     const strokes = across.map((value, i) => (i % 4 === 2 ? -across[i + 1] : i % 4 === 3 ? across[i - 1] : value));
-    strokesAcross(sheet, strokes, INFLECTION_HALF);
-    stroke(sheet, sheet.theme.level2, 2);
+    strokesAcross(context, strokes, INFLECTION_HALF);
+    stroke(context, context.theme.level2, 2);
     hollows(
-      sheet,
+      context,
       across.filter((_, i) => i % 4 < 2),
-      sheet.theme.level2,
+      context.theme.level2,
     );
   },
 
-  tell: ({ ts, kinds }: { ts: number[][]; kinds: string[] }) =>
+  describe: ({ ts, kinds }: { ts: number[][]; kinds: string[] }) =>
     kinds.length ? `${list("Inflections", ts)} (${few(kinds).join(", ")})` : "",
 };
 
 /** More than these are not listed. */
-const MOST_LISTED = 6;
+const MAX_LISTED = 6;
 
 /**
  * @param ts of each piece
@@ -112,7 +112,7 @@ function list(what: string, ts: number[][]) {
 }
 
 function few(all: string[]) {
-  return all.length > MOST_LISTED ? [...all.slice(0, MOST_LISTED), "…"] : all;
+  return all.length > MAX_LISTED ? [...all.slice(0, MAX_LISTED), "…"] : all;
 }
 
 export function short(value: number) {

@@ -6,13 +6,13 @@ import * as measures from "./measures.js";
 import { names } from "./names.js";
 import * as polylines from "./polylines.js";
 import { bounded } from "./bounded.js";
-import { sheetOn } from "./sheet.js";
+import { contextOn } from "./draw-context.js";
 import * as envelope from "./envelope.js";
-import { truth } from "./truth.js";
-import * as ways from "./ways.js";
+import { continuityLabels } from "./continuity.js";
+import * as ways from "./directions.js";
 import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Role } from "./theme.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
@@ -27,14 +27,14 @@ export interface Layer {
   title?: string;
   /** What is drawn, asked of the core, in the plane's numbers */
   derive: (figure: Figure, state: State) => any;
-  draw: (sheet: Sheet, data: any, figure: Figure, state: State) => void;
+  draw: (context: DrawContext, data: any, figure: Figure, state: State) => void;
   /** What it found, in words */
-  tell?: (data: any, state: State) => string;
+  describe?: (data: any, state: State) => string;
   /** Asks much of each piece, and therefore not of all of a long chain */
   costly?: true;
 }
 
-export type Told = { name: string; words: string };
+export type LayerMessage = { name: string; words: string };
 
 /** From the back to the front. */
 const ALL: readonly Layer[] = [
@@ -61,7 +61,7 @@ const ALL: readonly Layer[] = [
   features.inflections,
   measures.nearest,
   names,
-  truth,
+  continuityLabels,
   base.points,
   base.atT,
 ];
@@ -73,37 +73,41 @@ export const LAYERS = ALL.filter(({ name }) => name) as readonly (Layer & { name
  * Draws everything on a cleared canvas.
  *
  * @param paper its context is scaled to the box; the view is seen to here
- * @returns what the layers tell
+ * @returns the messages of the layers
  */
-export function drawFigure(paper: import("../../../applet/pen.js").Paper<Role>, state: State, figure: Figure): Told[] {
-  const sheet = sheetOn(paper, state);
+export function drawFigure(
+  paper: import("../../../applet/pen.js").Paper<Role>,
+  state: State,
+  figure: Figure,
+): LayerMessage[] {
+  const context = contextOn(paper, state);
   const { ctx } = paper;
   ctx.clearRect(0, 0, state.box.width, state.box.height);
   ctx.lineJoin = ctx.lineCap = "round";
   const part = bounded(figure);
-  const told = ALL.filter(({ name }) => !name || state.layers.has(name as LayerName)).flatMap((layer) =>
-    drawLayer(layer, sheet, layer.costly ? part : figure, state),
+  const messages = ALL.filter(({ name }) => !name || state.layers.has(name as LayerName)).flatMap((layer) =>
+    drawLayer(layer, context, layer.costly ? part : figure, state),
   );
-  writeWords(sheet);
+  writeWords(context);
   if (part !== figure)
-    told.push({
+    messages.push({
       name: "",
       words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces`,
     });
-  return told;
+  return messages;
 }
 
 /** What the core refuses (a size at which its numbers end) is left out, and told. */
 function drawLayer(
-  { name = "", title, derive, draw, tell }: Layer,
-  sheet: Sheet,
+  { name = "", title, derive, draw, describe }: Layer,
+  context: DrawContext,
   figure: Figure,
   state: State,
-): Told[] {
+): LayerMessage[] {
   try {
     const data = derive(figure, state);
-    draw(sheet, data, figure, state);
-    const words = tell?.(data, state);
+    draw(context, data, figure, state);
+    const words = describe?.(data, state);
     return words ? [{ name, words }] : [];
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;

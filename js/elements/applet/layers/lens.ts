@@ -3,7 +3,7 @@
 
 import { traceSeen } from "./trace.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 /** What a lens needs to know of a state; the view has the box's proportions. */
 export type Looks = {
@@ -39,7 +39,7 @@ export class Lens {
   /**
    * @returns on the picture
    */
-  place(x: number, y: number): Place {
+  place(x: number, y: number): Point2 {
     return [this.scale * (x - this.x), this.scale * (y - this.y)];
   }
 
@@ -76,7 +76,7 @@ export class Lens {
 
   /** Begins a path that is a closed polygon; what is cut off leaves it closed. */
   polygon(flat: ArrayLike<number>) {
-    let corners: Place[] = [];
+    let corners: Point2[] = [];
     for (let i = 0; i < flat.length; i += 2) corners.push(this.place(flat[i], flat[i + 1]));
     this.beginPath();
     if (!corners.every(isNumber)) return;
@@ -117,7 +117,7 @@ export class Lens {
   }
 }
 
-function isNumber([x, y]: Place) {
+function isNumber([x, y]: Point2) {
   return x - x === 0 && y - y === 0;
 }
 
@@ -144,19 +144,19 @@ function clipped(x0: number, y0: number, x1: number, y1: number): [number, numbe
 }
 
 /** A polygon without what is cut off, side by side of the square (Sutherland and Hodgman, 1974). */
-function within(corners: Place[]): Place[] {
+function within(corners: Point2[]): Point2[] {
   for (const [axis, sign] of [
     [0, 1],
     [0, -1],
     [1, 1],
     [1, -1],
   ]) {
-    const depth = (corner: Place) => FAR - sign * corner[axis];
+    const depth = (corner: Point2) => FAR - sign * corner[axis];
     corners = corners.flatMap((corner, i) => {
       const before = corners.at(i - 1) ?? corner;
       const [a, b] = [depth(before), depth(corner)];
       const share = a / (a - b);
-      const crossing: Place = [
+      const crossing: Point2 = [
         before[0] + share * (corner[0] - before[0]),
         before[1] + share * (corner[1] - before[1]),
       ];

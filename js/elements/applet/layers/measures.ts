@@ -2,10 +2,10 @@
 import { SCAFFOLD_WIDTH, stroke, TANGENT_WIDTH } from "../../../applet/pen.js";
 import { strokesAcross } from "./base.js";
 import { short } from "./features.js";
-import { along, dashed, hollows, lines } from "./sheet.js";
-import { ways } from "./ways.js";
+import { along, dashed, hollows, lines } from "./draw-context.js";
+import { pointsAndDirections } from "./directions.js";
 import type { Curve } from "../../../index.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
@@ -25,15 +25,15 @@ export const nearest = {
     return { pointer, found, pieces: pieces.length };
   },
 
-  draw(sheet: Sheet, data: { pointer: number[]; found: Found } | null) {
+  draw(context: DrawContext, data: { pointer: number[]; found: Found } | null) {
     if (!data) return;
     const { x, y } = data.found.point;
-    lines(sheet, [...data.pointer, x, y]);
-    dashed(sheet, sheet.theme.ink, TANGENT_WIDTH);
-    hollows(sheet, [x, y], sheet.theme.ink);
+    lines(context, [...data.pointer, x, y]);
+    dashed(context, context.theme.ink, TANGENT_WIDTH);
+    hollows(context, [x, y], context.theme.ink);
   },
 
-  tell(data: { found: Found; pieces: number } | null) {
+  describe(data: { found: Found; pieces: number } | null) {
     if (!data) return "Nearest point: point at a place of the picture";
     const { t, distance } = data.found;
     const k = Math.min(Math.floor(t), data.pieces - 1);
@@ -66,12 +66,12 @@ export const offset = {
     return { curves: splines.flatMap((each) => each.segments()), distance: offset };
   },
 
-  draw(sheet: Sheet, { curves }: { curves: Curve[] }) {
-    along(sheet, curves);
-    stroke(sheet, sheet.theme.level1, SCAFFOLD_WIDTH);
+  draw(context: DrawContext, { curves }: { curves: Curve[] }) {
+    along(context, curves);
+    stroke(context, context.theme.level1, SCAFFOLD_WIDTH);
   },
 
-  tell: ({ curves, distance }: { curves: Curve[]; distance: number }) =>
+  describe: ({ curves, distance }: { curves: Curve[]; distance: number }) =>
     `Offset curve at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
 };
 
@@ -85,7 +85,7 @@ export const ticks = {
   derive({ pieces, spline }: Figure, { ticks }: State) {
     if (!spline)
       return {
-        across: pieces.flatMap(({ curve }) => [...ways(curve, curve.equidistantTimes(ticks))]),
+        across: pieces.flatMap(({ curve }) => [...pointsAndDirections(curve, curve.equidistantTimes(ticks))]),
         length: null,
         ticks,
       };
@@ -93,7 +93,7 @@ export const ticks = {
     const across = pieces.flatMap(({ curve }, k) => {
       const last = k === pieces.length - 1;
       const own = ts.filter((t) => t >= k && (last || t < k + 1)).map((t) => t - k);
-      return own.length ? [...ways(curve, own)] : [];
+      return own.length ? [...pointsAndDirections(curve, own)] : [];
     });
     return { across, length: spline.length(), ticks };
   },
@@ -101,12 +101,12 @@ export const ticks = {
   /**
    * @param data points and unit tangents
    */
-  draw(sheet: Sheet, { across }: { across: number[] }) {
+  draw(context: DrawContext, { across }: { across: number[] }) {
     const strokes = across.map((value, i) => (i % 4 === 2 ? -across[i + 1] : i % 4 === 3 ? across[i - 1] : value));
-    strokesAcross(sheet, strokes, TICK_HALF);
-    stroke(sheet, sheet.theme.ink, TANGENT_WIDTH);
+    strokesAcross(context, strokes, TICK_HALF);
+    stroke(context, context.theme.ink, TANGENT_WIDTH);
   },
 
-  tell: ({ length, ticks }: { length: number | null; ticks: number }) =>
+  describe: ({ length, ticks }: { length: number | null; ticks: number }) =>
     length === null ? "" : `Length ${short(length)} px, a tick every ${short(length / ticks)} px`,
 };

@@ -1,8 +1,8 @@
 // Names in the construction at t, in the notation of the labels.
 import * as pen from "../../../applet/pen.js";
-import { isSeen } from "./sheet.js";
+import { isSeen } from "./draw-context.js";
 import { selected } from "./weights.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 import type { Labels } from "../state.js";
@@ -11,7 +11,7 @@ export type Name = { text: string; at: ArrayLike<number>; away: [number, number]
 
 const DISTANCE = 16;
 /** Names double with every level: above these degrees there is no room. */
-const MOST_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
+const MAX_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
 
 export const names = {
   name: "names",
@@ -19,10 +19,10 @@ export const names = {
 
   derive: (figure: Figure, state: State) => namesOf(figure, state),
 
-  draw(sheet: Sheet, data: Name[]) {
+  draw(context: DrawContext, data: Name[]) {
     for (const { text, at, away } of data) {
-      const place = sheet.lens.place(at[0], at[1]);
-      if (isSeen(sheet, place)) sheet.words.push({ text, at: place, away, gap: DISTANCE, rank: 2 });
+      const place = context.lens.place(at[0], at[1]);
+      if (isSeen(context, place)) context.words.push({ text, at: place, away, gap: DISTANCE, rank: 2 });
     }
   },
 };
@@ -32,9 +32,9 @@ export function namesOf(figure: Figure, { layers, labels, basis, segment, t }: S
   if (labels === "none") return [];
   if (layers.has("halves")) {
     const piece = selected(figure, segment);
-    return piece && piece.curve.degree <= MOST_DEGREE.b0 ? halfNames(piece.curve.split(t)) : [];
+    return piece && piece.curve.degree <= MAX_DEGREE.b0 ? halfNames(piece.curve.split(t)) : [];
   }
-  if (!layers.has("construction") || basis !== "bezier" || figure.degree > MOST_DEGREE[labels]) return [];
+  if (!layers.has("construction") || basis !== "bezier" || figure.degree > MAX_DEGREE[labels]) return [];
   return figure.pieces.flatMap(({ curve, indices }) => constructionNames(curve.deCasteljau(t), labels, indices[0]));
 }
 

@@ -2,16 +2,16 @@
 import { stroke } from "../../../applet/pen.js";
 import { short } from "./features.js";
 import { deviation, treeOf } from "./halving.js";
-import { addThrough, hollows, through } from "./sheet.js";
+import { addThrough, hollows, through } from "./draw-context.js";
 import { hue } from "./theme.js";
 import { drawDiagram } from "./tree.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
 const WIDTH = 2;
 /** More hollow marks than these would hide the line. */
-const MOST_MARKS = 300;
+const MAX_MARKS = 300;
 
 export const tree = {
   name: "tree",
@@ -20,19 +20,19 @@ export const tree = {
 
   derive: (figure: Figure, state: State) => treeOf(figure, state),
 
-  draw(sheet: Sheet, { leaves, roots }: ReturnType<typeof treeOf>, figure: Figure) {
+  draw(context: DrawContext, { leaves, roots }: ReturnType<typeof treeOf>, figure: Figure) {
     const deepest = Math.max(0, ...leaves.map(({ depth }) => depth));
     for (let depth = 0; depth <= deepest; depth++) {
-      through(sheet, []);
-      for (const leaf of leaves) if (leaf.depth === depth) addThrough(sheet, leaf.chord);
-      stroke(sheet, hue(sheet.theme, depth + 1), WIDTH);
+      through(context, []);
+      for (const leaf of leaves) if (leaf.depth === depth) addThrough(context, leaf.chord);
+      stroke(context, hue(context.theme, depth + 1), WIDTH);
     }
-    if (leaves.length <= MOST_MARKS)
-      for (const { chord, depth } of leaves) hollows(sheet, chord, hue(sheet.theme, depth + 1));
-    drawDiagram(sheet, roots, figure);
+    if (leaves.length <= MAX_MARKS)
+      for (const { chord, depth } of leaves) hollows(context, chord, hue(context.theme, depth + 1));
+    drawDiagram(context, roots, figure);
   },
 
-  tell: ({ segments, error, tolerance }: ReturnType<typeof treeOf>) =>
+  describe: ({ segments, error, tolerance }: ReturnType<typeof treeOf>) =>
     `Halved until D1 − D2 < ${Number(tolerance.toPrecision(3))}: ${count(segments)}, greatest error ${small(error)} px`,
 };
 
@@ -48,14 +48,14 @@ export const segments = {
     return { lines, error, segments: segments * pieces.length };
   },
 
-  draw(sheet: Sheet, { lines, segments }: { lines: Float64Array[]; segments: number }) {
-    through(sheet, []);
-    for (const flat of lines) addThrough(sheet, flat);
-    stroke(sheet, sheet.theme.handle, WIDTH);
-    if (segments <= MOST_MARKS) for (const flat of lines) hollows(sheet, flat, sheet.theme.handle);
+  draw(context: DrawContext, { lines, segments }: { lines: Float64Array[]; segments: number }) {
+    through(context, []);
+    for (const flat of lines) addThrough(context, flat);
+    stroke(context, context.theme.handle, WIDTH);
+    if (segments <= MAX_MARKS) for (const flat of lines) hollows(context, flat, context.theme.handle);
   },
 
-  tell: ({ segments, error }: { segments: number; error: number }) =>
+  describe: ({ segments, error }: { segments: number; error: number }) =>
     `Even steps of t: ${count(segments)}, greatest error ${small(error)} px`,
 };
 

@@ -32,7 +32,7 @@ export function svgFigure(
   );
 }
 
-/** The colours of a light page, as the style sheet states them. */
+/** The colours of a light page, as the style context states them. */
 function lightTheme() {
   return Object.fromEntries(
     Array.from((LIGHT + LEVELS.light).matchAll(/--bz-(\w+): (#\w+)/g), ([, role, colour]) => [role, colour]),

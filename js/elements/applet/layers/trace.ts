@@ -5,7 +5,7 @@ export type Box = { width: number; height: number };
 /** A piece whose points are so near to even steps on its chord, in the picture's units, is a line. */
 const STRAIGHT = 0.08;
 /** More pieces than these are not looked at: what is left is drawn by its chords. */
-const MOST_PIECES = 3000;
+const MAX_PIECES = 3000;
 
 /**
  * @param points on the picture
@@ -13,7 +13,7 @@ const MOST_PIECES = 3000;
  * @param go a line to a place; left out where it is not seen
  */
 export function traceSeen(points: Float64Array, box: Box, go: (x: number, y: number, seen: boolean) => void) {
-  let left = MOST_PIECES;
+  let left = MAX_PIECES;
   const visit = (p: Float64Array) => {
     const [x, y] = [p[p.length - 2], p[p.length - 1]];
     if (isAside(p, 0, box.width) || isAside(p, 1, box.height)) return go(x, y, false);

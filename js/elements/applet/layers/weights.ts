@@ -1,8 +1,8 @@
 // How much each point counts at t: discs whose areas are the weights.
 import { RIM_WIDTH, stroke } from "../../../applet/pen.js";
 import { Curve } from "../../../paths.js";
-import { isSeen } from "./sheet.js";
-import type { Sheet } from "./sheet.js";
+import { isSeen } from "./draw-context.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { Piece } from "../figure.js";
 import type { State } from "../state.js";
@@ -11,7 +11,7 @@ import type { State } from "../state.js";
 const WHOLE_RADIUS = 34;
 const OPACITY = 0.22;
 /** Smaller ones read 0.00. */
-const LEAST_READ = 0.005;
+const MIN_READ = 0.005;
 
 export const weights = {
   name: "weights",
@@ -19,11 +19,11 @@ export const weights = {
 
   derive: (figure: Figure, state: State) => weightsAt(figure, state),
 
-  draw(sheet: Sheet, { flat, values }: ReturnType<typeof weightsAt>) {
-    values.forEach((value, i) => drawDisc(sheet, flat[2 * i], flat[2 * i + 1], value));
+  draw(context: DrawContext, { flat, values }: ReturnType<typeof weightsAt>) {
+    values.forEach((value, i) => drawDisc(context, flat[2 * i], flat[2 * i + 1], value));
   },
 
-  tell: ({ values }: ReturnType<typeof weightsAt>) =>
+  describe: ({ values }: ReturnType<typeof weightsAt>) =>
     values.length ? `Weights at t: ${[...values].map(read).join(", ")}` : "",
 };
 
@@ -72,24 +72,24 @@ function uniformBSpline(degree: number, t: number): number[] {
 }
 
 /** A negative weight is a hollow disc: it pushes the curve away. */
-function drawDisc(sheet: Sheet, x: number, y: number, value: number) {
-  const { ctx, theme, px } = sheet;
-  const at = sheet.lens.place(x, y);
-  if (!isSeen(sheet, at)) return;
+function drawDisc(context: DrawContext, x: number, y: number, value: number) {
+  const { ctx, theme, px } = context;
+  const at = context.lens.place(x, y);
+  if (!isSeen(context, at)) return;
   const colour = value < 0 ? theme.handle : theme.curve;
   ctx.beginPath();
-  ctx.arc(at[0], at[1], WHOLE_RADIUS * Math.sqrt(Math.min(Math.abs(value), MOST_DRAWN)) * px, 0, 2 * Math.PI);
+  ctx.arc(at[0], at[1], WHOLE_RADIUS * Math.sqrt(Math.min(Math.abs(value), MAX_DRAWN)) * px, 0, 2 * Math.PI);
   ctx.globalAlpha = value < 0 ? 0 : OPACITY;
   ctx.fillStyle = colour;
   ctx.fill();
   ctx.globalAlpha = 1;
-  stroke(sheet, colour, RIM_WIDTH);
-  if (Math.abs(value) >= LEAST_READ)
-    sheet.words.push({ text: read(value), at, away: [0, 1], gap: NUMBER_DISTANCE, rank: 1 });
+  stroke(context, colour, RIM_WIDTH);
+  if (Math.abs(value) >= MIN_READ)
+    context.words.push({ text: read(value), at, away: [0, 1], gap: NUMBER_DISTANCE, rank: 1 });
 }
 
 /** Outside of [0, 1] weights of high degrees are larger than any picture. */
-const MOST_DRAWN = 9;
+const MAX_DRAWN = 9;
 const NUMBER_DISTANCE = 19;
 
 function read(value: number) {

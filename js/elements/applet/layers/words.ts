@@ -1,15 +1,15 @@
 // Where words stand: beside what they name, clear of marks and of each other where there is room.
 import { label } from "../../../applet/pen.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 export interface Word {
   text: string;
   /** What is named, on the picture */
-  at: Place;
+  at: Point2;
   /** The direction in which the word would best stand, of length 1 */
-  away: Place;
+  away: Point2;
   /** From there to the middle of the word, in CSS pixels */
   gap: number;
   /** The smallest are placed first; from 1 on they are light */
@@ -28,30 +28,30 @@ const MARGIN = 11;
 /** The font of all but the names of the control points: weight and size. */
 const LIGHT = [450, 12] as const;
 /** Beyond so many words the picture is full anyway. */
-const MOST_WORDS = 120;
+const MAX_WORDS = 120;
 
-/** Places all words of a sheet and writes them. */
-export function writeWords(sheet: Sheet) {
-  const words = sheet.words.sort((a, b) => a.rank - b.rank).slice(0, MOST_WORDS);
-  const { taken } = sheet;
+/** Places all words of a context and writes them. */
+export function writeWords(context: DrawContext) {
+  const words = context.words.sort((a, b) => a.rank - b.rank).slice(0, MAX_WORDS);
+  const { reserved: taken } = context;
   for (const word of words) {
-    const halfWidth = ((word.rank ? LIGHT_WIDTH : CHARACTER.width) * [...word.text].length * sheet.px) / 2;
-    const halfHeight = (CHARACTER.height * sheet.px) / 2;
-    const at = bestPlace(sheet, word, taken, halfWidth, halfHeight);
+    const halfWidth = ((word.rank ? LIGHT_WIDTH : CHARACTER.width) * [...word.text].length * context.px) / 2;
+    const halfHeight = (CHARACTER.height * context.px) / 2;
+    const at = bestPlace(context, word, taken, halfWidth, halfHeight);
     taken.push(at[0], at[1], halfWidth, halfHeight);
-    label(sheet, word.text, at, word.rank ? LIGHT : undefined);
+    label(context, word.text, at, word.rank ? LIGHT : undefined);
   }
 }
 
 /** The first free place; where none is, the one that overlaps least. */
 function bestPlace(
-  { box, px }: Sheet,
+  { box, px }: DrawContext,
   { at, away, gap }: Word,
   taken: number[],
   halfWidth: number,
   halfHeight: number,
-): Place {
-  let best: Place = at;
+): Point2 {
+  let best: Point2 = at;
   let least = Infinity;
   for (const ring of RINGS) {
     for (const turn of TURNS) {
@@ -72,7 +72,7 @@ function bestPlace(
  * @param across how far from the left and the right edge
  * @param down from the upper and the lower one
  */
-function inside({ width, height }: Sheet["box"], [x, y]: Place, across: number, down: number): Place {
+function inside({ width, height }: DrawContext["box"], [x, y]: Point2, across: number, down: number): Point2 {
   return [Math.max(Math.min(x, width - across), across), Math.max(Math.min(y, height - down), down)];
 }
 

@@ -14,7 +14,7 @@ export interface DeskPort {
   names: () => { page: Document; name: string };
 }
 
-export class Desk {
+export class FileController {
   #port;
   #message = "";
   /** What is wrong with a file stays until the next one; what is wrong with a setting goes with it. */

@@ -1,5 +1,5 @@
 // What the layers draw on, and the few ways in which all of them do.
-import { DASH, hollow, stroke } from "../../../applet/pen.js";
+import { DASH, ring, stroke } from "../../../applet/pen.js";
 import { Lens } from "./lens.js";
 import type { Curve } from "../../../index.js";
 import type { Theme } from "./theme.js";
@@ -7,10 +7,10 @@ import type { Role } from "./theme.js";
 import type { Word } from "./words.js";
 import type { State } from "../state.js";
 
-export type Place = [number, number];
+export type Point2 = [number, number];
 
 /** A paper with a lens before it. Paths go through the lens; marks and words stand on the picture, at `lens.place`. */
-export interface Sheet {
+export interface DrawContext {
   /** Scaled to the view box */
   ctx: CanvasRenderingContext2D;
   theme: Theme;
@@ -21,26 +21,26 @@ export interface Sheet {
   /** To be placed when all is drawn */
   words: Word[];
   /** What words keep clear of: the middle of a box and half its width and height, one after the other */
-  taken: number[];
+  reserved: number[];
 }
 
-export function sheetOn({ ctx, theme, px }: import("../../../applet/pen.js").Paper<Role>, state: State): Sheet {
-  return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], taken: [] };
+export function contextOn({ ctx, theme, px }: import("../../../applet/pen.js").Paper<Role>, state: State): DrawContext {
+  return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], reserved: [] };
 }
 
 /** Begins a path along curves. */
-export function along({ lens }: Sheet, curves: readonly Curve[]) {
+export function along({ lens }: DrawContext, curves: readonly Curve[]) {
   lens.beginPath();
   for (const curve of curves) lens.curve(curve.controlPoints());
 }
 
 /** Begins a path through points. */
-export function through(sheet: Sheet, flat: ArrayLike<number>) {
-  sheet.lens.beginPath();
-  addThrough(sheet, flat);
+export function through(context: DrawContext, flat: ArrayLike<number>) {
+  context.lens.beginPath();
+  addThrough(context, flat);
 }
 
-export function addThrough({ lens }: Sheet, flat: ArrayLike<number>) {
+export function addThrough({ lens }: DrawContext, flat: ArrayLike<number>) {
   for (let i = 0; i < flat.length; i += 2) {
     if (i) lens.lineTo(flat[i], flat[i + 1]);
     else lens.moveTo(flat[0], flat[1]);
@@ -48,7 +48,7 @@ export function addThrough({ lens }: Sheet, flat: ArrayLike<number>) {
 }
 
 /** Separate lines: four numbers each. */
-export function lines({ lens }: Sheet, flat: ArrayLike<number>) {
+export function lines({ lens }: DrawContext, flat: ArrayLike<number>) {
   lens.beginPath();
   for (let i = 0; i < flat.length; i += 4) {
     lens.moveTo(flat[i], flat[i + 1]);
@@ -57,24 +57,24 @@ export function lines({ lens }: Sheet, flat: ArrayLike<number>) {
 }
 
 /** The path that there is, dashed. */
-export function dashed(sheet: Sheet, colour: string, width: number) {
-  sheet.ctx.setLineDash(DASH.map((length) => length * sheet.px));
-  stroke(sheet, colour, width);
-  sheet.ctx.setLineDash([]);
+export function dashed(context: DrawContext, colour: string, width: number) {
+  context.ctx.setLineDash(DASH.map((length) => length * context.px));
+  stroke(context, colour, width);
+  context.ctx.setLineDash([]);
 }
 
 /** Faintly, what is drawn meanwhile. */
-export function faint({ ctx }: Sheet, opacity: number, draw: () => void) {
+export function faint({ ctx }: DrawContext, opacity: number, draw: () => void) {
   ctx.globalAlpha = opacity;
   draw();
   ctx.globalAlpha = 1;
 }
 
 /** Hollow marks at points. */
-export function hollows(sheet: Sheet, flat: ArrayLike<number>, colour: string) {
+export function hollows(context: DrawContext, flat: ArrayLike<number>, colour: string) {
   for (let i = 0; i < flat.length; i += 2) {
-    const at = mark(sheet, flat[i], flat[i + 1], HOLLOW_ROOM);
-    if (at) hollow(sheet, at, colour);
+    const at = mark(context, flat[i], flat[i + 1], HOLLOW_ROOM);
+    if (at) ring(context, at, colour);
   }
 }
 
@@ -87,10 +87,10 @@ const HOLLOW_ROOM = 5;
  * @param radius in CSS pixels
  * @returns null where it is too far outside to be seen
  */
-export function mark(sheet: Sheet, x: number, y: number, radius: number): Place | null {
-  const at = sheet.lens.place(x, y);
-  if (!isSeen(sheet, at)) return null;
-  take(sheet, at, radius);
+export function mark(context: DrawContext, x: number, y: number, radius: number): Point2 | null {
+  const at = context.lens.place(x, y);
+  if (!isSeen(context, at)) return null;
+  reserve(context, at, radius);
   return at;
 }
 
@@ -99,14 +99,14 @@ export function mark(sheet: Sheet, x: number, y: number, radius: number): Place 
  *
  * @param radius in CSS pixels
  */
-export function take({ taken, px }: Sheet, [x, y]: Place, radius: number) {
-  if (radius > 0) taken.push(x, y, radius * px, radius * px);
+export function reserve({ reserved, px }: DrawContext, [x, y]: Point2, radius: number) {
+  if (radius > 0) reserved.push(x, y, radius * px, radius * px);
 }
 
 /** What lies this far outside, in CSS pixels, shows nothing of itself inside. */
 const OUTSIDE = 200;
 
-export function isSeen({ box, px }: Pick<Sheet, "box" | "px">, [x, y]: Place) {
+export function isSeen({ box, px }: Pick<DrawContext, "box" | "px">, [x, y]: Point2) {
   const most = OUTSIDE * px;
   return x >= -most && y >= -most && x <= box.width + most && y <= box.height + most;
 }
@@ -115,7 +115,7 @@ export function isSeen({ box, px }: Pick<Sheet, "box" | "px">, [x, y]: Place) {
  * @param flat points of the plane
  * @returns their places on the picture
  */
-export function onPicture({ lens }: Sheet, flat: ArrayLike<number>): number[] {
+export function onPicture({ lens }: DrawContext, flat: ArrayLike<number>): number[] {
   const places: number[] = [];
   for (let i = 0; i < flat.length; i += 2) places.push(...lens.place(flat[i], flat[i + 1]));
   return places;

@@ -1,17 +1,17 @@
 // What is true at each joint now, written beside it.
 import { jointsOf, shortWords } from "../joints.js";
-import { mark } from "./sheet.js";
-import type { Sheet } from "./sheet.js";
+import { mark } from "./draw-context.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
 const DISTANCE = 24;
 /** More would say nothing. */
-const MOST_JOINTS = 12;
+const MAX_JOINTS = 12;
 
-export const truth = {
+export const continuityLabels = {
   derive(figure: Figure, { basis }: State) {
-    if (basis !== "bezier" || figure.degree < 2 || figure.pieces.length > MOST_JOINTS) return []; // corners of a polygon need no words
+    if (basis !== "bezier" || figure.degree < 2 || figure.pieces.length > MAX_JOINTS) return []; // corners of a polygon need no words
     return jointsOf(figure).map((facts, k) => {
       const { curve } = figure.pieces[k + 1];
       const { x, y } = curve.tangent(0);
@@ -23,10 +23,10 @@ export const truth = {
     });
   },
 
-  draw(sheet: Sheet, data: { text: string; at: { x: number; y: number }; away: [number, number] }[]) {
+  draw(context: DrawContext, data: { text: string; at: { x: number; y: number }; away: [number, number] }[]) {
     for (const { text, at, away } of data) {
-      const place = mark(sheet, at.x, at.y, 0);
-      if (place) sheet.words.push({ text, at: place, away, gap: DISTANCE, rank: 1 });
+      const place = mark(context, at.x, at.y, 0);
+      if (place) context.words.push({ text, at: place, away, gap: DISTANCE, rank: 1 });
     }
   },
 };

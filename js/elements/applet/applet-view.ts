@@ -1,7 +1,7 @@
 // The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
 import { isForText } from "../../applet/keys.js";
 import { Speaker, setText } from "../../applet/voice.js";
-import { Acting } from "./acting.js";
+import { AppletActions } from "./actions.js";
 import * as edits from "./edits.js";
 import { listenToFiles } from "./files.js";
 import { frame } from "./frame.js";
@@ -11,9 +11,9 @@ import { snapped, turnedBy15 } from "./snap.js";
 import { Stage } from "./stage.js";
 import * as states from "./state.js";
 import { description } from "./words.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 
-export class Hands extends Acting {
+export class AppletView extends AppletActions {
   /** For which the colours were read. */
   #theme = "";
 
@@ -39,7 +39,7 @@ export class Hands extends Acting {
       this.#describe();
     }
     this.#stopListeningToPage ??= listenToPage(host, this.#keyPort());
-    if (!this.heard.includes(this.message)) this.speaker?.say();
+    if (!this.announced.includes(this.message)) this.speaker?.say();
     this.stage?.start();
     if (this.#theme !== host.theme)
       this.stage?.recolour(); // asks for the computed style, which costs as much as the picture
@@ -64,12 +64,12 @@ export class Hands extends Acting {
       this.host.now(),
       figure,
       joints,
-      this.tells.map((told) => told.words),
+      this.messages.map((messages) => messages.words),
     );
     setText(this.host.renderRoot.querySelector("#description") as HTMLElement, words);
     const truths = joints.map(({ at, verdict }) => `At ${at}: ${verdict}`);
-    const news = [this.message, ...truths].filter((each) => each && !this.heard.includes(each));
-    this.heard = [this.message, ...truths];
+    const news = [this.message, ...truths].filter((each) => each && !this.announced.includes(each));
+    this.announced = [this.message, ...truths];
     return news.join(". ");
   }
 
@@ -93,8 +93,8 @@ export class Hands extends Acting {
     if (segment >= 0) this.host.display({ ...state, segment });
   }
 
-  #pull(index: number, to: Place, { from, event }: { from: Place; event?: PointerEvent }) {
-    to = this.#dusted(to);
+  #pull(index: number, to: Point2, { from, event }: { from: Point2; event?: PointerEvent }) {
+    to = this.#roundedToPixels(to);
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
     this.host.during((state) => {
       const free = altKey ? edits.broken(state, index) : state;
@@ -108,7 +108,7 @@ export class Hands extends Acting {
   }
 
   /** As fine as anyone sees: pointers' places come with the dust of divisions. */
-  #dusted([x, y]: Place): Place {
+  #roundedToPixels([x, y]: Point2): Point2 {
     const digits = 3 - Math.floor(Math.log10(states.scaleOf(this.host.now())));
     return [Number(x.toFixed(digits)), Number(y.toFixed(digits))];
   }
@@ -138,11 +138,11 @@ export class Hands extends Acting {
       point: (at) =>
         this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at?.() ?? null }),
       look: (factor, from, to) => this.#look(factor, from, to),
-      drawn: (told) => this.hear(told),
+      drawn: (messages) => this.show(messages),
     };
   }
 
-  #look(factor: number, from: Place, to: Place) {
+  #look(factor: number, from: Point2, to: Point2) {
     const state = states.zoomed(this.host.now(), factor, from);
     const { view } = state;
     this.host.display({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
@@ -150,7 +150,7 @@ export class Hands extends Acting {
 
   #keyPort(): import("./keys.js").KeyPort {
     const editable = (act: () => void) => () => void (this.host.readonly || act());
-    const { insert, undo, redo, randomize, toggle, help } = this.acts;
+    const { insert, undo, redo, randomize, toggle, help } = this.actions;
     return {
       off: () => this.host.hotkeys === "off",
       pointOf: (event) => this.#pointOf(event),

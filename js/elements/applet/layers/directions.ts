@@ -1,9 +1,9 @@
 // Directions along the curve: tangents, normals, and the comb of curvature on them.
 import { stroke, TANGENT_WIDTH } from "../../../applet/pen.js";
-import { heads } from "./base.js";
-import { addThrough, faint, isSeen, lines, through } from "./sheet.js";
+import { arrowheads } from "./base.js";
+import { addThrough, faint, isSeen, lines, through } from "./draw-context.js";
 import type { Curve } from "../../../index.js";
-import type { Sheet } from "./sheet.js";
+import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../figure.js";
 import type { State } from "../state.js";
 
@@ -13,7 +13,7 @@ const SHORT = 22;
 /** So many steps along each piece. */
 const STEPS = 8;
 /** No more arrows than these on all pieces together. */
-const MOST_ARROWS = 400;
+const MAX_ARROWS = 400;
 
 export const tangents = arrows("tangents", "Tangents", "handle", (tx, ty) => [tx, ty]);
 export const normals = arrows("normals", "Normals", "level1", (tx, ty) => [-ty, tx]);
@@ -30,16 +30,16 @@ function arrows(
     title,
 
     derive({ pieces }: Figure, { t }: State) {
-      const steps = Math.min(STEPS, Math.floor(MOST_ARROWS / pieces.length));
+      const steps = Math.min(STEPS, Math.floor(MAX_ARROWS / pieces.length));
       const ts = Float64Array.from({ length: steps + 2 }, (_, k) => (k ? (k - 1) / steps : t));
-      return pieces.map(({ curve }) => ways(curve, steps ? ts : ts.subarray(0, 1)));
+      return pieces.map(({ curve }) => pointsAndDirections(curve, steps ? ts : ts.subarray(0, 1)));
     },
 
-    draw(sheet: Sheet, data: Float64Array[]) {
-      const colour = sheet.theme[role];
+    draw(context: DrawContext, data: Float64Array[]) {
+      const colour = context.theme[role];
       for (const flat of data) {
-        drawArrows(sheet, flat.subarray(4), turned, SHORT, colour);
-        drawArrows(sheet, flat.subarray(0, 4), turned, LONG, colour);
+        drawArrows(context, flat.subarray(4), turned, SHORT, colour);
+        drawArrows(context, flat.subarray(0, 4), turned, LONG, colour);
       }
     },
   };
@@ -49,18 +49,18 @@ function arrows(
  * @param flat points and unit tangents
  */
 function drawArrows(
-  sheet: Sheet,
+  context: DrawContext,
   flat: Float64Array,
   turned: (tx: number, ty: number) => [number, number],
   length: number,
   colour: string,
 ) {
-  const { ctx, lens, px } = sheet;
+  const { ctx, lens, px } = context;
   const ends: number[] = [];
   ctx.beginPath();
   for (let i = 0; i < flat.length; i += 4) {
     const at = lens.place(flat[i], flat[i + 1]);
-    if (!isSeen(sheet, at)) continue;
+    if (!isSeen(context, at)) continue;
     const [dx, dy] = turned(flat[i + 2], flat[i + 3]);
     if (dx === 0 && dy === 0) continue;
     const [x, y] = [at[0] + dx * length * px, at[1] + dy * length * px];
@@ -68,8 +68,8 @@ function drawArrows(
     ctx.lineTo(x, y);
     ends.push(...at, x, y);
   }
-  stroke(sheet, colour, TANGENT_WIDTH);
-  heads(sheet, ends, colour);
+  stroke(context, colour, TANGENT_WIDTH);
+  arrowheads(context, ends, colour);
 }
 
 /**
@@ -77,7 +77,7 @@ function drawArrows(
  *
  * @returns four numbers each
  */
-export function ways(curve: Curve, ts: ArrayLike<number>): Float64Array {
+export function pointsAndDirections(curve: Curve, ts: ArrayLike<number>): Float64Array {
   const at = curve.evalAt(ts);
   const by = curve.derivative().evalAt(ts);
   const flat = new Float64Array(4 * ts.length);
@@ -96,8 +96,8 @@ export function ways(curve: Curve, ts: ArrayLike<number>): Float64Array {
 
 /** Teeth of the comb on a piece, for each degree, and on all together. */
 const TEETH = 16;
-const MOST_TEETH = 2400;
-const MOST_TEETH_OF_ONE = 200;
+const MAX_TEETH = 2400;
+const MAX_TEETH_OF_ONE = 200;
 /** A tooth is as long as the curvature times this share of the box's width squared: 40 of 670 on a circle of radius 100. */
 const COMB_SCALE = 4000 / 670 ** 2;
 /** Longer teeth, before cusps, are cut: this share of the box's width. */
@@ -113,7 +113,7 @@ export const comb = {
   derive({ pieces, degree }: Figure, { box }: State) {
     const count = Math.max(
       4,
-      Math.min(TEETH * Math.max(degree, 3), MOST_TEETH_OF_ONE, Math.floor(MOST_TEETH / pieces.length)),
+      Math.min(TEETH * Math.max(degree, 3), MAX_TEETH_OF_ONE, Math.floor(MAX_TEETH / pieces.length)),
     );
     const scale = COMB_SCALE * box.width ** 2;
     return combOf(
@@ -124,17 +124,17 @@ export const comb = {
     );
   },
 
-  draw(sheet: Sheet, { teeth, rims }: ReturnType<typeof combOf>) {
+  draw(context: DrawContext, { teeth, rims }: ReturnType<typeof combOf>) {
     for (const flat of teeth) {
-      lines(sheet, flat);
-      faint(sheet, TOOTH_OPACITY, () => stroke(sheet, sheet.theme.level2, 1));
+      lines(context, flat);
+      faint(context, TOOTH_OPACITY, () => stroke(context, context.theme.level2, 1));
     }
-    through(sheet, []);
-    for (const flat of rims) addThrough(sheet, flat);
-    stroke(sheet, sheet.theme.level2, TANGENT_WIDTH);
+    through(context, []);
+    for (const flat of rims) addThrough(context, flat);
+    stroke(context, context.theme.level2, TANGENT_WIDTH);
   },
 
-  tell: ({ sharpest }: ReturnType<typeof combOf>) =>
+  describe: ({ sharpest }: ReturnType<typeof combOf>) =>
     sharpest > 0 ? `Sharpest bend: radius ${Number((1 / sharpest).toPrecision(3))} px` : "No bend",
 };
 

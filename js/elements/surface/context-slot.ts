@@ -1,9 +1,9 @@
 // The graphics card is lent: an element that is far from what is seen gives its context back and asks again later.
 
 /** One for each canvas, since a canvas has one context for ever. */
-const leases: WeakMap<HTMLCanvasElement, Lease> = new WeakMap();
+const leases: WeakMap<HTMLCanvasElement, ContextSlot> = new WeakMap();
 
-export class Lease {
+export class ContextSlot {
   #loser;
   #state: "held" | "ending" | "ended" = "held";
   #wanted = true;
@@ -12,15 +12,15 @@ export class Lease {
     this.#loser = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null; // a lost context hands out nothing
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault(); // it may come back
-      this.#told();
+      this.#notified();
     });
   }
 
   /**
    * @param canvas with its context, or with none
    */
-  static of(canvas: HTMLCanvasElement): Lease {
-    const known = leases.get(canvas) ?? new Lease(canvas);
+  static of(canvas: HTMLCanvasElement): ContextSlot {
+    const known = leases.get(canvas) ?? new ContextSlot(canvas);
     leases.set(canvas, known);
     return known;
   }
@@ -36,7 +36,7 @@ export class Lease {
   /** Asks for it again; the canvas tells when it is there. */
   renew() {
     this.#wanted = true;
-    if (this.#state !== "ended") return; // the loss has not been told yet: the answer waits for it
+    if (this.#state !== "ended") return; // the loss has not been notified yet: the answer waits for it
     this.#state = "held";
     this.#loser?.restoreContext();
   }
@@ -46,9 +46,9 @@ export class Lease {
     return this.#state === "ended";
   }
 
-  #told() {
+  #notified() {
     if (this.#state !== "ending") return;
     this.#state = "ended";
-    setTimeout(() => this.#wanted && this.renew()); // a context cannot be restored while its loss is told
+    setTimeout(() => this.#wanted && this.renew()); // a context cannot be restored while its loss is notified
   }
 }

@@ -4,7 +4,7 @@ const REDUCED_MOTION = "(prefers-reduced-motion: reduce)";
  * Whether the picture turns by itself: as the attribute asks, until a hand stops it; for those who want less motion only
  * when they ask by the button.
  */
-export class Turning {
+export class AutoRotation {
   #asked = false;
   #stopped = false;
 

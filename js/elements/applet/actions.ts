@@ -11,13 +11,13 @@ import { jointsOf } from "./joints.js";
 import * as states from "./state.js";
 import { MODE_NAMES, placeWords } from "./words.js";
 import type { State } from "./state.js";
-import type { Place } from "./state.js";
+import type { Point2 } from "./state.js";
 
-export type Actions = Acting["acts"];
+export type Actions = AppletActions["actions"];
 
-export class Acting {
+export class AppletActions {
   host: import("./editing.js").AppletEditing;
-  acts: {
+  actions: {
     play: () => void;
     undo: () => void;
     redo: () => void;
@@ -41,12 +41,12 @@ export class Acting {
 
   stage: import("./stage.js").Stage | null = null;
   speaker: import("../../applet/voice.js").Speaker | null = null;
-  /** What the layers tell. */
-  tells: { name: string; words: string }[] = [];
+  /** The messages of the layers. */
+  messages: { name: string; words: string }[] = [];
   /** The point that was touched last. */
   chosen = -1;
   /** What has been said of the message and the joints; it is not said again. */
-  heard: string[] = [];
+  announced: string[] = [];
   /** Whether taps move it. */
   tapping = false;
   player = new Player((by) => this.#advance(by));
@@ -54,7 +54,7 @@ export class Acting {
 
   constructor(host: import("./editing.js").AppletEditing) {
     this.host = host;
-    this.acts = this.#actions();
+    this.actions = this.#actions();
   }
 
   begin(stage: import("./stage.js").Stage, speaker: import("../../applet/voice.js").Speaker) {
@@ -67,10 +67,10 @@ export class Acting {
     return this.host.controls !== null && this.host.controls !== false;
   }
 
-  /** @param told what the layers tell */
-  hear(told: { name: string; words: string }[]) {
-    const changed = JSON.stringify(told) !== JSON.stringify(this.tells);
-    this.tells = told;
+  /** @param messages those of the layers */
+  show(messages: { name: string; words: string }[]) {
+    const changed = JSON.stringify(messages) !== JSON.stringify(this.messages);
+    this.messages = messages;
     if (changed && this.panelled) this.host.requestUpdate();
   }
 
@@ -102,12 +102,12 @@ export class Acting {
   do(change: (state: State) => State, words: string) {
     this.stage?.release();
     const done = this.host.byUser(change);
-    if (!done) this.heard = this.heard.slice(1); // the same refusal is told again
+    if (!done) this.announced = this.announced.slice(1); // the same refusal is announced again
     this.speaker?.say(done ? words : "");
     return done;
   }
 
-  appendAt(at: Place) {
+  appendAt(at: Point2) {
     if (this.do((state) => edits.appended(state, at), "Point added")) this.focusPoint(this.host.now().shown - 1);
   }
 
@@ -177,7 +177,8 @@ export class Acting {
       reset: () => void this.do(() => this.host.origin, "As at first"),
       randomize: () =>
         void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
-      toggle: () => void (this.do(states.toggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
+      toggle: () =>
+        void (this.do(states.allPointsToggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
       append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
       insert: () => void this.do((state) => edits.inserted(state), "Split at t"),
       removeChosen: () => void this.removeAt(this.chosen),
@@ -216,7 +217,7 @@ export class Acting {
       figure,
       joints: jointsOf(figure),
       modes: this.host.joints,
-      tells: this.tells,
+      messages: this.messages,
       shows: (group) => !wanted.length || wanted.includes(group),
       readonly: this.host.readonly,
       playing: this.player.playing,
@@ -228,7 +229,7 @@ export class Acting {
         this.host.attempt(() => this.host.during((now) => put(now, name, value)));
         if (done) this.host.settle();
       },
-      act: this.acts,
+      act: this.actions,
       hold: (joint, mode) => this.hold(joint, mode),
       zoom: (factor) => this.zoom(factor),
       code: codeShown ? codeOf(this.host.now(), this.host.made(), this.#language) : "",
