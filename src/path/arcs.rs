@@ -57,8 +57,8 @@ impl Path {
     /// Each arc starts where the previous one ends. Within a segment the arcs are pairs with a common tangent (biarcs)
     /// that also have the tangents of the curve, each pair as long as the tolerance permits; straight parts are lines,
     /// and neighbouring arcs of one circle are joined, up to half a turn. The Hausdorff distance of a subpath from its
-    /// arcs is at most the tolerance: of the polynomial |B(t) − c|² − r² its Bernstein coefficients are bounded. There are
-    /// about (size / tolerance)^⅓ arcs.
+    /// arcs is at most the tolerance: of the polynomial |B(t) − c|² − r² its Bernstein coefficients are bounded. The
+    /// rounding of centre and angles adds some 10⁻¹⁵ of the radius. There are about (size / tolerance)^⅓ arcs.
     ///
     /// A subpath that is a point gives one line of length 0. Source of the pairs: K. M. Bolton, "Biarc curves",
     /// Computer-Aided Design 7 (1975).

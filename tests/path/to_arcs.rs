@@ -42,6 +42,11 @@ fn distance(p: DVec2, arc: &CircularArc) -> f64 {
     }
 }
 
+/// What the rounding of centre, radius and angles moves a point of an arc.
+fn rounding(arc: &CircularArc) -> f64 {
+    arc.center.map_or(0.0, |_| 1e-15 * arc.radius)
+}
+
 /// Checks the promises for one open curve; the result is the number of arcs.
 fn checked(curve: &Curve<DVec2>, tolerance: f64) -> usize {
     let given = Path::from(curve.clone());
@@ -61,12 +66,15 @@ fn checked(curve: &Curve<DVec2>, tolerance: f64) -> usize {
         for u in [0.0, 0.2, 0.5, 0.9, 1.0] {
             let p = point(arc, u);
             let found = curve.nearest(p).expect("finite").distance;
-            assert!(found <= allowed, "{arc:?} at {u} of {curve:?}: {found}");
+            assert!(
+                found <= allowed + rounding(arc),
+                "{arc:?} at {u} of {curve:?}: {found}"
+            );
         }
         near(
             (point(arc, 0.0) - arc.start).length() + (point(arc, 1.0) - arc.end).length(),
             0.0,
-            1e-9 * size(curve),
+            1e-12 * size(curve) + rounding(arc),
         );
         assert!((arc.end_angle - arc.start_angle).abs() <= PI * 1.001);
     }

@@ -212,7 +212,8 @@ export class Path extends CorePath {
    *
    * Each arc starts where the previous one ends. Within a segment they come in pairs with a common tangent (biarcs),
    * each pair as long as the tolerance permits; straight parts are lines, and neighbouring arcs of one circle are joined,
-   * up to half a turn. The Hausdorff distance of a subpath from its arcs is at most the tolerance.
+   * up to half a turn. The Hausdorff distance of a subpath from its arcs is at most the tolerance; the rounding of centre
+   * and angles adds some 1e-15 of the radius.
    *
    * @param tolerance the largest distance, in the unit of the path
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate, and for more than 2²² arcs
