@@ -232,7 +232,10 @@ export class BezierSurface extends SurfaceAttributes {
     this.#files.clear();
     const before = this.#facts;
     this.#facts = facts;
-    if (before && JSON.stringify(before) === JSON.stringify({ ...facts, ms: sameKind(before.ms, facts.ms) })) return;
+    const onGpu = (each: Facts) => each.ms === null;
+    // Another time alone is no reason for an update.
+    const time = before && onGpu(before) === onGpu(facts) ? before.ms : facts.ms;
+    if (JSON.stringify(before) === JSON.stringify({ ...facts, ms: time })) return;
     this.requestUpdate();
   }
 
@@ -355,8 +358,3 @@ export class BezierSurface extends SurfaceAttributes {
 
 /** As the sliders have it. */
 const rounded = (x: number) => Math.round(100 * x) / 100;
-
-/** How long a mesh took is no reason for another update, unless one of two was made by the graphics card: the first time then. */
-function sameKind(before: number | null, now: number | null) {
-  return before === null || now === null ? now : before;
-}
