@@ -1,7 +1,7 @@
 // The code on the site's page "Installation", as it stands there, with the installed tarball.
 import assert from "node:assert/strict";
 import { build as esbuild } from "esbuild";
-import { readFile } from "node:fs/promises";
+import { readFile, symlink } from "node:fs/promises";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { compile } from "svelte/compiler";
@@ -129,17 +129,28 @@ console.log(renderToStaticMarkup(<Line points={${JSON.stringify(POINTS)}} />));`
   assert.equal(await runBundle("react.cjs", code), `<path d="${PATH}" fill="none" stroke="currentColor"></path>`);
 });
 
-test("React: an element gets points and tells changes", async (t) => {
-  const code = `import { createRoot } from "react-dom/client";
-${codeOf("react")[1]}
-const show = (points) => console.log(JSON.stringify(points));
-createRoot(document.querySelector("main")).render(<Figure points={[[0, 0], [100, 0], [200, 100]]} onPoints={show} />);
+/**
+ * Runs a program in a page, in which an element shows three points and prints changed ones.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {string} name of a folder
+ * @param {string} program shows the element with POINTS_GIVEN, and calls show(points)
+ * @param {import("esbuild").Plugin[]} [plugins]
+ */
+async function testElement(t, name, program, plugins = []) {
+  const code = `${program}
 const element = () => document.querySelector("bezier-applet");
 const look = () => element()?.points?.length === 3 ? console.log("ready") : requestAnimationFrame(look);
 look();`;
-  await bundle("react/main.js", code, { define: { "process.env.NODE_ENV": '"production"' }, format: "iife" });
-  await fixture.write("out/react/index.html", document('<main></main><script src="main.js"></script>'));
-  const { page, printed } = await visit(t, join(fixture.folder, "out/react"));
+  const define = {
+    "process.env.NODE_ENV": '"production"',
+    __VUE_OPTIONS_API__: "true",
+    __VUE_PROD_DEVTOOLS__: "false",
+    __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: "false",
+  };
+  await bundle(`${name}/main.js`, code, { define, format: "iife", plugins, conditions: ["browser"] });
+  await fixture.write(`out/${name}/index.html`, document('<main></main><script src="main.js"></script>'));
+  const { page, printed } = await visit(t, join(fixture.folder, "out", name));
   assert.equal(printed, "ready");
   const changed = page.waitForEvent("console", (message) => message.text().startsWith("["));
   await page.locator('bezier-applet [data-index="0"] input').first().focus();
@@ -147,6 +158,94 @@ look();`;
   await frames(page);
   const points = JSON.parse((await changed).text());
   assert.ok(points[0][0] > 0 && points[0][1] === 0, JSON.stringify(points));
+}
+
+const SHOW = `const given = [[0, 0], [100, 0], [200, 100]];
+const show = (points) => console.log(JSON.stringify(points));`;
+
+test("React: an element gets points and tells changes", (t) =>
+  testElement(
+    t,
+    "react",
+    `import { createRoot } from "react-dom/client";
+${codeOf("react")[1]}
+${SHOW}
+createRoot(document.querySelector("main")).render(<Figure points={given} onPoints={show} />);`,
+  ));
+
+/** Type checks a component against the installed package; an error in it is found, too. */
+async function testTypes(checker, name, text, mistake) {
+  const folder = join(fixture.folder, `types-${name}`);
+  await fixture.write(
+    `types-${name}/tsconfig.json`,
+    JSON.stringify({
+      compilerOptions: {
+        strict: true,
+        noEmit: true,
+        target: "es2023",
+        module: "esnext",
+        moduleResolution: "bundler",
+        lib: ["es2023", "dom", "dom.iterable"],
+        types: [],
+        skipLibCheck: true,
+      },
+      vueCompilerOptions: { strictTemplates: true },
+      include: ["."],
+    }),
+  );
+  const library = join(fixture.folder, "node_modules", name);
+  await symlink(join(root, "node_modules", name), library, "junction").catch(() => {});
+  const check = () =>
+    run(process.execPath, ["--require", join(root, "tests/packaging/typescript-6.cjs"), ...checker], { cwd: folder });
+  const file = `types-${name}/Figure.${name}`;
+  await fixture.write(file, text);
+  await check();
+  assert.ok(text.includes(mistake[0]));
+  await fixture.write(file, text.replace(...mistake));
+  await assert.rejects(check, /not assignable/);
+}
+
+test("Vue: an element is type checked, gets points and tells changes", async (t) => {
+  const text = codeOf("vue")[1];
+  const checker = [join(root, "node_modules/vue-tsc/bin/vue-tsc.js"), "-p", "."];
+  await testTypes(checker, "vue", text, [':points="points"', ':points="changed"']);
+  const isCustomElement = (tag) => tag.startsWith("bezier-");
+  const plugin = {
+    name: "vue",
+    setup: (build) =>
+      build.onLoad({ filter: /\.vue$/ }, async ({ path }) => {
+        const { descriptor } = parse(await readFile(path, "utf8"), { filename: path });
+        const templateOptions = { compilerOptions: { isCustomElement } };
+        const { content } = compileScript(descriptor, { id: "figure", inlineTemplate: true, templateOptions });
+        return { contents: content, loader: "ts" };
+      }),
+  };
+  await fixture.write("src/vue/Figure.vue", text);
+  const program = `import { createApp } from "vue";
+import Figure from "./Figure.vue";
+${SHOW}
+createApp(Figure, { points: given, onPoints: show }).mount("main");`;
+  await testElement(t, "vue", program, [plugin]);
+});
+
+test("Svelte: an element is type checked, gets points and tells changes", async (t) => {
+  const text = codeOf("svelte")[1];
+  const checker = [join(root, "node_modules/svelte-check/bin/svelte-check"), "--tsconfig", "tsconfig.json"];
+  await testTypes(checker, "svelte", text, ["{points}", "points={onPoints}"]);
+  const plugin = {
+    name: "svelte",
+    setup: (build) =>
+      build.onLoad({ filter: /\.svelte$/ }, async ({ path }) => {
+        const { js } = compile(await readFile(path, "utf8"), { generate: "client", filename: path });
+        return { contents: js.code, loader: "js" };
+      }),
+  };
+  await fixture.write("src/svelte/Figure.svelte", text);
+  const program = `import { mount } from "svelte";
+import Figure from "./Figure.svelte";
+${SHOW}
+mount(Figure, { target: document.querySelector("main"), props: { points: given, onPoints: show } });`;
+  await testElement(t, "svelte", program, [plugin]);
 });
 
 test("Vue: a component with a curve, on the server", async () => {
