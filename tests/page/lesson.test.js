@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { assertAccessible, openPage, root } from "./browser.js";
+import { assertAccessible, frames, openPage, root } from "./browser.js";
 import { downloadBy } from "./gestures.js";
 
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
@@ -83,16 +83,21 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   assert.equal(await task.getAttribute("data-state"), "open");
   await assertAccessible(page, { part: 'lesson-task[name="time-ratio"]' });
 
-  const toSolution = (by) =>
-    applet.evaluate((/** @type {any} */ element, by) => {
-      const [, , p2, p3] = element.points;
-      element.steer({ index: 4, point: [3 * p3[0] - 2 * p2[0] + by, 3 * p3[1] - 2 * p2[1]] }, true);
-    }, by);
+  const toSolution = (by, done = true) =>
+    applet.evaluate(
+      (/** @type {any} */ element, [by, done]) => {
+        const [, , p2, p3] = element.points;
+        element.steer({ index: 4, point: [3 * p3[0] - 2 * p2[0] + by, 3 * p3[1] - 2 * p2[1]] }, done);
+      },
+      /** @type {[number, boolean]} */ ([by, done]),
+    );
+  await toSolution(0, false);
+  await frames(page);
   await toSolution(60);
   assert.equal(await task.getAttribute("data-state"), "open");
   await toSolution(0);
   await page.locator('lesson-task[name="time-ratio"][data-state="done"]').waitFor();
-  assert.match(await said.innerText(), /Not quite/);
+  assert.match(await said.innerText(), /You predicted: .*\. The answer is: /);
   await toSolution(60);
   await press("Check");
   assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
@@ -108,15 +113,15 @@ test("a task that is revealed says so, and does not count as done", async (t) =>
   await page.waitForFunction(() => document.querySelector('lesson-task[name="top-180"]').state === "revealed");
 });
 
-test("a question with a wrong answer is not done, and says which answer is right", async (t) => {
+test("a question with a wrong answer is not done, says which answer is right, and can be tried again", async (t) => {
   const page = await open(t, "/surfaces/");
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
-    [0, "wrong", /Not quite\. The answer is: two/],
+    [0, "wrong", /You predicted: .*\. The answer is: two/],
     [1, "done", /You predicted it/],
   ])) {
-    if (state === "done") await page.reload();
     const task = page.locator('lesson-task[name="rows-on-surface"]');
     await task.scrollIntoViewIfNeeded();
+    if (state === "done") await task.getByRole("button", { name: "Try again" }).click();
     await task.getByRole("radio").nth(guess).check();
     await task.getByRole("button", { name: "guess" }).click();
     assert.equal(await task.getAttribute("data-state"), state);

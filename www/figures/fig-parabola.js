@@ -58,7 +58,7 @@ export class FigParabola extends Figure {
         <path class="axis" d="M0 ${oy}H${this.wide}M${ox} 0V${height}" />
         ${ticks.map((x) => svg`<text class="quiet middle" x=${place([x, 0])[0]} y=${oy + 17}>${short(x, 1)}</text>`)}
         ${[0.5, 1, 1.5, 2].map((y) => svg`<text class="quiet end" x=${ox - 6} y=${place([0, y])[1] + 4}>${short(y, 1)}</text>`)}
-        <text class="math" x=${this.wide - 16} y=${oy - 7}>t</text><text class="math" x=${ox + 8} y="16">y</text>
+        <text class="math" x=${this.wide - 16} y=${oy - 7}>x</text><text class="math" x=${ox + 8} y="16">y</text>
         <path class="ghost" d=${onPaper(PARABOLA.subsegment(-1.52, 1.52)).toSVG({ precision: 2 })} />
         <path class="dropped" d=${pathOf([px, oy, px, py, ox, py])} />
         ${

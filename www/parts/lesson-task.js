@@ -27,6 +27,7 @@ export class LessonTask extends HTMLElement {
   #buttons = element("div", { className: "buttons" });
   /** @type {number | null} */ #guess = null;
   /** Whether the reader has moved something: before, nothing is judged unasked. */ #touched = false;
+  /** Whether the reader is moving something: passing an answer does not solve the task, stopping at it does. */ #isMoving = false;
   #frame = 0;
   #built = false;
   #opened = false;
@@ -94,7 +95,7 @@ export class LessonTask extends HTMLElement {
   reset() {
     this.disconnectedCallback();
     this.#guess = null;
-    this.#touched = this.#opened = false;
+    this.#touched = this.#opened = this.#isMoving = false;
     this.#steps.replaceChildren();
     this.#say("");
     this.#start();
@@ -127,6 +128,7 @@ export class LessonTask extends HTMLElement {
   #finishQuiz() {
     const isRight = this.#guess === this.#task.predict?.answer;
     this.state = isRight ? "done" : "wrong";
+    if (!isRight) this.#buttons.replaceChildren(button("Try again", () => this.reset()));
     this.#say(this.#judged());
   }
 
@@ -148,11 +150,12 @@ export class LessonTask extends HTMLElement {
   /** The live check: at most once a frame, after the reader moved something. @param {Event} event */
   handleEvent(event) {
     this.#touched ||= event.type !== "update";
+    if (event.type !== "update") this.#isMoving = event.type === "input";
     if (!this.#touched || this.state !== "open") return;
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
       const verdict = this.#verdict();
-      if (verdict.done) this.#finish(verdict.words);
+      if (verdict.done && !this.#isMoving) this.#finish(verdict.words);
       else if (this.#task.live) this.#say(verdict.words);
     });
   }
@@ -195,7 +198,7 @@ export class LessonTask extends HTMLElement {
     const right =
       this.#guess === predict.answer
         ? "You predicted it."
-        : `Not quite. The answer is: ${predict.options[predict.answer]}.`;
+        : `You predicted: ${predict.options[this.#guess]}. The answer is: ${predict.options[predict.answer]}.`;
     return `${right} ${predict.because}`;
   }
 

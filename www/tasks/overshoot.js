@@ -13,7 +13,7 @@ export function check(_figure, { value }) {
   const done = past >= 10 && past <= 20;
   return verdict(
     done,
-    `It goes ${past.toFixed(1)} % beyond its end.${done ? "" : past > 20 ? " That is too much." : " That is not enough."}`,
+    `It goes ${past.toFixed(1)} % past its final place.${done ? "" : past > 20 ? " That is too much." : " That is not enough."}`,
   );
 }
 
