@@ -19,7 +19,7 @@ const COMMITTED_KB = {
   "{ Surface } of surfaces": 122.2,
   "only types": 0,
   "bezier-app.js": 45.9,
-  "elements, loaded at once": 35.6,
+  "elements, loaded at once": 36.3,
   "bezier-applet: kernel": 165.4,
   "bezier-easing: kernel": 7.1,
   "bezier-surface: kernel": 122.4,
@@ -79,7 +79,7 @@ async function staticImports(name, known = new Set()) {
 /** Whether a file has code of the classes or of their modules, and none of the elements. */
 async function isKernel(name) {
   const { sources } = JSON.parse(await readFile(`dist/${name}.map`, "utf8"));
-  const [kernel, views] = [/^(\.\.\/)+js\/(geometry|wasm|io|glue)\//, /^(\.\.\/)+js\/(elements|applet)\//];
+  const [kernel, views] = [/^(\.\.\/)+js\/(geometry|wasm|io|glue)\//, /^(\.\.\/)+js\/(editor|elements|applet)\//];
   return sources.some((source) => kernel.test(source)) && !sources.some((source) => views.test(source));
 }
 

@@ -118,6 +118,16 @@ export class BezierApp extends EventTarget {
     this.#engine.command((state) => states.appended(state, checked));
   }
 
+  /** Takes back the last change; what the page set before the first action of the user stays. */
+  undo() {
+    this.#engine.undo();
+  }
+
+  /** Repeats the change that was taken back. */
+  redo() {
+    this.#engine.redo();
+  }
+
   /** Takes the applet away and leaves the page as it was. */
   destroy() {
     this.#engine.end();

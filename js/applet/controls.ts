@@ -10,16 +10,21 @@ export interface ControlPort {
   randomize: () => void;
   toggle: () => void;
   append: () => void;
+  undo: () => void;
+  redo: () => void;
   setJoint: (mode: JointMode) => void;
   setT: (t: number, done: boolean) => void;
   setLayer: (name: keyof Layers, on: boolean) => void;
 }
 
 export interface Controls {
-  update: (state: State) => void;
+  update: (state: State, can: Can) => void;
   /** Whether `r` and `m` count on the whole page */
   pageWide: () => boolean;
 }
+
+/** Whether there are steps to undo and to redo. */
+export type Can = { undo: boolean; redo: boolean };
 
 const JOINT_NAMES: Record<JointMode, string> = { free: "Free", g1: "G1", c1: "C1" };
 const JOINT_TITLES: Record<JointMode, string> = {
@@ -51,11 +56,12 @@ export function createControls(bar: HTMLElement, port: ControlPort): Controls {
     page,
     "p",
     { className: "hint" },
-    "Drag a point, or Tab to it and use the arrow keys. A double click adds a point.",
-    element(page, "label", {}, keys, "r and m on the whole page"),
+    "Drag a point. A double click adds a point.",
+    element(page, "span", { className: "keys" }, "Keys: Tab to a point, then the arrow keys."),
+    element(page, "label", { className: "keys" }, keys, "r and m on the whole page"),
   );
   bar.append(buttons.row, joints.group, t.label, layers.group, hint);
-  const update = (state: State) => [joints, layers, t, buttons].forEach((part) => part.update(state));
+  const update = (state: State, can: Can) => [joints, layers, t, buttons].forEach((part) => part.update(state, can));
   return { update, pageWide: () => keys.checked };
 }
 
@@ -66,8 +72,13 @@ function pointButtons(page: Document, port: ControlPort) {
   const label = element(page, "span");
   const toggle = button("m", port.toggle, label, " ", key("m"));
   const randomize = button("r", port.randomize, "Randomize ", key("r"));
-  const row = element(page, "div", { className: "row" }, randomize, toggle, button("", port.append, "Add a point"));
-  const update = (state: State) => {
+  const undo = button("Control+Z", port.undo, "Undo");
+  const redo = button("Control+Y", port.redo, "Redo");
+  const add = button("", port.append, "Add a point");
+  const row = element(page, "div", { className: "row" }, randomize, toggle, add, undo, redo);
+  const update = (state: State, can: Can) => {
+    undo.disabled = !can.undo;
+    redo.disabled = !can.redo;
     const most = pointCount(state);
     label.textContent = state.shown === FEWEST_POINTS ? `Show ${most} points` : `Show ${FEWEST_POINTS} points`;
     toggle.disabled = most === FEWEST_POINTS;

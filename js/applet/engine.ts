@@ -1,4 +1,5 @@
 // The middle of the applet: holds the state, lets the user change it, shows it at most once a frame.
+import { History } from "../editor/history.js";
 import { createControls } from "./controls.js";
 import { derive } from "./derive.js";
 import { Drags } from "./drag.js";
@@ -23,6 +24,9 @@ export class Engine {
   #state: State;
   /** What Esc returns to. */
   #before: State;
+  #history = new History<State>();
+  /** Whether the user has changed something; what the page sets before makes no undo step. */
+  #isTouched = false;
   /** The length of a CSS pixel in the view box. */
   #px = 1;
   #frame = 0;
@@ -73,7 +77,20 @@ export class Engine {
     const next = change(this.#state);
     const dragging = this.#drags.active;
     this.#drags.end();
+    this.#history.close(this.#state);
+    if (this.#isTouched) this.#history.touch(this.#state);
     this.set(dragging ? change(this.#state) : next);
+    this.#history.close(this.#state);
+  }
+
+  undo() {
+    this.#drags.end();
+    this.set(this.#history.undo(this.#state));
+  }
+
+  redo() {
+    this.#drags.end();
+    this.set(this.#history.redo(this.#state));
   }
 
   end() {
@@ -85,6 +102,7 @@ export class Engine {
     const { overlay } = this.#view;
     overlay.addEventListener("keydown", (event) => this.#arrow(event));
     overlay.addEventListener("input", (event) => this.#slide(event.target as HTMLInputElement));
+    for (const type of ["keyup", "change", "focusout"]) overlay.addEventListener(type, () => this.#closeStep());
     onDoubleTap(overlay, (event) => this.#appendByPointer(event));
     this.endings.push(
       followTheme(this.#view.probe, (theme) => {
@@ -122,7 +140,7 @@ export class Engine {
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
     draw({ ctx: this.#context, theme: this.#theme, px: this.#px }, state, derived);
     this.#handles.update(derived.points);
-    this.#controls.update(state);
+    this.#controls.update(state, { undo: this.#history.canUndo, redo: this.#history.canRedo });
     this.#voice.show(state, derived);
   }
 
@@ -159,7 +177,18 @@ export class Engine {
     this.#moveByKey(index, input.dataset.axis === "x" ? [value, y] : [x, this.#state.box.height - value]);
   }
 
+  /** The user is about to change something; `#closeStep` completes the undo step. */
+  #openStep() {
+    this.#isTouched = true;
+    this.#history.touch(this.#state);
+  }
+
+  #closeStep() {
+    if (!this.#drags.active && this.#history.close(this.#state)) this.#schedule();
+  }
+
   #moveByKey(index: number, to: Point2) {
+    this.#openStep();
     this.#move(index, to);
     this.#voice.say(place(this.#placeOf(index), index));
     this.#fire("input");
@@ -167,6 +196,7 @@ export class Engine {
   }
 
   #byUser(change: (state: State) => State, words: (state: State) => string) {
+    this.#isTouched = true;
     this.command(change);
     this.#voice.say(words(this.#state));
     this.#fire("input");
@@ -196,12 +226,23 @@ export class Engine {
     if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#byUser(states.allPointsToggled, shownWords);
   }
 
+  #stepByUser(name: "undo" | "redo") {
+    const { canUndo, canRedo } = this.#history;
+    if (!(name === "undo" ? canUndo || this.#history.open : canRedo)) return;
+    this[name]();
+    this.#voice.say(name === "undo" ? "Undone" : "Redone");
+    this.#fire("input");
+    this.#fire("change");
+  }
+
   #keyPort(): import("./keys.js").KeyPort {
     return {
       host: this.#view.host,
       pageWide: () => this.#controls.pageWide(),
       randomize: () => this.#randomize(),
       toggle: () => this.#toggle(),
+      undo: () => this.#stepByUser("undo"),
+      redo: () => this.#stepByUser("redo"),
       escape: () => this.#drags.cancel(),
     };
   }
@@ -214,13 +255,21 @@ export class Engine {
       count: () => this.#handles.count,
       grabbed: (index) => this.#handles.focus(index),
       schedule: () => this.#schedule(),
-      move: (index, to) => this.#move(index, to),
-      begun: () => (this.#before = this.#state),
+      move: (index, to) => {
+        this.#openStep();
+        this.#move(index, to);
+      },
+      begun: () => {
+        this.#history.close(this.#state);
+        this.#before = this.#state;
+      },
       restored: () => {
+        this.#history.abandon();
         this.set({ ...this.#state, spline: this.#before.spline });
         this.#fire("input");
       },
       ended: (moved) => {
+        this.#closeStep();
         if (!moved.length) return;
         this.#voice.say(moved.map((index) => place(this.#placeOf(index), index)).join(". "));
         this.#fire("input");
@@ -234,6 +283,8 @@ export class Engine {
       randomize: () => this.#randomize(),
       toggle: () => this.#toggle(),
       append: () => this.#append(roomiestPlace(this.#state)),
+      undo: () => this.#stepByUser("undo"),
+      redo: () => this.#stepByUser("redo"),
       setJoint: (mode) =>
         this.#byUser(
           (state) => states.withJoint(state, mode),
@@ -245,7 +296,9 @@ export class Engine {
           () => "",
         ),
       setT: (t, done) => {
+        this.#openStep();
         this.set(states.withT(this.#state, t));
+        if (done) this.#closeStep();
         this.#fire(done ? "change" : "input");
       },
     };

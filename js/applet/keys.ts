@@ -8,6 +8,8 @@ export interface KeyPort {
   pageWide: () => boolean;
   randomize: () => void;
   toggle: () => void;
+  undo: () => void;
+  redo: () => void;
   /** Ends a drag; false if there is none */
   escape: () => boolean;
 }
@@ -43,12 +45,25 @@ export function listenToKeys(port: KeyPort): () => void {
 
 function pressed(event: KeyboardEvent, port: KeyPort) {
   if (event.key === "Escape" && port.escape()) return event.preventDefault();
-  const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()]; // a browser that fills in a form sends events without a key
-  if (!act || !isPlain(event) || isForText(event)) return;
+  const step = historyStep(event);
+  const letter = isPlain(event) && { r: port.randomize, m: port.toggle }[keyOf(event)];
+  const act = step ? port[step] : letter;
+  if (!act || isForText(event)) return;
   const { host, focused } = keyTarget(event, port.host.ownerDocument);
-  if (host !== port.host || !(focused || port.pageWide())) return;
+  if (host !== port.host || !(focused || (!step && port.pageWide()))) return;
   event.preventDefault();
   act();
+}
+
+/** In lower case; a browser that fills in a form sends events without a key. */
+const keyOf = (event: KeyboardEvent) => (event.key ?? "").toLowerCase();
+
+/** What Ctrl or Cmd with Z, Shift+Z or Y asks for. */
+export function historyStep(event: KeyboardEvent): "undo" | "redo" | null {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return null;
+  const key = keyOf(event);
+  if (key === "y" || (key === "z" && event.shiftKey)) return "redo";
+  return key === "z" ? "undo" : null;
 }
 
 /** Whether a key was pressed without modifiers; Shift is allowed, as for capital letters. */

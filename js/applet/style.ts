@@ -112,6 +112,7 @@ kbd {
 .t .value { min-inline-size: 2.4em; font-weight: 400; font-variant-numeric: tabular-nums; }
 .t i { font-family: ui-serif, Georgia, serif; font-size: 1.1em; }
 .handle :focus-visible { outline: none; }
+@media (hover: none) and (pointer: coarse) { kbd, .keys, [aria-keyshortcuts="?"] { display: none; } }
 .hint { flex: 1 1 100%; display: flex; flex-wrap: wrap; gap: 0.2rem 1.4rem; margin: 0; align-items: center; color: var(--bz-quiet); font-size: 0.875rem; }
 `;
 

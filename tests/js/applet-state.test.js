@@ -5,7 +5,7 @@ import * as edits from "#js/elements/applet/edits.js";
 import { FIELDS, jsonOf, stateOf } from "#js/elements/applet/fields.js";
 import { figureOf, nameOf } from "#js/elements/applet/figure.js";
 import { withText } from "#js/elements/applet/files.js";
-import { History } from "#js/elements/applet/history.js";
+import { History } from "#js/editor/history.js";
 import { snapped, turnedBy15 } from "#js/elements/applet/snap.js";
 import {
   BASES,
@@ -125,7 +125,8 @@ test("joints broken by hand are those beside the point", () => {
 });
 
 test("undo and redo: a gesture is one step, what passes is none, a new step ends what could be done again", () => {
-  const history = new History();
+  /** @type {History<any>} */
+  const history = new History(["view", "pointer", "segment"], ["view", "pointer"]);
   const states = Array.from({ length: 5 }, (_, i) => ({ ...firstState(), t: i / 10 }));
   history.touch(states[0]);
   history.touch(states[1]);

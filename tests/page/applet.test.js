@@ -162,6 +162,51 @@ test("r and m are left alone in fields, with modifiers, and when switched off", 
   assert.equal(await page.evaluate(() => bezierApp().mode), 4);
 });
 
+test("undo and redo: a drag and a held key are one step each; Ctrl+Z counts with the focus inside only", async (t) => {
+  const page = await openTutorial(t);
+  const first = await points(page);
+  const [undo, redo] = ["Undo", "Redo"].map((name) => page.getByRole("button", { name }));
+  assert.ok((await undo.isDisabled()) && (await redo.isDisabled()));
+  const handle = page.getByLabel("P1 x");
+  await handle.focus();
+  await page.keyboard.down("ArrowRight");
+  for (let i = 0; i < 4; i++) await page.keyboard.down("ArrowRight");
+  await page.keyboard.up("ArrowRight");
+  const moved = await points(page);
+  assert.equal(moved[1][0], first[1][0] + 5);
+  await page.keyboard.press("r");
+  const random = await points(page);
+  assert.notDeepEqual(random, moved);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual(await points(page), moved);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual(await points(page), first);
+  await page.keyboard.press("Control+Shift+z");
+  assert.deepEqual(await points(page), moved);
+  await redo.click();
+  assert.deepEqual(await points(page), random);
+  await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
+  await page.keyboard.press("Control+z");
+  assert.deepEqual(await points(page), random, "without the focus it is the page's own");
+  await page.evaluate(() => bezierApp().undo());
+  assert.deepEqual(await points(page), moved);
+});
+
+test("what the page sets before the first action is no step; afterwards it is one", async (t) => {
+  const page = await openTutorial(t);
+  const cubic = JSON.parse("[[100,400],[100,100],[500,100],[500,400]]");
+  const set = (value) => page.evaluate((points) => void Object.assign(bezierApp(), { points }), value);
+  await set(cubic);
+  await page.evaluate(() => bezierApp().undo());
+  assert.deepEqual(await points(page), cubic);
+  await page.getByLabel("t", { exact: true }).fill("0.25");
+  await set(cubic.toReversed());
+  await page.evaluate(() => bezierApp().undo());
+  assert.deepEqual([await points(page), await page.evaluate(() => bezierApp().t)], [cubic, 0.25]);
+  await page.evaluate(() => bezierApp().undo());
+  assert.equal(await page.evaluate(() => bezierApp().t), 0.5);
+});
+
 test("Esc takes a drag back; so does a lost pointer", async (t) => {
   const page = await openTutorial(t);
   const before = await points(page);

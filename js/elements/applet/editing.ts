@@ -1,10 +1,10 @@
 // Everything that changes the state, by the page or by the user; undo and redo; the events that tell.
+import { History } from "../../editor/history.js";
 import { writeAttribute } from "../attribute-text.js";
 import { AppletAttributes } from "./attributes.js";
 import * as edits from "./edits.js";
 import { FIELDS, jsonOf, stateOf } from "./fields.js";
 import { figureOf } from "./figure.js";
-import { History } from "./history.js";
 import { BASIS_NAMES, firstState, allPointsToggled } from "./state.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";
@@ -15,7 +15,7 @@ const MAKINGS: readonly (keyof State)[] = ["points", "shown", "basis", "degree",
 
 export class AppletEditing extends AppletAttributes {
   /** @internal */
-  history = new History();
+  history = new History<State>(["view", "pointer", "segment"], ["view", "pointer"]);
   /** @internal What could not be done. */
   message = "";
   /** @internal Whether the message is good news. */

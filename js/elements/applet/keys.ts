@@ -1,6 +1,6 @@
 // The keyboard: `r` and `m` from the whole page, everything else while the focus is inside.
 import { addKeyTarget, keyTarget } from "../../applet/key-targets.js";
-import { arrowStep, isForText, isPlain } from "../../applet/keys.js";
+import { arrowStep, historyStep, isForText, isPlain } from "../../applet/keys.js";
 
 export interface KeyPort {
   /** Whether there are no keys but the arrows */
@@ -61,22 +61,17 @@ export function listenToPage(host: HTMLElement, port: KeyPort): () => void {
  */
 function pressed(event: KeyboardEvent, port: KeyPort): boolean {
   const index = port.pointOf(event);
-  const step = index < 0 ? null : arrowStep(event);
-  if (step) return used(port.nudge(index, step));
+  const arrow = index < 0 ? null : arrowStep(event);
+  if (arrow) return used(port.nudge(index, arrow));
   if (event.key === "Escape") return port.escape();
   if (port.off() || event.isComposing) return false;
-  if (event.ctrlKey || event.metaKey) return commanded(event, port);
-  if (event.altKey || event.repeat) return false;
+  const step = historyStep(event);
+  if (step) return used(port[step]());
+  if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return false;
   if (index >= 0 && event.key === "Enter") return port.cycle(index);
   if (index >= 0 && ["Delete", "Backspace"].includes(event.key)) return used(port.remove(index, event.shiftKey));
   const act = { r: port.randomize, m: port.toggle, i: port.insert, "?": port.help }[(event.key ?? "").toLowerCase()];
   return act !== undefined && used(act());
-}
-
-function commanded(event: KeyboardEvent, port: KeyPort) {
-  const key = (event.key ?? "").toLowerCase();
-  if (key === "y" || (key === "z" && event.shiftKey)) return used(port.redo());
-  return key === "z" && used(port.undo());
 }
 
 /** @param _ what was done */
