@@ -63,8 +63,8 @@ export interface SurfaceFigure {
 }
 
 /**
- * `<bezier-surface>`: a surface of Bézier patches in WebGL2. Every attribute is a property of the same name; an unknown
- * word or a number out of range has the effect of the default. The events "input" (during a change by the user) and
+ * `<bezier-surface>`: a surface of Bézier patches in WebGL2. Every attribute is a property of the same name. After an
+ * unknown word or a number out of range the last valid value stays in effect, and the console says so once. The events "input" (during a change by the user) and
  * "change" (at its end) bubble; changes by the page do not fire them. "update" follows every change, by the user or by the
  * page, and does not bubble.
  */
@@ -164,26 +164,26 @@ export interface AppletFigure {
 
 /**
  * `<bezier-applet>`: control points to drag, their curve, and its construction and measures. An attribute that is invalid
- * leaves the last valid value in effect, and a message below the picture says so. The events "input" (during a change by the
+ * leaves the last valid value in effect; a message below the picture and, once, a warning in the console say so. The events "input" (during a change by the
  * user) and "change" (at its end) bubble; "update" follows every change, by the user or by the page, and does not bubble.
  */
 export interface AppletProperties {
   /** All control points in a box of 670 × 480, y down; as an attribute "x,y x,y …" */
   points: [number, number][];
-  /** The number of points that are shown; "" for all */
-  mode: string;
+  /** The number of points that are shown; null for all */
+  mode: number | null;
   /** How the points determine the curve */
   basis: "bezier" | "hermite" | "b-spline" | "catmull-rom" | "natural" | "centripetal" | "matrix";
   /** 16 numbers for the basis "matrix", row-major: [t³ t² t 1]·M·P */
-  matrix: string;
+  matrix: number[];
   /** 1 to 64, or "n": one curve with all points */
-  degree: string;
+  degree: number | "n";
   /** The continuity that is kept at each inner joint; as an attribute words, the last one for all further joints */
   joints: JointMode[];
   /** From 0 to 1; from −0.5 to 1.5 if the extrapolation is shown */
   t: number;
   /** The number of the segment to which t refers, from 0 */
-  segment: string;
+  segment: number;
   /**
    * Some of the words "polygon hull construction halves weights tangents normals comb bounds extrema inflections tree segments
    * nearest offset ticks envelope extrapolation names"
@@ -191,16 +191,16 @@ export interface AppletProperties {
   show: string;
   /** The notation of the points */
   labels: "P0" | "P1" | "b0" | "p0" | "none";
-  /** The tolerance of the adaptive subdivision, in pixels */
-  tolerance: string;
-  /** The number of segments of the uniform polyline */
-  segments: string;
-  /** The distance of the offset curve */
-  offset: string;
-  /** The number of parts of equal length */
-  ticks: string;
-  /** The visible part: "x y width height" */
-  view: string;
+  /** The tolerance of the adaptive subdivision, 0.01 to 200 pixels */
+  tolerance: number;
+  /** The number of segments of the uniform polyline, 1 to 200 */
+  segments: number;
+  /** The distance of the offset curve, −500 to 500 */
+  offset: number;
+  /** The number of parts of equal length, 1 to 200 */
+  ticks: number;
+  /** The visible part; as an attribute "x y width height" */
+  view: { x: number; y: number; width: number; height: number };
   /**
    * Whether the control panel is shown; some of the words "joints t points curve show save coordinates zoom" show only
    * these groups

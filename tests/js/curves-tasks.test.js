@@ -36,8 +36,8 @@ testTasks([
   [
     "straight-matrix",
     { points: ARCH },
-    [inBasis([...Curve.basisMatrix("bezier")].join(" ")), inBasis("0 0 0 0 -1 0 0 1 0 0 0 0 1 0 0 0")],
-    inBasis("0 0 0 0 0 0 0 0 -1 0 0 1 1 0 0 0"),
+    [inBasis([...Curve.basisMatrix("bezier")]), inBasis([0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0])],
+    inBasis([0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0]),
   ],
   ["level-tangent", { points: HILL, t: 0.75 }, [{ t: 0.5 }, { t: 1 }], { t: Math.round(100 * TOP) / 100 }],
   [

@@ -125,10 +125,10 @@ test("attributes are read in any order, reflect, and go back to the defaults whe
     points: "0,0 10,100 20,100 100,0 200,-90 300,10 310,20",
   });
   const { points, figure, mode, t, show } = applet;
-  assert.deepEqual([mode, t, points.length, figure.points.length, show], ["4", 0.2, 7, 4, "hull"]);
+  assert.deepEqual([mode, t, points.length, figure.points.length, show], [4, 0.2, 7, 4, "hull"]);
   assert.equal(text(points), "0,0 10,100 20,100 100,0 180,-100 300,10 310,20", "held from the start");
   for (const name of ["points", "mode", "t", "show", "joints"]) applet.removeAttribute(name);
-  assert.deepEqual([text(applet.points), applet.mode, applet.t, applet.show], [FIRST, "", 0.5, "polygon"]);
+  assert.deepEqual([text(applet.points), applet.mode, applet.t, applet.show], [FIRST, null, 0.5, "polygon"]);
   applet.reflectState();
   assert.equal(applet.attributes.length, 0, "what is as at first is not written");
   Object.assign(applet, { show: "comb tree", t: 0.25, points: CUBIC, joints: ["c2"], view: "10 20 67 48" });

@@ -33,7 +33,32 @@ const GIVEN = [
       hotkeys: "off",
       label: "Curve",
     },
-    { points: JSON.parse("[[0,0],[9,9],[20,0],[31,-9],[40,0]]"), joints: ["c1"] },
+    { degree: 2, points: JSON.parse("[[0,0],[9,9],[20,0],[31,-9],[40,0]]"), joints: ["c1"] },
+  ],
+  [
+    BezierApplet,
+    {
+      mode: "4",
+      segment: "1",
+      tolerance: "2",
+      segments: "8",
+      offset: "-12.5",
+      ticks: "5",
+      view: "10 20 67 48",
+      matrix: "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
+      basis: "hermite",
+      show: "hull ticks",
+    },
+    {
+      mode: 4,
+      segment: 1,
+      tolerance: 2,
+      segments: 8,
+      offset: -12.5,
+      ticks: 5,
+      view: { x: 10, y: 20, width: 67, height: 48 },
+      matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    },
   ],
   [
     BezierSurface,
@@ -62,6 +87,69 @@ for (const [Type, texts, after] of GIVEN) {
     assert.deepEqual(values(), { ...texts, ...after });
     setAsReact(element, Object.fromEntries(Object.keys(texts).map((key) => [key, undefined])));
     assert.deepEqual(values(), before);
+  });
+}
+
+test("numbers, lists and views are set as they are read", () => {
+  const element = elementOf(BezierApplet);
+  const values = {
+    mode: 4,
+    degree: "n",
+    tolerance: 0.25,
+    offset: -3,
+    matrix: Array.from({ length: 16 }, (_, k) => k / 4),
+    view: { x: -5, y: 1.5, width: 67, height: 48 },
+  };
+  Object.assign(element, values);
+  const read = () => Object.fromEntries(Object.keys(values).map((key) => [key, element[key]]));
+  assert.deepEqual(read(), values);
+  Object.assign(element, read());
+  assert.deepEqual(read(), values);
+  element.mode = null;
+  assert.equal(element.mode, null);
+});
+
+/** What the console says while something is done. */
+function warningsOf(act) {
+  const warnings = [];
+  const { warn } = console;
+  console.warn = (text) => warnings.push(text);
+  try {
+    act();
+  } finally {
+    console.warn = warn;
+  }
+  return warnings;
+}
+
+for (const [Type, bad, message] of [
+  [BezierApplet, { tolerance: -1 }, "tolerance: expected a number from 0.01 to 200, got -1"],
+  [BezierApplet, { basis: "bezzier" }, /^basis: expected bezier, .*, got "bezzier"$/],
+  [BezierSurface, { segments: 65 }, "segments: expected a number from 1 to 64, got 65"],
+  [BezierSurface, { shading: "shiny" }, /^shading: expected smooth, .*, got "shiny"$/],
+  [BezierSurface, { show: "surface nett" }, /^show: expected some of the words .*, got "surface nett"$/],
+  [BezierSurface, { probe: "1 2" }, 'probe: expected three numbers, got "1 2"'],
+]) {
+  const [[name, value]] = Object.entries(bad);
+  test(`${Type.name} keeps the last good ${name}, and the console says so once`, () => {
+    const element = elementOf(Type);
+    const good = { tolerance: 2, basis: "hermite", segments: 7, shading: "mean", show: "net", probe: "1 2 3" };
+    element[name] = good[name];
+    const shown = () => {
+      const { ms: _, ...mesh } = element.figure.mesh ?? {};
+      return JSON.stringify([element.state, { ...element.figure, mesh }]);
+    };
+    const before = shown();
+    const warnings = warningsOf(() => {
+      element[name] = value;
+      assert.equal(shown(), before);
+      element.label = "Other";
+      shown();
+    });
+    assert.equal(warnings.length, 1);
+    const said = warnings[0].replace(/^<[^>]+> /, "");
+    if (typeof message === "string") assert.equal(said, message);
+    else assert.match(said, message);
   });
 }
 

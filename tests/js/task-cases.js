@@ -8,8 +8,7 @@ export const load = (name) => import(new URL(`../../www/tasks/${name}.js`, impor
 /** What a task sees of <bezier-applet>: one curve of all points, or cubics that share their ends. */
 export function applet({ points, whole = false, ...rest }) {
   const pieces = () => {
-    if (element.basis === "matrix")
-      return [{ curve: Curve.fromBasis(element.matrix.split(" ").map(Number), element.points) }];
+    if (element.basis === "matrix") return [{ curve: Curve.fromBasis(element.matrix, element.points) }];
     if (whole || element.points.length < 7) return [{ curve: new Curve(element.points) }];
     return new Spline(element.points).segments().map((curve) => ({ curve }));
   };

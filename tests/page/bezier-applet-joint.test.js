@@ -147,6 +147,6 @@ test("two fingers on points move both, in one step; on the picture they enlarge 
   for (const d of [10, 20, 30, 40]) await touch("touchMove", [x + 400 - d, y + 100], [x + 440 + d, y + 100]);
   await touch("touchEnd");
   await settled(page);
-  const width = await ask(page, () => Number(a.view.split(" ")[2]));
+  const width = await ask(page, () => a.view.width);
   assert.ok(width > 150 && width < 300, `${width}`);
 });

@@ -196,3 +196,25 @@ test("what the page wrote before the element was known counts", async (t) => {
   await page.waitForFunction(() => globalThis.early);
   assert.deepEqual(await page.evaluate(() => [early.points[0], early.t, early.show]), [[1, 2], 0.125, "hull"]);
 });
+
+test("the panel shows t, play and joints, the rest on demand; keys are named only where there is a keyboard", async (t) => {
+  const visible = async (options) => {
+    const page = await openApplet(t, 'controls joints="c1"', options);
+    const texts = ["Randomize", "kbd", "Basis"].map((text) =>
+      page
+        .locator("bezier-applet")
+        .locator(text === "kbd" ? "kbd" : `:text("${text}")`)
+        .first()
+        .isVisible(),
+    );
+    const all = await Promise.all(texts);
+    await page.getByText("More", { exact: true }).click();
+    const hidden = await page.getByRole("button", { name: "Randomize" }).isVisible();
+    assert.ok(!hidden && (await page.getByRole("slider", { name: "t", exact: true }).isVisible()));
+    assert.ok(await page.getByRole("button", { name: "Play t" }).isVisible());
+    assert.ok(await page.getByLabel(/^At P3 hold/).isVisible());
+    return all;
+  };
+  assert.deepEqual(await visible({}), [true, true, true]);
+  assert.deepEqual(await visible({ hasTouch: true, isMobile: true }), [true, false, true]);
+});

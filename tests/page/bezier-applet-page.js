@@ -27,6 +27,7 @@ export async function openApplet(t, attributes = "", { inside, more, ...options 
   );
   await page.evaluate(() => {
     globalThis.a = document.getElementById("a");
+    a.shadowRoot.querySelector(".more")?.setAttribute("open", "");
     globalThis.events = [];
     for (const type of ["input", "change", "update"])
       document.querySelector("main").addEventListener(type, () => events.push(type), true);

@@ -46,13 +46,13 @@ test("a swept surface ends at u; ribbons and the derivatives are drawn", async (
   assert.ok((await figure(page)).mesh.triangles > before);
 });
 
-test("the nearest point to a probe is drawn; what is no point shows nothing", async (t) => {
+test("the nearest point to a probe is drawn; without one nothing is", async (t) => {
   const page = await openSurface(t, 'model="patch"');
   const plain = await look(page);
   await set(page, { probe: "3 -3, 4" });
   assert.deepEqual((await figure(page)).probe, [3, -3, 4]);
   assert.ok((await difference(page, plain, await look(page))) > 100);
-  await set(page, { probe: "1 2 x" });
+  await set(page, { probe: null });
   assert.equal((await figure(page)).nearest, null);
   assert.equal(await difference(page, plain, await look(page)), 0);
 });

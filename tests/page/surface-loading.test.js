@@ -119,6 +119,7 @@ test("where it cannot be fetched the element says so, and asks again when it is 
     broken ? route.abort() : route.continue(),
   );
   await page.getByText(MISSING).waitFor();
+  await page.getByText("More").click();
   await page.getByRole("slider", { name: "Segments" }).fill("5"); // the panel goes on
   const element = page.locator("bezier-surface");
   const pictureType = () =>

@@ -28,6 +28,9 @@ export async function openSurface(t, attributes = "", { more, ...options } = {})
     { viewport, reducedMotion: "reduce", messages: WARNINGS, ...options },
   );
   await ready(page);
+  await page.evaluate(() =>
+    document.querySelector("bezier-surface").shadowRoot.querySelector(".more")?.setAttribute("open", ""),
+  );
   return page;
 }
 

@@ -24,7 +24,7 @@ export function check({ tree }) {
   );
 }
 
-/** @param {{ tolerance: string }} element */
+/** @param {{ tolerance: number }} element */
 export function reveal(element) {
-  element.tolerance = "0.0625";
+  element.tolerance = 0.0625;
 }

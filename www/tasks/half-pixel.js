@@ -11,9 +11,9 @@ export const predict = {
   because: "With twice as many segments the error is four times smaller: it decreases with the square of their number.",
 };
 
-/** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: string | number }} element its attribute, as a property */
+/** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: number }} element */
 export function check(figure, element) {
-  const segments = Number(element.segments);
+  const { segments } = element;
   const curve = firstCurve(figure);
   const error = polylineError(curve, segments);
   if (error >= ALLOWED) return verdict(false, `${segments} segments: the error is ${px(error)}. Too large.`);
@@ -24,10 +24,10 @@ export function check(figure, element) {
   );
 }
 
-/** @param {{ figure: any, segments: string | number }} element */
+/** @param {{ figure: any, segments: number }} element */
 export function reveal(element) {
   const curve = firstCurve(element.figure);
   let segments = 1;
   while (polylineError(curve, segments) >= ALLOWED) segments += 1;
-  element.segments = String(segments);
+  element.segments = segments;
 }

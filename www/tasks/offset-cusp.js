@@ -27,11 +27,11 @@ const sharpest = (curve) =>
     Math.abs(k) > Math.abs(best) ? k : best,
   );
 
-/** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ offset: number | string }} element */
+/** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ offset: number }} element */
 export function check(figure, element) {
   if (figure.points.length !== 4 || figure.points.some((point, i) => distance(point, POINTS[i]) > 1))
     return verdict(false, "The control points have moved. Undo this first (Ctrl+Z).");
-  const offset = Number(element.offset);
+  const { offset } = element;
   const radius = 1 / sharpest(firstCurve(figure));
   const inner = offset * Math.sign(radius);
   if (inner <= 0) return verdict(false, `${offset} px is on the outer side.`);
@@ -45,8 +45,8 @@ export function check(figure, element) {
   );
 }
 
-/** @param {{ figure: any, offset: number | string }} element */
+/** @param {{ figure: any, offset: number }} element */
 export function reveal(element) {
   const radius = 1 / sharpest(firstCurve(element.figure));
-  element.offset = String(Math.trunc(radius));
+  element.offset = Math.trunc(radius);
 }

@@ -18,8 +18,8 @@ export function check(figure) {
   );
 }
 
-/** @param {{ matrix: string, basis: string }} element */
+/** @param {{ matrix: number[], basis: string }} element */
 export function reveal(element) {
   element.basis = "matrix";
-  element.matrix = STRAIGHT.join(" ");
+  element.matrix = STRAIGHT;
 }

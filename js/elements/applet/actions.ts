@@ -219,6 +219,7 @@ export class AppletActions {
       modes: this.host.joints,
       messages: this.messages,
       shows: (group) => !wanted.length || wanted.includes(group),
+      isComplete: !wanted.length,
       readonly: this.host.readonly,
       playing: this.player.playing,
       tapping: this.tapping,

@@ -2,11 +2,11 @@
 import { LitElement } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { withJoints } from "./edits.js";
-import { FIELDS } from "./fields.js";
+import { FIELDS, VIEW } from "./fields.js";
 import { firstState } from "./state.js";
 import type { State } from "./state.js";
 
-/** What goes without saying is no attribute. */
+/** Defaults are not reflected. */
 const text = (first: string) => ({
   converter: {
     fromAttribute: (value: string | null) => value ?? first,
@@ -49,7 +49,7 @@ export class AppletAttributes extends LitElement {
   #state: State = firstState();
   /** Attributes that have been written from outside and not yet been read. */
   #unread: Set<string> = new Set();
-  /** What was wrong with an attribute. */
+  /** What is wrong with the attributes; each is also said in the console, once. */
   #problems: Map<string, string> = new Map();
   /** What the attributes say, or what the state said when they were read. */
   #known: Map<string, string> = new Map(Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#state)]));
@@ -93,7 +93,7 @@ export class AppletAttributes extends LitElement {
     this.requestUpdate();
   }
 
-  /** What cannot be used is told of, and the last good one stays. */
+  /** The last good value of an attribute stays where a new one is invalid. */
   #read() {
     const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
     this.#unread.clear();
@@ -102,7 +102,9 @@ export class AppletAttributes extends LitElement {
       try {
         this.#state = this.#readOne(name, this.getAttribute(name));
       } catch (error) {
-        this.#problems.set(name, error instanceof Error ? error.message : String(error));
+        const problem = error instanceof Error ? error.message : String(error);
+        this.#problems.set(name, problem);
+        console.warn(`<${this.localName}> ${problem}`);
       }
     }
     if (names.includes("joints")) this.#state = withJoints(this.#state, this.#state.joints);
@@ -133,17 +135,25 @@ export class AppletAttributes extends LitElement {
   }
 }
 
+/** A number, a word, a list of numbers, or a view. */
+function attributeText(value: unknown): string {
+  if (Array.isArray(value)) return value.join(" ");
+  if (typeof value !== "object" || value === null) return String(value);
+  return VIEW.map((name) => (value as Record<string, unknown>)[name]).join(" ");
+}
+
 for (const name of Object.keys(FIELDS)) {
   if (["points", "joints", "t"].includes(name)) continue; // these are data, see element.js
   Object.defineProperty(AppletAttributes.prototype, name, {
     configurable: true,
     enumerable: true,
     get(this: any) {
-      return FIELDS[name].write(this.now());
+      const { get, write } = FIELDS[name];
+      return name === "show" ? write(this.now()) : get(this.now());
     },
     set(this: HTMLElement, value: unknown) {
       if (value === null || value === undefined) this.removeAttribute(name);
-      else this.setAttribute(name, String(value));
+      else this.setAttribute(name, attributeText(value));
     },
   });
 }

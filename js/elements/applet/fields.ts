@@ -8,7 +8,7 @@ export interface Field {
   parse: (text: string) => unknown;
   /** Refuses with a RangeError or TypeError that names the field */
   put: (state: State, value: unknown) => State;
-  /** A plain value, null for what goes without saying */
+  /** A plain value; null where all points are shown */
   get: (state: State) => unknown;
   /** The value as an attribute */
   write: (state: State) => string;
@@ -50,7 +50,8 @@ const number = (name: "tolerance" | "offset" | "t", least: number, most: number)
 const count = (name: "segments" | "ticks", most: number) =>
   field(name, (value) => states.wholeIn(value, name, 1, most));
 
-const VIEW = ["x", "y", "width", "height"] as const;
+/** The numbers of a view, in the order of the attribute. */
+export const VIEW = ["x", "y", "width", "height"] as const;
 
 /** In the order in which they are read: what others depend on comes first. */
 export const FIELDS: Record<string, Field> = {

@@ -18,6 +18,8 @@ export interface PanelPort {
   messages: readonly { name: string; words: string }[];
   /** Whether a group of controls is wanted */
   shows: (group: string) => boolean;
+  /** Whether all groups are wanted: what is used less is then behind "More" */
+  isComplete: boolean;
   readonly: boolean;
   playing: boolean;
   /** Whether taps move the chosen point */
@@ -36,12 +38,13 @@ export interface PanelPort {
 }
 
 export function panel(port: PanelPort) {
-  const { shows, readonly } = port;
-  return html`${shows("joints") ? joints(port) : nothing}
-    <div class="controls" part="controls">
-      ${shows("t") ? parameter(port) : nothing} ${shows("points") && !readonly ? actions(port) : nothing}
+  const { shows, readonly, isComplete } = port;
+  const others = html`${shows("points") && !readonly ? actions(port) : nothing}
       ${shows("curve") ? kind(port) : nothing} ${shows("show") ? layers(port) : nothing}
-      ${shows("coordinates") && !readonly ? coordinates : nothing} ${shows("save") ? savings(port) : nothing}
+      ${shows("coordinates") && !readonly ? coordinates : nothing} ${shows("save") ? savings(port) : nothing}`;
+  return html`${shows("joints") ? joints(port) : nothing}
+    <div class="controls" part="controls">${shows("t") ? parameter(port) : nothing}
+      ${isComplete ? html`<details class="more"><summary>More</summary><div class="body">${others}</div></details>` : others}
     </div>`;
 }
 

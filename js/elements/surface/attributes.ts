@@ -2,7 +2,7 @@
 import { LitElement } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { Memo } from "./memo.js";
-import { settingsOf } from "./settings.js";
+import { SettingsReader } from "./settings.js";
 
 const text = { type: String, reflect: true };
 const number = { type: Number, reflect: true };
@@ -64,6 +64,7 @@ export class SurfaceAttributes extends LitElement {
   }
 
   #memo = new Memo();
+  #reader = new SettingsReader((problem) => console.warn(`<${this.localName}> ${problem}`));
 
   constructor() {
     super();
@@ -135,6 +136,6 @@ export class SurfaceAttributes extends LitElement {
       swept,
       probe,
     };
-    return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
+    return this.#memo.get("settings", Object.values(given), () => this.#reader.read(given));
   }
 }

@@ -50,8 +50,10 @@ const [FINEST, COARSEST] = [1e-4, 0.2];
 
 export function panel(port: PanelPort) {
   return html`<div class="controls" part="controls">
-    ${modelControls(port)} ${meshControls(port)} ${lookControls(port)} ${layerControls(port)}
-    ${placeControls(port)} ${fileControls(port)}
+    ${port.named ? mainControls(port) : ownControls(port)} ${placeControls(port)}
+    <details class="more"><summary>More</summary><div class="body">
+      ${port.named ? modelControls(port) : nothing} ${meshControls(port)} ${layerControls(port)} ${fileControls(port)}
+    </div></details>
   </div>`;
 }
 
@@ -98,17 +100,26 @@ function box(label: string, checked: boolean, act: (on: boolean) => void) {
   return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
 }
 
+function shadingControl(port: PanelPort) {
+  return select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port);
+}
+
+function mainControls(port: PanelPort) {
+  return html`<fieldset class="wide main"><legend class="away">Picture</legend>
+    ${select("model", "Shape", MODELS, port.settings.model, MODEL_NAMES, port)} ${shadingControl(port)}</fieldset>`;
+}
+
+function ownControls(port: PanelPort) {
+  return html`<fieldset class="wide main"><legend class="away">Picture</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
+      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[port.settings.model].toLowerCase()}</button> ${shadingControl(port)}</fieldset>`;
+}
+
 function modelControls(port: PanelPort) {
-  const { settings, named, set } = port;
+  const { settings, set } = port;
   const { model, parts } = settings;
-  if (!named) {
-    return html`<fieldset><legend>Model</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
-      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[model].toLowerCase()}</button></fieldset>`;
-  }
   const part = (each: import("./settings.js").Part) =>
     box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
   return html`<fieldset><legend>Model</legend>
-    ${select("model", "Shape", MODELS, model, MODEL_NAMES, port)}
     ${model === "teapot" ? select("height", "Height", HEIGHTS, settings.height, { squashed: "squashed, as usual", original: "Newell’s, 4/3 as tall" }, port) : nothing}
     ${select("up", "Upright", AXES, settings.up, { z: "z", y: "y" }, port)}
     ${model === "teapot" ? PARTS.map(part) : nothing}
@@ -136,10 +147,6 @@ function meshControls(port: PanelPort) {
     ${"flatness" in detail ? decades("flatness", "Flatness", detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
     ${"segments" in detail ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
-}
-
-function lookControls(port: PanelPort) {
-  return html`<fieldset><legend>Look</legend>${select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port)}</fieldset>`;
 }
 
 function layerControls(port: PanelPort) {

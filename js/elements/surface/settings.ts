@@ -1,4 +1,4 @@
-// The attributes as the drawing takes them: an unknown word or a number out of range counts as the default, as in HTML.
+// The attributes as the drawing takes them. The last valid value stays in effect where a new one is invalid.
 
 export const MODELS = ["teapot", "teacup", "teaspoon", "patch"] as const;
 export const SHADINGS = ["smooth", "flat", "normals", "gaussian", "mean", "patches"] as const;
@@ -57,84 +57,159 @@ export interface Settings {
  */
 export type DetailSettings = { segments: number } | { tolerance: number } | { pixels: number } | { flatness: number };
 
-export type Attributes = Record<
-  | "model"
-  | "parts"
-  | "height"
-  | "up"
-  | "segments"
-  | "tolerance"
-  | "pixels"
-  | "flatness"
-  | "lines"
-  | "shading"
-  | "show"
-  | "evaluation"
-  | "u"
-  | "v"
-  | "step"
-  | "swept"
-  | "probe",
-  unknown
->;
+/** What the attributes say, checked one by one. */
+interface Checked {
+  model: Model;
+  parts: Set<Part>;
+  height: "squashed" | "original";
+  up: "z" | "y";
+  segments: number;
+  tolerance: number | null;
+  pixels: number | null;
+  flatness: number | null;
+  lines: number;
+  shading: Shading | "curvature";
+  show: Set<Layer>;
+  evaluation: "cpu" | "forward" | "gpu";
+  u: number;
+  v: number;
+  step: number;
+  swept: boolean;
+  probe: number[] | null;
+}
+export type Attributes = Record<keyof Checked, unknown>;
 
-export function settingsOf(given: Attributes): Settings {
-  const segments = Math.round(number(given.segments, 1, MAX_SEGMENTS, 12));
-  return {
-    model: word(given.model, MODELS),
-    parts: given.parts === null || given.parts === undefined ? new Set(PARTS) : words(given.parts, PARTS),
-    height: word(given.height, HEIGHTS),
-    up: word(given.up, AXES),
-    segments,
-    detail: detailOf(
-      segments,
-      number(given.tolerance, 0, Number.MAX_VALUE, 0),
-      number(given.pixels, MIN_PIXELS, 100, 0),
-      number(given.flatness, 0, Number.MAX_VALUE, 0),
-    ),
-    lines: Math.round(number(given.lines, 1, MAX_LINES, 4)),
-    shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
-    layers: words(given.show ?? "surface", LAYERS),
-    evaluation: word(given.evaluation, EVALUATIONS),
-    u: number(given.u, 0, 1, 0.5),
-    v: number(given.v, 0, 1, 0.5),
-    step: Math.round(number(given.step, 1, STEPS, STEPS)),
-    swept: Boolean(given.swept),
-    probe: point(given.probe),
-  };
+/** One attribute: the value without it, and its check, which returns undefined for what is invalid. */
+interface Option<T> {
+  initial: T;
+  read: (value: unknown) => T | undefined;
+  /** What is valid, for messages */
+  expected: string;
 }
 
-function detailOf(segments: number, tolerance: number, pixels: number, flatness: number): DetailSettings {
-  return flatness > 0 ? { flatness } : pixels > 0 ? { pixels } : tolerance > 0 ? { tolerance } : { segments };
+const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
+  model: word(MODELS),
+  parts: words(PARTS, PARTS),
+  height: word(HEIGHTS),
+  up: word(AXES),
+  segments: whole(1, MAX_SEGMENTS, 12),
+  tolerance: positive(),
+  pixels: { ...number<number | null>(MIN_PIXELS, 100, null), expected: `a number from ${MIN_PIXELS} to 100` },
+  flatness: positive(),
+  lines: whole(1, MAX_LINES, 4),
+  shading: word([...SHADINGS, "curvature"]),
+  show: words(LAYERS, ["surface"]),
+  evaluation: word(EVALUATIONS),
+  u: number(0, 1, 0.5),
+  v: number(0, 1, 0.5),
+  step: whole(1, STEPS, STEPS),
+  swept: { initial: false, read: Boolean, expected: "true or false" },
+  probe: { initial: null, read: pointOf, expected: "three numbers" },
+};
+
+/** Checks the attributes of one element and keeps the last valid value of each. */
+export class SettingsReader {
+  #valid: Record<string, unknown> = {};
+  /** The invalid values that were reported. */
+  #invalid: Map<string, unknown> = new Map();
+  #report: (problem: string) => void;
+
+  constructor(report: (problem: string) => void) {
+    this.#report = report;
+  }
+
+  read(given: Attributes): Settings {
+    for (const [name, option] of Object.entries(OPTIONS)) this.#check(name, option, given[name as keyof Attributes]);
+    const { show, tolerance, pixels, flatness, shading, ...plain } = this.#valid as unknown as Checked;
+    const detail = flatness ? { flatness } : pixels ? { pixels } : tolerance ? { tolerance } : null;
+    return {
+      ...plain,
+      detail: detail ?? { segments: plain.segments },
+      shading: shading === "curvature" ? "gaussian" : shading,
+      layers: show,
+    };
+  }
+
+  #check(name: string, { initial, read, expected }: Option<unknown>, value: unknown) {
+    const valid = value === null || value === undefined ? initial : read(value);
+    if (valid !== undefined) {
+      this.#valid[name] = valid;
+      this.#invalid.delete(name);
+      return;
+    }
+    this.#valid[name] ??= initial;
+    if (!this.#invalid.has(name) || !Object.is(this.#invalid.get(name), value)) {
+      this.#invalid.set(name, value);
+      this.#report(`${name}: expected ${expected}, got ${typeof value === "string" ? `"${value}"` : value}`);
+    }
+  }
+}
+
+/** The settings of attributes that were never different. */
+export function settingsOf(given: Attributes): Settings {
+  return new SettingsReader(() => {}).read(given);
 }
 
 /**
  * @param known the first is the default
  */
-function word<Word extends string>(value: unknown, known: readonly Word[]): Word {
-  return known.find((each) => each === value) ?? known[0];
+function word<Word extends string>(known: readonly Word[]): Option<Word> {
+  return {
+    initial: known[0],
+    read: (value) => known.find((each) => each === value),
+    expected: known.join(", "),
+  };
 }
 
-/**
- * @param value separated by spaces
- */
-function words<Word extends string>(value: unknown, known: readonly Word[]): Set<Word> {
-  const given = String(value).split(/\s+/);
-  return new Set(known.filter((each) => given.includes(each)));
+/** A list of words, separated by spaces. */
+function words<Word extends string>(known: readonly Word[], initial: readonly Word[]): Option<Set<Word>> {
+  return {
+    initial: new Set(initial),
+    read: (value) => {
+      const given = String(value).split(/\s+/).filter(Boolean);
+      const isKnown = given.every((each) => known.some((one) => one === each));
+      return isKnown ? new Set(known.filter((each) => given.includes(each))) : undefined;
+    },
+    expected: `some of the words ${known.join(", ")}`,
+  };
 }
 
-function number(value: unknown, least: number, most: number, otherwise: number) {
-  const given = value === null || value === undefined || value === "" ? NaN : Number(value);
-  return Number.isNaN(given) ? otherwise : Math.min(Math.max(given, least), most);
+function number<T extends number | null>(min: number, max: number, initial: T): Option<T | number> {
+  return {
+    initial,
+    read: (value) => {
+      const given = value === "" ? NaN : Number(value);
+      return given >= min && given <= max ? given : undefined;
+    },
+    expected: `a number from ${min} to ${max}`,
+  };
 }
 
-/** Three numbers; anything else is no point. */
-function point(value: unknown): number[] | null {
-  const numbers = String(value ?? "")
+/** Rounded to a whole number. */
+function whole(min: number, max: number, initial: number): Option<number> {
+  const { read, ...option } = number(min, max, initial);
+  return {
+    ...option,
+    read: (value) => {
+      const given = read(value);
+      return given === undefined ? undefined : Math.round(given);
+    },
+  };
+}
+
+/** A positive number, or 0 or null for none. */
+function positive(): Option<number | null> {
+  return { ...number<number | null>(0, Number.MAX_VALUE, null), expected: "a positive number" };
+}
+
+/** Three numbers. */
+function pointOf(value: unknown): number[] | null | undefined {
+  const numbers = String(value)
     .split(/[\s,]+/)
     .filter(Boolean)
     .map(Number);
-  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : null;
+  if (numbers.length === 0) return null;
+  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : undefined;
 }
 
 /** A list of words as an attribute holds it, with one of them put in or taken out. */

@@ -94,11 +94,15 @@ canvas:focus-visible { outline-offset: -3px; }
 .facts { display: flex; flex-wrap: wrap; gap: 0.1rem 1.3rem; margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--bz-rim); color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 .facts b { font-weight: 600; color: var(--bz-ink); }
 .controls { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding: 0.8rem 0.9rem 0.9rem; border-block-start: 1px solid var(--bz-rim); }
+.more { flex: 1 1 100%; grid-column: 1 / -1; }
+.more > summary { font-weight: 600; cursor: pointer; padding-block: 0.25rem; }
+.more > .body { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding-block-start: 0.5rem; }
 fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.35rem 0.95rem; align-items: center; align-content: start; }
 fieldset.wide { grid-column: 1 / -1; }
 legend { padding: 0 0 0.15rem; font-weight: 600; }
 label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
 label.line { flex: 1 1 100%; }
+.main label.line { flex: 1 1 14rem; }
 label.line > span:first-child { min-inline-size: 5.2rem; }
 label.line > select, label.line > input { flex: 1; min-inline-size: 5rem; inline-size: 0; }
 .value { min-inline-size: 3.1em; text-align: end; font-variant-numeric: tabular-nums; }
