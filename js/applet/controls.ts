@@ -79,9 +79,9 @@ function pointButtons(page: Document, port: ControlPort) {
   const update = (state: State, can: Can) => {
     undo.disabled = !can.undo;
     redo.disabled = !can.redo;
-    const most = pointCount(state);
-    label.textContent = state.shown === FEWEST_POINTS ? `Show ${most} points` : `Show ${FEWEST_POINTS} points`;
-    toggle.disabled = most === FEWEST_POINTS;
+    const max = pointCount(state);
+    label.textContent = state.shown === FEWEST_POINTS ? `Show ${max} points` : `Show ${FEWEST_POINTS} points`;
+    toggle.disabled = max === FEWEST_POINTS;
   };
   return { row, update };
 }

@@ -195,7 +195,7 @@ export class Engine {
     this.#fire("change");
   }
 
-  #byUser(change: (state: State) => State, words: (state: State) => string) {
+  #updateByUser(change: (state: State) => State, words: (state: State) => string) {
     this.#isTouched = true;
     this.command(change);
     this.#voice.say(words(this.#state));
@@ -205,7 +205,7 @@ export class Engine {
 
   #append(at: Point2) {
     const added = (state: State) => `Point added. ${shownWords(state)}`;
-    this.#byUser((state) => states.appended(state, at), added);
+    this.#updateByUser((state) => states.appended(state, at), added);
   }
 
   #appendByPointer(event: MouseEvent) {
@@ -216,14 +216,14 @@ export class Engine {
 
   #randomize() {
     const seed = Math.floor(Math.random() * 2 ** 32);
-    this.#byUser(
+    this.#updateByUser(
       (state) => randomized(state, generator(seed)),
       () => "Points randomized",
     );
   }
 
   #toggle() {
-    if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#byUser(states.allPointsToggled, shownWords);
+    if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#updateByUser(states.allPointsToggled, shownWords);
   }
 
   #stepByUser(name: "undo" | "redo") {
@@ -286,12 +286,12 @@ export class Engine {
       undo: () => this.#stepByUser("undo"),
       redo: () => this.#stepByUser("redo"),
       setJoint: (mode) =>
-        this.#byUser(
+        this.#updateByUser(
           (state) => states.withJoint(state, mode),
           () => "",
         ),
       setLayer: (name, on) =>
-        this.#byUser(
+        this.#updateByUser(
           (state) => states.withLayers(state, { [name]: on }),
           () => "",
         ),

@@ -95,10 +95,10 @@ export function withPoints(state: State, points: unknown): State {
 }
 
 export function withShown(state: State, count: unknown): State {
-  const most = pointCount(state);
-  const n = finiteNumber(count, "mode", `a number of points from 4 to ${most}: 4, 7, 10 …`);
-  if (n < FEWEST_POINTS || n > most || (n - 1) % POINTS_PER_SEGMENT !== 0) {
-    throw new RangeError(`mode: expected a number of points from 4 to ${most} (4, 7, 10 …), got ${n}`);
+  const max = pointCount(state);
+  const n = finiteNumber(count, "mode", `a number of points from 4 to ${max}: 4, 7, 10 …`);
+  if (n < FEWEST_POINTS || n > max || (n - 1) % POINTS_PER_SEGMENT !== 0) {
+    throw new RangeError(`mode: expected a number of points from 4 to ${max} (4, 7, 10 …), got ${n}`);
   }
   return { ...state, shown: n };
 }

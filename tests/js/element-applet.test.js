@@ -200,7 +200,7 @@ test("reset restores what the page has set before the first action of the user",
   assert.deepEqual([text(applet.points), applet.t], [CUBIC, 0.25], "before anything has changed, too");
   applet.points = FIELDS.points.parse("100,300 150,100 400,120 500,310");
   applet.steer({ index: 1, point: [149, 100] });
-  applet.byUser((state) => edits.appended(state, [600, 30]));
+  applet.updateByUser((state) => edits.appended(state, [600, 30]));
   assert.equal(applet.points.length, 7);
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], ["100,300 150,100 400,120 500,310", 0.25]);

@@ -13,6 +13,11 @@ const WORDS = [
   [/\b(Desk|Turning|Lease|Fineness)\b/g, "FileController, AutoRotation, ContextSlot, DetailSettings"],
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
   [/\b(told|tells|heard|attended|dusted)\b/g, "messages, announced, focusedPoint, roundedToPixels"],
+  [/\b(least|most)\b/g, "min, max"],
+  [
+    /\b(chosen|during|byUser|byPage|settle|giveUp)\b/g,
+    "selected, updateInStep, updateByUser, updateByPage, commit, revert",
+  ],
   [/\b(knob|hollow|truth|fewest)\b/g, "controlPoint, ring, continuityLabels, minPoints"],
 ];
 

@@ -84,7 +84,7 @@ test("the focused control point's polynomial stands out, and one that is chosen 
   const page = await openCompanions(t, ALL);
   const chosen = () =>
     on(page, "bezier-bernstein", ({ shadowRoot }) =>
-      [...shadowRoot.querySelectorAll("polyline")].findIndex((line) => line.classList.contains("chosen")),
+      [...shadowRoot.querySelectorAll("polyline")].findIndex((line) => line.classList.contains("selected")),
     );
   assert.equal(await chosen(), -1);
   await on(page, "bezier-applet", ({ shadowRoot }) =>

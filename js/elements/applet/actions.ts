@@ -44,7 +44,7 @@ export class AppletActions {
   /** The messages of the layers. */
   messages: { name: string; words: string }[] = [];
   /** The point that was touched last. */
-  chosen = -1;
+  selected = -1;
   /** What has been said of the message and the joints; it is not said again. */
   announced: string[] = [];
   /** Whether taps move it. */
@@ -76,8 +76,8 @@ export class AppletActions {
 
   /** @param index the point that is touched */
   choose(index: number) {
-    if (this.chosen !== index) this.host.requestUpdate();
-    this.chosen = index;
+    if (this.selected !== index) this.host.requestUpdate();
+    this.selected = index;
   }
 
   /** The picture with all its layers. */
@@ -101,7 +101,7 @@ export class AppletActions {
   /** Something the user does at once, and what is announced of it. */
   do(change: (state: State) => State, words: string) {
     this.stage?.release();
-    const done = this.host.byUser(change);
+    const done = this.host.updateByUser(change);
     if (!done) this.announced = this.announced.slice(1); // the same refusal is announced again
     this.speaker?.say(done ? words : "");
     return done;
@@ -181,7 +181,7 @@ export class AppletActions {
         void (this.do(states.allPointsToggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
       append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
       insert: () => void this.do((state) => edits.inserted(state), "Split at t"),
-      removeChosen: () => void this.removeAt(this.chosen),
+      removeChosen: () => void this.removeAt(this.selected),
       tapping: () => {
         this.tapping = !this.tapping;
         this.host.say(this.tapping ? "Tap a point, then the place where it shall be." : "", true);
@@ -223,12 +223,12 @@ export class AppletActions {
       readonly: this.host.readonly,
       playing: this.player.playing,
       tapping: this.tapping,
-      chosen: this.chosen < state.shown ? this.chosen : -1,
+      selected: this.selected < state.shown ? this.selected : -1,
       can: { undo: this.host.history.canUndo, redo: this.host.history.canRedo, insert: edits.canInsert(state) },
       set: (change) => void this.do(change, ""),
       put: (name, value, done = true) => {
-        this.host.attempt(() => this.host.during((now) => put(now, name, value)));
-        if (done) this.host.settle();
+        this.host.attempt(() => this.host.updateInStep((now) => put(now, name, value)));
+        if (done) this.host.commit();
       },
       act: this.actions,
       hold: (joint, mode) => this.hold(joint, mode),
@@ -240,11 +240,11 @@ export class AppletActions {
 
   #advance(by: number) {
     const state = this.host.now();
-    const [least, most] = states.rangeOfT(state);
-    const t = Math.min(Math.max(state.t + by, least), most);
+    const [min, max] = states.rangeOfT(state);
+    const t = Math.min(Math.max(state.t + by, min), max);
     this.host.display({ ...state, t });
     this.host.fire("input");
-    return t === (by > 0 ? most : least);
+    return t === (by > 0 ? max : min);
   }
 
   #play() {

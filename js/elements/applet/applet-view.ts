@@ -14,7 +14,7 @@ import { description } from "./words.js";
 import type { Point2 } from "./state.js";
 
 export class AppletView extends AppletActions {
-  /** For which the colours were read. */
+  /** Theme of the cached colours. */
   #theme = "";
 
   #stopListeningToPage: (() => void) | null = null;
@@ -96,7 +96,7 @@ export class AppletView extends AppletActions {
   #pull(index: number, to: Point2, { from, event }: { from: Point2; event?: PointerEvent }) {
     to = this.#roundedToPixels(to);
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
-    this.host.during((state) => {
+    this.host.updateInStep((state) => {
       const free = altKey ? edits.broken(state, index) : state;
       const place = shiftKey
         ? turnedBy15(free, index, to, from)
@@ -117,24 +117,24 @@ export class AppletView extends AppletActions {
     return {
       now: () => ({ state: this.host.now(), figure: this.host.made() }),
       fixed: () => this.host.readonly,
-      begun: () => this.host.settle(),
+      begun: () => this.host.commit(),
       move: (index, to, drag) => void this.host.attempt(() => this.#pull(index, to, drag)),
-      restored: () => this.host.giveUp(),
+      restored: () => this.host.revert(),
       ended: (moved) => {
-        this.host.settle();
+        this.host.commit();
         if (moved.length) this.speaker?.say(this.places(moved));
       },
       grabbed: (index) => this.#choose(index),
       slide: (index, to) => {
-        this.host.attempt(() => this.host.during((state) => edits.withPointAt(state, index, to)));
+        this.host.attempt(() => this.host.updateInStep((state) => edits.withPointAt(state, index, to)));
         this.speaker?.say(this.places([index]));
       },
-      slid: () => this.host.settle(),
+      slid: () => this.host.commit(),
       doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
       tap: (at) =>
         this.tapping &&
-        this.chosen >= 0 &&
-        this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
+        this.selected >= 0 &&
+        this.do((state) => edits.withPointAt(state, this.selected, at), this.places([this.selected])),
       point: (at) =>
         this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at?.() ?? null }),
       look: (factor, from, to) => this.#look(factor, from, to),
@@ -155,7 +155,7 @@ export class AppletView extends AppletActions {
       off: () => this.host.hotkeys === "off",
       pointOf: (event) => this.#pointOf(event),
       nudge: (index, step) => this.#nudge(index, step),
-      settled: () => void (this.stage?.dragging || this.host.settle()),
+      settled: () => void (this.stage?.dragging || this.host.commit()),
       escape: () => this.stage?.cancel() ?? false,
       remove: (index, bare) => {
         if (!this.host.readonly && this.removeAt(index, bare)) this.focusPoint(index);
@@ -175,7 +175,7 @@ export class AppletView extends AppletActions {
     const scale = states.scaleOf(this.host.now());
     const [x, y] = this.host.now().points[index];
     this.host.attempt(() =>
-      this.host.during((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
+      this.host.updateInStep((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
     );
     this.speaker?.say(this.places([index]));
   }

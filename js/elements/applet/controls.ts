@@ -7,14 +7,14 @@ import { html, nothing } from "lit";
 export function choice(
   label: unknown,
   words: readonly string[],
-  chosen: string,
+  selected: string,
   names: Record<string, unknown>,
   act: (word: string) => void,
   off = false,
 ) {
   const changed = (event: Event) => act((event.target as HTMLSelectElement).value);
   const option = (word: string) =>
-    html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+    html`<option value=${word} .selected=${word === selected}>${names[word] ?? word}</option>`;
   return html`<label class="line"><span>${label}</span><select ?disabled=${off} @change=${changed}>${words.map(option)}</select></label>`;
 }
 

@@ -69,20 +69,20 @@ export class AppletEditing extends AppletAttributes {
   }
 
   undo() {
-    this.byPage((state) => this.history.undo(state), false);
+    this.updateByPage((state) => this.history.undo(state), false);
   }
 
   redo() {
-    this.byPage((state) => this.history.redo(state), false);
+    this.updateByPage((state) => this.history.redo(state), false);
   }
 
   /** Everything as it was when the user came. */
   reset() {
-    this.byPage((state) => this.#origin ?? state);
+    this.updateByPage((state) => this.#origin ?? state);
   }
 
   randomize(seed: number = Math.floor(Math.random() * 2 ** 32)) {
-    this.byPage((state) => edits.randomized(state, seed));
+    this.updateByPage((state) => edits.randomized(state, seed));
   }
 
   /**
@@ -94,25 +94,25 @@ export class AppletEditing extends AppletAttributes {
     const next = FIELDS.show.put(FIELDS.t.put(this.now(), t), [...new Set([...this.now().layers, "halves"])]);
     const { pieces } = figureOf(next);
     if (!pieces.length) throw new RangeError("split: expected a curve, got too few points for one");
-    this.byPage(() => next);
+    this.updateByPage(() => next);
     return pieces[Math.min(next.segment, pieces.length - 1)].curve.split(t);
   }
 
   insertJoint(t?: number) {
-    this.byPage((state) => edits.inserted(state, t));
+    this.updateByPage((state) => edits.inserted(state, t));
   }
 
   removePoint(index: number) {
-    this.byPage((state) => edits.removed(state, index));
+    this.updateByPage((state) => edits.removed(state, index));
   }
 
   appendPoint(point: Point2) {
-    this.byPage((state) => edits.appended(state, point));
+    this.updateByPage((state) => edits.appended(state, point));
   }
 
   /** Few points, or all. */
   toggleMode() {
-    this.byPage(allPointsToggled);
+    this.updateByPage(allPointsToggled);
   }
 
   /**
@@ -130,14 +130,14 @@ export class AppletEditing extends AppletAttributes {
   ) {
     if (this.readonly && (index !== undefined || values.points)) return;
     const given = values as Record<string, unknown>;
-    this.during((state) => {
+    this.updateInStep((state) => {
       const next = Object.entries(FIELDS).reduce(
         (at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])),
         state,
       );
       return index === undefined ? next : edits.withPointAt(next, index, point);
     });
-    if (done) this.settle();
+    if (done) this.commit();
   }
 
   /**
@@ -164,8 +164,8 @@ export class AppletEditing extends AppletAttributes {
    * @internal
    * By the page: an undo step, but no events. What is refused changes nothing.
    */
-  byPage(change: (state: State) => State, step = true) {
-    this.settle();
+  updateByPage(change: (state: State) => State, step = true) {
+    this.commit();
     const before = this.now();
     this.#origin ??= before;
     const next = change(before);
@@ -176,15 +176,15 @@ export class AppletEditing extends AppletAttributes {
 
   /** The page sets a property. Before the first action of the user, this is what `reset` restores, and no undo step. */
   #assign(change: (state: State) => State) {
-    this.byPage(change, this.#isTouched);
+    this.updateByPage(change, this.#isTouched);
     if (!this.#isTouched) this.#origin = null;
   }
 
   /**
    * @internal
-   * A part of what the user is doing; `settle` completes it.
+   * A part of what the user is doing; `commit` completes it.
    */
-  during(change: (state: State) => State) {
+  updateInStep(change: (state: State) => State) {
     const before = this.now();
     const next = change(before);
     this.#origin ??= before;
@@ -195,7 +195,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /** @internal What the user was doing is complete. */
-  settle() {
+  commit() {
     if (!this.history.close(this.now())) return;
     this.fire("change");
     this.requestUpdate();
@@ -206,11 +206,11 @@ export class AppletEditing extends AppletAttributes {
    * Something the user does at once. What cannot be done is told of.
    * @returns whether it was done
    */
-  byUser(change: (state: State) => State): boolean {
-    this.settle();
+  updateByUser(change: (state: State) => State): boolean {
+    this.commit();
     return this.attempt(() => {
-      this.during(change);
-      this.settle();
+      this.updateInStep(change);
+      this.commit();
     });
   }
 
@@ -240,7 +240,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /** @internal Esc: what the user was doing has not been done. */
-  giveUp() {
+  revert() {
     const before = this.history.abandon();
     if (!before) return;
     this.display(before);

@@ -6,7 +6,7 @@ import { MISSING } from "../loading.js";
 import { loadDrawing } from "./loading.js";
 import { reportOf } from "./report.js";
 
-/** The element begins its work when it is so near to what is seen of the page. */
+/** Root margin for lazy loading. */
 const NEAR = "300px";
 
 /** `<bezier-applet>`; what can be set from outside is documented in ../types.js. */
@@ -58,7 +58,7 @@ export class BezierApplet extends AppletEditing {
     this.#watch?.disconnect();
     this.#near = false;
     this.#view?.end();
-    this.settle();
+    this.commit();
   }
 
   async #seen(near: boolean) {

@@ -45,10 +45,9 @@ function field<Name extends keyof State>(
   };
 }
 
-const number = (name: "tolerance" | "offset" | "t", least: number, most: number) =>
-  field(name, (value) => states.numberIn(value, name, least, most));
-const count = (name: "segments" | "ticks", most: number) =>
-  field(name, (value) => states.wholeIn(value, name, 1, most));
+const number = (name: "tolerance" | "offset" | "t", min: number, max: number) =>
+  field(name, (value) => states.numberIn(value, name, min, max));
+const count = (name: "segments" | "ticks", max: number) => field(name, (value) => states.wholeIn(value, name, 1, max));
 
 /** The numbers of a view, in the order of the attribute. */
 export const VIEW = ["x", "y", "width", "height"] as const;

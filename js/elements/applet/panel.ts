@@ -22,10 +22,10 @@ export interface PanelPort {
   isComplete: boolean;
   readonly: boolean;
   playing: boolean;
-  /** Whether taps move the chosen point */
+  /** Whether taps move the selected point */
   tapping: boolean;
   /** The point that was touched last; −1 for none */
-  chosen: number;
+  selected: number;
   can: { undo: boolean; redo: boolean; insert: boolean };
   set: (change: (state: State) => State) => void;
   /** A field of the state */
@@ -61,21 +61,21 @@ function joints({ joints: facts, modes, hold, readonly }: PanelPort) {
 
 function parameter(port: PanelPort) {
   const { state, figure, playing, act, put, shows } = port;
-  const [least, most] = rangeOfT(state);
+  const [min, max] = rangeOfT(state);
   const count = figure.pieces.length;
   const segments = Array.from({ length: count }, (_, k) => String(k));
   const names = Object.fromEntries(segments.map((k) => [k, String(Number(k) + 1)]));
   return html`<div class="t">
     <button type="button" class="icon" aria-label=${playing ? "Pause" : "Play t"} title=${playing ? "Pause" : "Play t"} @click=${act.play}>${playing ? icon("M8 5v14M16 5v14") : icon("M7 4l13 8-13 8z", true)}</button>
-    ${slider(html`<i>t</i>`, "t", state.t, { min: least, max: most, step: 0.01 }, (t, done) => put("t", t, done))}
+    ${slider(html`<i>t</i>`, "t", state.t, { min: min, max: max, step: 0.01 }, (t, done) => put("t", t, done))}
     ${count > 1 ? choice("segment", segments, String(Math.min(state.segment, count - 1)), names, (k) => put("segment", Number(k))) : nothing}
     ${shows("zoom") ? tools(port) : nothing}
   </div>`;
 }
 
-function actions({ state, figure, act, can, chosen, tapping }: PanelPort) {
+function actions({ state, figure, act, can, selected, tapping }: PanelPort) {
   const all = state.shown === state.points.length;
-  const name = figure.names[chosen];
+  const name = figure.names[selected];
   return html`<div class="row" role="group" aria-label="Points">
     ${button(icon("M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5"), act.undo, { name: "Undo", off: !can.undo })}
     ${button(icon("M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5"), act.redo, { name: "Redo", off: !can.redo })}

@@ -141,15 +141,15 @@ export function placeIn(value: unknown, name: string): Point2 {
   return place;
 }
 
-export function numberIn(value: unknown, name: string, least: number, most: number): number {
-  const number = finiteNumber(value, name, `a number from ${least} to ${most}`);
-  if (number < least || number > most)
-    throw new RangeError(`${name}: expected a number from ${least} to ${most}, got ${number}`);
+export function numberIn(value: unknown, name: string, min: number, max: number): number {
+  const number = finiteNumber(value, name, `a number from ${min} to ${max}`);
+  if (number < min || number > max)
+    throw new RangeError(`${name}: expected a number from ${min} to ${max}, got ${number}`);
   return number;
 }
 
-export function wholeIn(value: unknown, name: string, least: number, most: number): number {
-  const number = numberIn(value, name, least, most);
+export function wholeIn(value: unknown, name: string, min: number, max: number): number {
+  const number = numberIn(value, name, min, max);
   if (!Number.isInteger(number)) throw new RangeError(`${name}: expected a whole number, got ${number}`);
   return number;
 }
@@ -175,8 +175,8 @@ export function rangeOfT({ layers }: { layers: ReadonlySet<string> }): [number, 
 
 export function withLayers(state: State, names: Iterable<LayerName>): State {
   const layers = new Set(names);
-  const [least, most] = rangeOfT({ layers });
-  return { ...state, layers, t: Math.min(Math.max(state.t, least), most) };
+  const [min, max] = rangeOfT({ layers });
+  return { ...state, layers, t: Math.min(Math.max(state.t, min), max) };
 }
 
 export function withLayer(state: State, name: LayerName, on: boolean): State {

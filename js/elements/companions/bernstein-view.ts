@@ -43,7 +43,7 @@ export class BernsteinView {
     .c0 { stroke: var(--bz-curve); } .c1 { stroke: var(--bz-handle); } .c2 { stroke: var(--bz-level1); } .c3 { stroke: var(--bz-level2); } .c4 { stroke: var(--bz-quiet); }
     .dot { fill: var(--bz-paper); stroke-width: 2; }
     .marker { stroke: var(--bz-ink); stroke-width: 1.5; } .grip { fill: var(--bz-ink); }
-    .marked .line:not(.chosen) { opacity: 0.28; } .line.chosen { stroke-width: 3.5; }
+    .marked .line:not(.selected) { opacity: 0.28; } .line.selected { stroke-width: 3.5; }
     ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(7.2rem, 1fr)); gap: 0.2rem 0.3rem; margin: 0; padding: 0 0.7rem 0.5rem; list-style: none; max-block-size: 10rem; overflow: auto; }
     li button { display: flex; gap: 0.4rem; align-items: center; inline-size: 100%; min-block-size: 1.8rem; padding: 0 0.35rem; border-color: transparent; background: none; font-size: 0.875rem; }
     li button svg { flex: none; inline-size: 26px; background: none; cursor: inherit; } li .value { margin-inline-start: auto; }
@@ -53,8 +53,8 @@ export class BernsteinView {
   `,
   ];
 
-  /** The polynomial that was chosen here, and the one of the applet's focused point. */
-  #chosen: number | null = null;
+  /** The polynomial that was selected here, and the one of the applet's focused point. */
+  #selected: number | null = null;
   #focusedPoint: number | null = null;
   #drag = { pointer: -1, start: 0 };
   /** The lines of the last picture, and what they depend on. */
@@ -88,7 +88,7 @@ export class BernsteinView {
     if (key !== this.#plot.key) this.#plot = { key, ...plotOf(subject) };
     const { frame, lines } = this.#plot;
     const values = weightsAt(subject, t);
-    const marked = [this.#chosen, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
+    const marked = [this.#selected, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
     const title = `${TITLES[basis]}${basis === "bezier" || basis === "b-spline" ? ` of degree ${degree}` : ""}`;
     return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
       ${this.#picture({ frame, lines, values, marked, t, names, title })}
@@ -122,7 +122,7 @@ export class BernsteinView {
       @pointerdown=${this.#grabbed} @pointermove=${this.#moved} @pointerup=${this.#released} @pointercancel=${this.#released} @lostpointercapture=${this.#released}>
       ${axes(frame)}
       <svg width=${inside.width} height=${inside.height}>
-        ${lines.map((line, i) => svg`<polyline class="line ${lookOf(i).colour} ${i === marked ? "chosen" : ""}" stroke-dasharray=${lookOf(i).dash || nothing} points=${line.points} />`)}
+        ${lines.map((line, i) => svg`<polyline class="line ${lookOf(i).colour} ${i === marked ? "selected" : ""}" stroke-dasharray=${lookOf(i).dash || nothing} points=${line.points} />`)}
         <line class="marker" x1=${x} x2=${x} y1=${top - 8} y2=${bottom} />
         ${values.map((value, i) => svg`<circle class="dot ${lookOf(i).colour}" r=${i === marked ? 5 : 3.5} cx=${x} cy=${yOf(frame, value)} />`)}
       </svg>
@@ -139,7 +139,7 @@ export class BernsteinView {
   }
 
   #choose(i: number) {
-    this.#chosen = this.#chosen === i ? null : i;
+    this.#selected = this.#selected === i ? null : i;
     this.#host.requestUpdate();
   }
 

@@ -4,7 +4,7 @@ import { acceptAttributeText } from "../attribute-text.js";
 import { MISSING } from "../loading.js";
 import type { LazyView, View, ViewClass } from "./loading.js";
 
-/** A companion begins its work when it is so near to what is seen of the page. */
+/** Root margin for lazy loading. */
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
 const MAX_QUOTED = 40;

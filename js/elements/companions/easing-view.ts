@@ -78,7 +78,7 @@ export class EasingView {
     this.#preview.stop();
   }
 
-  chosen(done: boolean) {
+  selected(done: boolean) {
     if (done && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#play();
   }
 
@@ -118,10 +118,11 @@ export class EasingView {
   }
 
   #options() {
-    const chosen = this.#host.value ? presetOf(this.#host.handles) : "none";
+    const selected = this.#host.value ? presetOf(this.#host.handles) : "none";
     const option = (word: string, text: string) =>
-      html`<option value=${word} .selected=${word === chosen}>${text}</option>`;
-    const first = chosen === "none" ? option("none", "choose one") : chosen === "" ? option("", "your own") : nothing;
+      html`<option value=${word} .selected=${word === selected}>${text}</option>`;
+    const first =
+      selected === "none" ? option("none", "choose one") : selected === "" ? option("", "your own") : nothing;
     return [first, ...Object.keys(PRESETS).map((word) => option(word, word))];
   }
 

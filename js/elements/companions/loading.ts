@@ -7,7 +7,7 @@ export interface View {
   /** The applet gets or loses the focus */
   handleFocus?: (event: Event) => void;
   /** The user has chosen */
-  chosen?: (done: boolean) => void;
+  selected?: (done: boolean) => void;
   /** The companion leaves the page */
   stop?: () => void;
 }

@@ -32,25 +32,25 @@ export function ownSubject(
   const t = check("t", given, Number.isFinite(given), "a number", FIRST_T);
   const all = ownPoints(points, check);
   const free = basis === "bezier" || basis === "b-spline";
-  const most = Math.min(all.length - 1, MAX_DEGREE);
-  const wanted = degree ?? (free ? most : MATRIX_DEGREE);
+  const max = Math.min(all.length - 1, MAX_DEGREE);
+  const wanted = degree ?? (free ? max : MATRIX_DEGREE);
   const count = check(
     "degree",
     wanted,
-    Number.isInteger(wanted) && wanted >= 1 && wanted <= most,
-    `a whole number from 1 to ${most}, for ${all.length} points`,
-    most,
+    Number.isInteger(wanted) && wanted >= 1 && wanted <= max,
+    `a whole number from 1 to ${max}, for ${all.length} points`,
+    max,
   );
-  const chosen = free
+  const selected = free
     ? all.slice(0, count + 1)
     : all.length > MATRIX_DEGREE
       ? all.slice(0, MATRIX_DEGREE + 1)
       : FIRST_POINTS;
-  const names = chosen.map((_, i) => `P${i}`);
-  const geometry = basis === "hermite" ? withTangents(chosen, names) : { points: chosen, names };
+  const names = selected.map((_, i) => `P${i}`);
+  const geometry = basis === "hermite" ? withTangents(selected, names) : { points: selected, names };
   return {
     basis,
-    degree: chosen.length - 1,
+    degree: selected.length - 1,
     matrix,
     t,
     ...geometry,

@@ -46,13 +46,13 @@ export function intervalOf(t: number) {
 
 function lineOf(frame: Frame, ts: number[], values: number[]): Line {
   const points = ts.map((t, k) => `${xOf(frame, t).toFixed(1)},${yOf(frame, values[k]).toFixed(1)}`).join(" ");
-  let most = -1;
+  let max = -1;
   values.forEach((value, k) => {
-    if (ts[k] >= 0 && ts[k] <= 1 && (most < 0 || Math.abs(value) > Math.abs(values[most]) + 1e-9)) most = k;
+    if (ts[k] >= 0 && ts[k] <= 1 && (max < 0 || Math.abs(value) > Math.abs(values[max]) + 1e-9)) max = k;
   });
   return {
     points,
-    peak: { x: xOf(frame, ts[most]), y: yOf(frame, values[most]), above: values[most] >= 0 },
+    peak: { x: xOf(frame, ts[max]), y: yOf(frame, values[max]), above: values[max] >= 0 },
     labelled: false,
   };
 }

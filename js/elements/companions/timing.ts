@@ -83,7 +83,7 @@ export function down([low, high]: Heights, y: number) {
  */
 export function placeAt([low, high]: Heights, left: number, top: number): [number, number] {
   const x = (left * SQUARE.width - SQUARE.side) / (SQUARE.width - 2 * SQUARE.side);
-  const clamp = (value: number, least: number, most: number) => Math.min(Math.max(value, least), most);
+  const clamp = (value: number, min: number, max: number) => Math.min(Math.max(value, min), max);
   return [rounded(clamp(x, 0, 1)), rounded(clamp(high - top * (high - low), low, high))];
 }
 

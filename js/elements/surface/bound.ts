@@ -8,7 +8,7 @@ import type { Patch, Surface } from "../../surfaces.js";
  * Markot, Surface algorithms using bounds on derivatives, CAGD 3 (1986).
  */
 export function errorBound(surface: Surface, n: number): number {
-  return patchesOf(surface).reduce((most, patch) => Math.max(most, secondDerivatives(patch)), 0) / (8 * n * n);
+  return patchesOf(surface).reduce((max, patch) => Math.max(max, secondDerivatives(patch)), 0) / (8 * n * n);
 }
 
 /** M_uu + 2 M_uv + M_vv of one patch. */

@@ -42,7 +42,7 @@ const NEAREST = 0.02;
 export function moved(view: View, changes: Partial<View>): View {
   const finite = Object.fromEntries(Object.entries(changes).filter(([, value]) => Number.isFinite(value)));
   const { turn, tilt, zoom, panX, panY } = { ...view, ...finite };
-  const clamp = (x: number, least: number, most: number) => Math.min(Math.max(x, least), most);
+  const clamp = (x: number, min: number, max: number) => Math.min(Math.max(x, min), max);
   return {
     turn: ((((turn + 180) % 360) + 360) % 360) - 180,
     tilt: clamp(tilt, -MAX_TILT, MAX_TILT),
@@ -89,12 +89,12 @@ export function sightOf(
   width: number,
   height: number,
 ): Sight {
-  const least = fittedSide(width, height);
+  const min = fittedSide(width, height);
   const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
   const distance = radius / (SLOPE * FILLED);
   const projection = perspective(
-    (slope * width) / least,
-    (slope * height) / least,
+    (slope * width) / min,
+    (slope * height) / min,
     Math.max(distance - DEPTH_RADII * radius, NEAREST * distance),
     distance + DEPTH_RADII * radius,
   );

@@ -19,7 +19,7 @@ import type { Labels } from "./labels.js";
 import type { Drawing } from "./loading.js";
 import type { Stage } from "./stage.js";
 
-/** The element begins its work when it is so near to what is seen of the page. */
+/** Root margin for lazy loading. */
 const NEAR = "300px";
 /** Farther away than so many heights of what is seen it gives the graphics card back. */
 const FAR = "150% 0px";
@@ -293,8 +293,8 @@ export class BezierSurface extends SurfaceAttributes {
 
   #showFile(surface: Surface) {
     this.surface = surface;
-    const most = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
-    if (this.segments > most) this.#set("segments", Math.max(1, most), "input");
+    const max = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
+    if (this.segments > max) this.#set("segments", Math.max(1, max), "input");
     this.#fire("change");
   }
 

@@ -90,18 +90,18 @@ export class Handles {
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
       button.hidden = !inside && !button.matches(":focus");
       if (!at || button.hidden) return;
-      const clamped = (x: number, most: number) => Math.min(Math.max(x, 0), most).toFixed(2);
+      const clamped = (x: number, max: number) => Math.min(Math.max(x, 0), max).toFixed(2);
       button.style.translate = `${clamped(at[0], width)}px ${clamped(at[1], height)}px`;
     });
   }
 
   /** The one whose centre is nearest, among those under the pointer. */
   #nearest(event: PointerEvent) {
-    let [best, least] = [-1, Infinity];
+    let [best, min] = [-1, Infinity];
     this.#buttons.forEach((button, i) => {
       const { left, top, width, height } = button.getBoundingClientRect();
       const distance = Math.hypot(event.clientX - left - width / 2, event.clientY - top - height / 2);
-      if (!button.hidden && distance < least) [best, least] = [i, distance];
+      if (!button.hidden && distance < min) [best, min] = [i, distance];
     });
     return best;
   }

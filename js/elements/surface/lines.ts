@@ -99,7 +99,7 @@ export interface Construction {
 export function casteljau(patch: Patch, u: number, v: number, step: number): Construction {
   const rows = linesOf(patch, patch.controlPoints())[0].map((row) => new Curve(row, { dimension: 3 }));
   const column = patch.isocurveAtU(u);
-  const from = (least: number, make: () => number[]) => Float32Array.from(step >= least ? make() : []);
+  const from = (min: number, make: () => number[]) => Float32Array.from(step >= min ? make() : []);
   const at = patch.eval(u, v);
   const shownRows = step === 1 ? rows.slice(0, 1) : rows;
   return {

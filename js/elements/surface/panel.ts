@@ -61,23 +61,23 @@ function select(
   name: string,
   label: string,
   words: readonly string[],
-  chosen: string,
+  selected: string,
   names: Record<string, string>,
   { set }: PanelPort,
 ) {
-  return choice(label, words, chosen, names, (word) => set(name, word, "change"));
+  return choice(label, words, selected, names, (word) => set(name, word, "change"));
 }
 
 function choice(
   label: string,
   words: readonly string[],
-  chosen: string,
+  selected: string,
   names: Record<string, string>,
   act: (word: any) => void,
 ) {
   const changed = (event: Event) => act((event.target as HTMLSelectElement).value);
   const option = (word: string) =>
-    html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+    html`<option value=${word} .selected=${word === selected}>${names[word] ?? word}</option>`;
   return html`<label class="line"><span>${label}</span><select @change=${changed}>${words.map(option)}</select></label>`;
 }
 
@@ -127,12 +127,12 @@ function modelControls(port: PanelPort) {
 }
 
 /** A slider on which equal ways are equal ratios. */
-function decades(name: string, label: string, value: number, least: number, most: number, { set }: PanelPort) {
+function decades(name: string, label: string, value: number, min: number, max: number, { set }: PanelPort) {
   const to = (type: "input" | "change") => (event: Event) =>
     set(name, Number((10 ** Number((event.target as HTMLInputElement).value)).toPrecision(2)), type);
   const position = Math.log10(value).toFixed(2);
   return html`<label class="line"><span>${label}</span>
-    <input type="range" name=${name} min=${Math.log10(least).toFixed(2)} max=${Math.log10(most).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${figures(value)} @input=${to("input")} @change=${to("change")}>
+    <input type="range" name=${name} min=${Math.log10(min).toFixed(2)} max=${Math.log10(max).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${figures(value)} @input=${to("input")} @change=${to("change")}>
     <span class="value" aria-hidden="true">${figures(value)}</span></label>`;
 }
 
@@ -181,13 +181,13 @@ function stepper({ settings: { step }, set }: PanelPort) {
 }
 
 function fileControls({ edited, restore, savePicture, saveMesh, open }: PanelPort) {
-  const chosen = (event: Event) => {
+  const selected = (event: Event) => {
     const input = event.target as HTMLInputElement;
     if (input.files?.[0]) open(input.files[0]);
     input.value = ""; // the same file can be chosen again
   };
   return html`<fieldset><legend>Files</legend><div class="row">
-    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${chosen}></label>
+    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${selected}></label>
     <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
   </div><div class="row" role="group" aria-label="Save as">
     <button type="button" @click=${savePicture}>PNG</button>

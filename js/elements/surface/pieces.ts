@@ -43,7 +43,7 @@ const uvsOf = ({ u0, u1, v0, v1 }: { u0: number; u1: number; v0: number; v1: num
 
 /** How deep the recursion went: halves of halves of a patch. */
 export function depthOf(pieces: Piece[]) {
-  return pieces.reduce((most, { u0, u1 }) => Math.max(most, Math.round(-Math.log2(u1 - u0))), 0);
+  return pieces.reduce((max, { u0, u1 }) => Math.max(max, Math.round(-Math.log2(u1 - u0))), 0);
 }
 
 /**

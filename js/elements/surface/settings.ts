@@ -214,10 +214,10 @@ function pointOf(value: unknown): number[] | null | undefined {
 
 /** A list of words as an attribute holds it, with one of them put in or taken out. */
 export function toggled<Word extends string>(
-  chosen: Set<Word>,
+  selected: Set<Word>,
   known: readonly Word[],
   each: Word,
   on: boolean,
 ): string {
-  return known.filter((one) => (one === each ? on : chosen.has(one))).join(" ");
+  return known.filter((one) => (one === each ? on : selected.has(one))).join(" ");
 }

@@ -858,7 +858,7 @@ export class CorePath {
       best = { index, ...found };
       limit = found.distance;
     };
-    const first = distances.indexOf(distances.reduce((least, distance) => Math.min(least, distance), Infinity));
+    const first = distances.indexOf(distances.reduce((min, distance) => Math.min(min, distance), Infinity));
     if (first >= 0) search(first); // most others are farther than this one
     for (let index = 0; index < all.length; index++) if (index !== first) search(index);
     return best;

@@ -107,8 +107,8 @@ export function reserve({ reserved, px }: DrawContext, [x, y]: Point2, radius: n
 const OUTSIDE = 200;
 
 export function isSeen({ box, px }: Pick<DrawContext, "box" | "px">, [x, y]: Point2) {
-  const most = OUTSIDE * px;
-  return x >= -most && y >= -most && x <= box.width + most && y <= box.height + most;
+  const max = OUTSIDE * px;
+  return x >= -max && y >= -max && x <= box.width + max && y <= box.height + max;
 }
 
 /**

@@ -71,13 +71,13 @@ export function deviation(curve: Curve, ts: ArrayLike<number>): number {
     steps[i] = share ? ts[k] + share * (ts[k + 1] - ts[k]) : ts[k];
   }
   const p = curve.evalAt(steps);
-  let most = 0;
+  let max = 0;
   const distances = new Float64Array(STEPS + 1);
   for (let from = 0; from + STEPS < steps.length; from += STEPS) {
     for (let j = 1; j < STEPS; j++) distances[j] = distance(p, from + j, from, from + STEPS);
-    most = Math.max(most, peak(distances));
+    max = Math.max(max, peak(distances));
   }
-  return most;
+  return max;
 }
 
 /** The distance of a point from the line between two others. */

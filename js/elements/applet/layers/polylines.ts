@@ -44,7 +44,7 @@ export const segments = {
   derive({ pieces }: Figure, { segments }: State) {
     const ts = Float64Array.from({ length: segments + 1 }, (_, k) => k / segments);
     const lines = pieces.map(({ curve }) => curve.sample(segments));
-    const error = pieces.reduce((most, { curve }) => Math.max(most, deviation(curve, ts)), 0);
+    const error = pieces.reduce((max, { curve }) => Math.max(max, deviation(curve, ts)), 0);
     return { lines, error, segments: segments * pieces.length };
   },
 

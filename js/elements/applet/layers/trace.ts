@@ -27,13 +27,13 @@ export function traceSeen(points: Float64Array, box: Box, go: (x: number, y: num
 
 /** Whether all points lie more than the picture's size beyond one side of it, or are no numbers. */
 function isAside(p: Float64Array, axis: 0 | 1, size: number) {
-  let [least, most] = [Infinity, -Infinity];
+  let [min, max] = [Infinity, -Infinity];
   for (let i = axis; i < p.length; i += 2) {
     if (!(p[i] - p[i] === 0)) return true;
-    least = Math.min(least, p[i]);
-    most = Math.max(most, p[i]);
+    min = Math.min(min, p[i]);
+    max = Math.max(max, p[i]);
   }
-  return most < -size || least > 2 * size;
+  return max < -size || min > 2 * size;
 }
 
 function isStraight(p: Float64Array) {

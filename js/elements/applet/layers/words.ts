@@ -52,7 +52,7 @@ function bestPlace(
   halfHeight: number,
 ): Point2 {
   let best: Point2 = at;
-  let least = Infinity;
+  let min = Infinity;
   for (const ring of RINGS) {
     for (const turn of TURNS) {
       const [c, s] = [Math.cos((turn * Math.PI) / 4), Math.sin((turn * Math.PI) / 4)];
@@ -60,9 +60,9 @@ function bestPlace(
       const long = Math.max(0, halfWidth - MARGIN * px) * Math.abs(dx);
       const reach = gap * px * ring + long;
       const place = inside(box, [at[0] + dx * reach, at[1] + dy * reach], halfWidth, MARGIN * px);
-      const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight, least);
-      if (cost < least) [best, least] = [place, cost];
-      if (least === 0) return best;
+      const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight, min);
+      if (cost < min) [best, min] = [place, cost];
+      if (min === 0) return best;
     }
   }
   return best;
@@ -81,9 +81,9 @@ function inside({ width, height }: DrawContext["box"], [x, y]: Point2, across: n
  *
  * @param most where this much is reached the rest does not matter
  */
-function overlap(taken: number[], x: number, y: number, halfWidth: number, halfHeight: number, most: number): number {
+function overlap(taken: number[], x: number, y: number, halfWidth: number, halfHeight: number, max: number): number {
   let sum = 0;
-  for (let i = 0; i < taken.length && sum < most; i += 4) {
+  for (let i = 0; i < taken.length && sum < max; i += 4) {
     const width = halfWidth + taken[i + 2] - Math.abs(x - taken[i]);
     const height = halfHeight + taken[i + 3] - Math.abs(y - taken[i + 1]);
     if (width > 0 && height > 0) sum += width * height;
