@@ -183,6 +183,11 @@ test("extrema, boxes, inflections, nearest points, offsets, ticks and what lies 
   );
 });
 
+test("beside the exact box there is that of the control points", () => {
+  const { pointBoxes } = derived("bounds", { points: pointsOf("90,400 150,90 460,80 590,410") }).data;
+  assert.deepEqual(pointBoxes, [[90, 80, 590, 410]]);
+});
+
 test("the hull of a B-spline is that of its own points, of other bases that of the Bézier form", () => {
   const points = pointsOf("0,0 0,300 300,300 300,0");
   assert.equal(derived("hull", { points, basis: "b-spline" }).data[0].length, 8);

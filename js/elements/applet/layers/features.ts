@@ -17,10 +17,18 @@ export const bounds = {
 
   derive: ({ pieces }: Figure) => ({
     boxes: pieces.map(({ curve }) => curve.bounds()),
+    pointBoxes: pieces.map(({ curve }) => boxOf(curve.controlPoints())),
     touches: pieces.flatMap(({ curve }) => extremaOf(curve).points),
   }),
 
-  draw(context: DrawContext, { boxes, touches }: { boxes: ReturnType<Curve["bounds"]>[]; touches: number[] }) {
+  draw(
+    context: DrawContext,
+    { boxes, pointBoxes, touches }: { boxes: ReturnType<Curve["bounds"]>[]; pointBoxes: Box[]; touches: number[] },
+  ) {
+    for (const [left, top, right, bottom] of pointBoxes) {
+      context.lens.polygon([left, top, right, top, right, bottom, left, bottom]);
+      stroke(context, context.theme.quiet, 1);
+    }
     for (const { min, max } of boxes) {
       context.lens.polygon([min.x, min.y, max.x, min.y, max.x, max.y, min.x, max.y]);
       dashed(context, context.theme.quiet, POLYGON_WIDTH);
@@ -34,6 +42,15 @@ export const bounds = {
     return boxes.length ? `Exact box: ${range("x")}, ${range("y")}` : "";
   },
 };
+
+/** Left, top, right, bottom */
+type Box = [number, number, number, number];
+
+/** The box of points, x and y in turn. */
+function boxOf(points: Float64Array): Box {
+  const [x, y] = [0, 1].map((axis) => points.filter((_, i) => i % 2 === axis));
+  return [Math.min(...x), Math.min(...y), Math.max(...x), Math.max(...y)];
+}
 
 export const extrema = {
   name: "extrema",
