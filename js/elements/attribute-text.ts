@@ -28,6 +28,20 @@ export function acceptAttributeText(
   };
 }
 
+/** The property `controls`: true and false as well as the words of an attribute. */
+export const CONTROLS = {
+  converter: {
+    fromAttribute: (value: string | null) => value,
+    toAttribute: (value: unknown) => (value === true ? "" : value === false || value === null ? null : String(value)),
+  },
+  reflect: true,
+};
+
+/** The groups of controls that a value of `controls` names; none means all. */
+export function controlGroups(controls: string | boolean | null): string[] {
+  return typeof controls === "string" ? controls.split(/\s+/).filter(Boolean) : [];
+}
+
 /**
  * Writes a value that frameworks have as an attribute: a text, or undefined for none.
  *

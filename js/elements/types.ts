@@ -111,8 +111,8 @@ export interface SurfaceProperties {
   probe: string | null;
   /** The patch whose control points can be dragged; null for none */
   patch: number | null;
-  /** Whether the control panel is shown */
-  controls: boolean;
+  /** Whether the control panel is shown; some of the words "shape shading place model mesh show files" show only these groups */
+  controls: string | boolean | null;
   /** Whether the surface rotates; it does not start by itself for users who prefer reduced motion */
   turn: boolean;
   /** The name of the picture for screen readers */

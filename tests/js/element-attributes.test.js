@@ -63,7 +63,7 @@ const GIVEN = [
   [
     BezierSurface,
     { model: "teacup", segments: "24", tolerance: "0.01", u: "0.25", patch: "3", swept: "", controls: "" },
-    { segments: 24, tolerance: 0.01, u: 0.25, patch: 3, swept: true, controls: true },
+    { segments: 24, tolerance: 0.01, u: 0.25, patch: 3, swept: true },
   ],
   [
     BezierEasing,

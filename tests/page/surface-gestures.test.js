@@ -138,6 +138,16 @@ test("keys move a control point, in depth too", async (t) => {
   assert.ok((await difference(page, before, await look(page), 4)) > 500);
 });
 
+test("parts of the panel by the words of `controls`", async (t) => {
+  const page = await openSurface(t, 'controls="shading mesh"');
+  const labels = () => page.locator("bezier-surface .controls label.line > span:first-child").allInnerTexts();
+  assert.deepEqual(await labels(), ["Shading", "Fineness", "Segments", "Computed"]);
+  await set(page, { controls: "shape" });
+  assert.deepEqual(await labels(), ["Shape"]);
+  await set(page, { controls: false });
+  assert.equal(await page.locator("bezier-surface .controls").count(), 0);
+});
+
 test("the controls set the properties, which reflect", async (t) => {
   const page = await openSurface(t, "controls");
   await listen(page);

@@ -1,4 +1,5 @@
 // What the user can do besides dragging: every action once, for its button and its key.
+import { controlGroups } from "../attribute-text.js";
 import { roomiestAmong } from "../../applet/random.js";
 import { save } from "../page-files.js";
 import * as edits from "./edits.js";
@@ -208,9 +209,7 @@ export class AppletActions {
   panelPort(): import("./panel.js").PanelPort {
     const figure = this.host.made();
     const state = this.host.now();
-    const wanted = String(this.host.controls === true ? "" : this.host.controls)
-      .split(/\s+/)
-      .filter(Boolean);
+    const wanted = controlGroups(this.host.controls);
     const codeShown = (this.host.renderRoot.querySelector("details.save") as HTMLDetailsElement | null)?.open;
     return {
       state,

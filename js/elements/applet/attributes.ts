@@ -1,6 +1,6 @@
 // The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
 import { LitElement } from "lit";
-import { acceptAttributeText } from "../attribute-text.js";
+import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
 import { withJoints } from "./edits.js";
 import { FIELDS, VIEW } from "./fields.js";
 import { firstState } from "./state.js";
@@ -14,12 +14,6 @@ const text = (first: string) => ({
   },
   reflect: true,
 });
-/** true and false as well as the words of an attribute. */
-const converter = {
-  fromAttribute: (value: string | null) => value,
-  toAttribute: (value: unknown) => (value === true ? "" : value === false || value === null ? null : String(value)),
-};
-
 /** Keeps the state and the attributes the same. */
 export class AppletAttributes extends LitElement {
   declare controls: string | boolean | null;
@@ -29,7 +23,7 @@ export class AppletAttributes extends LitElement {
   declare label: string;
 
   static properties = {
-    controls: { converter, reflect: true },
+    controls: CONTROLS,
     readonly: { type: Boolean, reflect: true },
     hotkeys: text("on"),
     theme: text("auto"),

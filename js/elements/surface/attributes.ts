@@ -1,6 +1,6 @@
 // The attributes of the element and their properties.
 import { LitElement } from "lit";
-import { acceptAttributeText } from "../attribute-text.js";
+import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
 import { Memo } from "./memo.js";
 import { SettingsReader } from "./settings.js";
 
@@ -28,7 +28,7 @@ export class SurfaceAttributes extends LitElement {
   declare v: number;
   declare step: number;
   declare patch: number | null;
-  declare controls: boolean;
+  declare controls: string | boolean | null;
   declare turn: boolean;
   declare swept: boolean;
   declare probe: string | null;
@@ -53,7 +53,7 @@ export class SurfaceAttributes extends LitElement {
     v: number,
     step: number,
     patch: number,
-    controls: flag,
+    controls: CONTROLS,
     turn: flag,
     swept: flag,
   };
@@ -86,7 +86,7 @@ export class SurfaceAttributes extends LitElement {
     this.v = 0.5;
     this.step = 4;
     this.patch = null;
-    this.controls = false;
+    this.controls = null;
     this.turn = false;
     this.swept = false;
     this.probe = null;

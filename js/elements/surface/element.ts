@@ -1,5 +1,6 @@
 import { Surface } from "../../surfaces.js";
 import { adoptProperties } from "../adopt.js";
+import { controlGroups } from "../attribute-text.js";
 import { SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { FileController } from "./file-controller.js";
@@ -321,13 +322,14 @@ export class BezierSurface extends SurfaceAttributes {
         farther: zoomed(1 / ZOOM_STEP),
         home: () => this.#moveByHand(HOME, true),
       },
-      panel: this.controls ? this.#panelPort() : null,
+      panel: this.controls === null || this.controls === false ? null : this.#panelPort(),
     });
   }
 
   #panelPort(): import("./panel.js").PanelPort {
     return {
       settings: this.settings(),
+      groups: controlGroups(this.controls),
       size: this.#scene().frame.radius,
       named: !this.#subject.given,
       patches: this.#scene().surface.patchCount,

@@ -27,6 +27,8 @@ import type { Settings } from "./settings.js";
 /** What the controls know and do. */
 export interface PanelPort {
   settings: Settings;
+  /** The groups of controls that are wanted; none means all, with what is used less behind "More" */
+  groups: string[];
   /** The surface's radius */
   size: number;
   setDetail: (kind: "segments" | "tolerance" | "pixels" | "flatness") => void;
@@ -48,11 +50,26 @@ const DETAIL_KINDS = ["segments", "tolerance", "pixels", "flatness"];
 /** The range of the tolerance, in radii of the surface. */
 const [FINEST, COARSEST] = [1e-4, 0.2];
 
+/** The groups of controls by the words of the attribute `controls`. */
+const GROUPS: Record<string, (port: PanelPort) => unknown> = {
+  shape: (port) => (port.named ? shapeControl(port) : ownControls(port)),
+  shading: (port) => shadingControl(port),
+  place: (port) => placeControls(port),
+  model: (port) => (port.named ? modelControls(port) : nothing),
+  mesh: meshControls,
+  show: layerControls,
+  files: fileControls,
+};
+
 export function panel(port: PanelPort) {
+  if (port.groups.length) {
+    const wanted = Object.entries(GROUPS).filter(([name]) => port.groups.includes(name));
+    return html`<div class="controls" part="controls">${wanted.map(([, group]) => group(port))}</div>`;
+  }
   return html`<div class="controls" part="controls">
-    ${port.named ? mainControls(port) : ownControls(port)} ${placeControls(port)}
+    <fieldset class="wide main"><legend class="away">Picture</legend>${GROUPS.shape(port)} ${shadingControl(port)}</fieldset> ${placeControls(port)}
     <details class="more"><summary>More</summary><div class="body">
-      ${port.named ? modelControls(port) : nothing} ${meshControls(port)} ${layerControls(port)} ${fileControls(port)}
+      ${GROUPS.model(port)} ${meshControls(port)} ${layerControls(port)} ${fileControls(port)}
     </div></details>
   </div>`;
 }
@@ -104,14 +121,13 @@ function shadingControl(port: PanelPort) {
   return select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port);
 }
 
-function mainControls(port: PanelPort) {
-  return html`<fieldset class="wide main"><legend class="away">Picture</legend>
-    ${select("model", "Shape", MODELS, port.settings.model, MODEL_NAMES, port)} ${shadingControl(port)}</fieldset>`;
+function shapeControl(port: PanelPort) {
+  return select("model", "Shape", MODELS, port.settings.model, MODEL_NAMES, port);
 }
 
 function ownControls(port: PanelPort) {
-  return html`<fieldset class="wide main"><legend class="away">Picture</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
-      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[port.settings.model].toLowerCase()}</button> ${shadingControl(port)}</fieldset>`;
+  return html`<p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
+      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[port.settings.model].toLowerCase()}</button>`;
 }
 
 function modelControls(port: PanelPort) {
