@@ -33,6 +33,12 @@ export class Figure extends LitElement {
     this.#observer.observe(this);
   }
 
+  createRenderRoot() {
+    const root = super.createRenderRoot();
+    root.addEventListener("change", () => this.notifyChange()); // the event of a control does not leave the shadow root
+    return root;
+  }
+
   disconnectedCallback() {
     super.disconnectedCallback();
     this.#observer?.disconnect();
