@@ -32,6 +32,15 @@ export const TARGETS = {
   "union-icons-paper": { minRatio: 5 },
   "stroke-pathkit": { minRatio: 1 },
 
+  "area-kurbo": { minRatio: 1 },
+  "inflections-kurbo": { minRatio: 1 },
+  "bounds-kurbo": { minRatio: 1 },
+  "time-at-length-kurbo": { minRatio: 0.5 },
+  "path-area-kurbo": { minRatio: 1 },
+  "flatten-lines-kurbo": { minRatio: 1 },
+  "to-svg-kurbo": { minRatio: 0.7 },
+  "dash-kurbo": { minRatio: 1 },
+
   "intersect-9-bezier-js": { minRatio: 500 },
   "intersect-9-paper": { minRatio: 8 },
   "intersect-paper": { minRatio: 6 },

@@ -4,6 +4,7 @@
 
 mod curves;
 mod flatten;
+mod forms;
 mod inputs;
 mod intersect;
 mod length;
@@ -22,6 +23,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, regions::bench, stroke::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, forms::bench, nearest::bench, offset::bench, regions::bench, stroke::bench, teapot::bench
 }
 criterion_main!(all);

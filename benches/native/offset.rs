@@ -25,7 +25,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     group.bench_function("casteljau", |b| {
         b.iter(|| {
             for curve in &cubics.ours {
-                black_box(curve.offset(DISTANCE, Some(TOLERANCE)).expect("finite"));
+                black_box(curve.offset_within(DISTANCE, TOLERANCE).expect("finite"));
             }
         });
     });
@@ -38,7 +38,7 @@ fn check(cubics: &Cubics) {
     let mut path = BezPath::new();
     for (&curve, own) in cubics.kurbo.iter().zip(&cubics.ours) {
         kurbo::offset::offset_cubic(curve, DISTANCE, TOLERANCE, &mut path);
-        let spline = own.offset(DISTANCE, Some(TOLERANCE)).expect("finite");
+        let spline = own.offset_within(DISTANCE, TOLERANCE).expect("finite");
         theirs += path.elements().len() - 1;
         ours += spline.segment_count();
         let end = path

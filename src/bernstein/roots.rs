@@ -12,7 +12,7 @@
 //! contacts ([`contacts`], [`crossings`]).
 
 use super::de_casteljau::halve;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{ratio, unit_scale};
 use crate::numeric::list::Scalars;
 use crate::numeric::work_limit::WorkLimit;
 use crate::numeric::zero::regula_falsi;
@@ -27,27 +27,41 @@ const SMALLEST_INTERVAL: f64 = f64::EPSILON;
 /// [`contacts`] where that matters.
 pub(crate) fn roots_inside(coefficients: &[f64]) -> Scalars {
     let mut roots = Scalars::new();
-    let Some((scaled, _)) = scaled(coefficients) else {
-        return roots;
-    };
-    match *scaled {
+    match *coefficients {
         [_] => {}
-        [a, b] => push_inside(&mut roots, a / (a - b)),
-        [a, b, c] => quadratic(&mut roots, a, b, c),
-        _ => isolate(&scaled, &mut roots),
+        [a, b] => push_inside(&mut roots, 0.5 * a / (0.5 * a - 0.5 * b)),
+        [a, b, c] => {
+            for t in quadratic_roots([a, b, c]) {
+                push_inside(&mut roots, t);
+            }
+        }
+        _ => {
+            if let Some((scaled, _)) = scaled(coefficients) {
+                isolate(&scaled, &mut roots);
+            }
+        }
     }
     roots
 }
 
 /// The coefficients divided by the largest absolute value, and that value; `None` if all are zero.
 fn scaled(coefficients: &[f64]) -> Option<(Scalars, f64)> {
-    let size = coefficients.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+    let size = max_of(coefficients);
     (size > 0.0).then(|| (coefficients.iter().map(|c| c / size).collect(), size))
+}
+
+/// The largest absolute value.
+#[cfg_attr(feature = "fast", inline)]
+pub(crate) fn max_of(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
 /// The parameters inside (0, 1) where the value changes from below −`slack` to above `slack` or the reverse, in
 /// ascending order.
 pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
+    if let [a, b, c] = *coefficients {
+        return crossings_of_quadratic([a, b, c], slack);
+    }
     let mut roots = Scalars::new();
     // The polynomial lies between its smallest and its largest coefficient.
     if coefficients.iter().all(|&c| c > slack) || coefficients.iter().all(|&c| c < -slack) {
@@ -134,28 +148,66 @@ fn push_inside(roots: &mut Scalars, t: f64) {
     }
 }
 
-/// Roots of a(1−t)² + 2b(1−t)t + ct². With r = t/(1−t) it is proportional to a + 2br + cr², which is solved without
-/// cancellation.
-#[inline(never)]
-fn quadratic(roots: &mut Scalars, a: f64, b: f64, c: f64) {
-    let discriminant = discriminant(a, b, c);
-    if discriminant < 0.0 {
-        return;
+/// [`crossings`] of a polynomial of degree 2: between its ends and its extremum it is monotone.
+pub(crate) fn crossings_of_quadratic(coefficients: [f64; 3], slack: f64) -> Scalars {
+    let mut crossings = Scalars::new();
+    let [a, b, c] = coefficients;
+    // The polynomial lies between its smallest and its largest coefficient.
+    if a.min(b).min(c) > slack || a.max(b).max(c) < -slack {
+        return crossings;
     }
+    let scale = unit_scale(max_of(&coefficients));
+    let [a, b, c] = coefficients.map(|x| x * scale);
+    let extremum = (a - b) / ((a - b) + (c - b));
+    let mut visited = [[0.0, a], [0.0, a], [1.0, c]];
+    if extremum > 0.0 && extremum < 1.0 {
+        // There both steps of de Casteljau's algorithm give the same value.
+        visited[1] = [extremum, a + (b - a) * extremum];
+    }
+    let mut nonzero = visited
+        .into_iter()
+        .filter(|[_, value]| value.abs() > slack * scale);
+    let Some(mut before) = nonzero.next() else {
+        return crossings;
+    };
+    let polynomial = || Polynomial([a, 2.0 * b, c].into_iter().collect());
+    let roots = quadratic_roots([a, b, c]);
+    for [t, value] in nonzero {
+        let [from, old] = before;
+        if (value < 0.0) != (old < 0.0) {
+            let root = roots.into_iter().find(|root| (from..=t).contains(root));
+            let root = root.unwrap_or_else(|| polynomial().close_in(from, t, old));
+            push_inside(&mut crossings, root);
+        }
+        before = [t, value];
+    }
+    crossings
+}
+
+/// The roots of a(1−t)² + 2b(1−t)t + ct² in ascending order, also those outside (0, 1); NaN where there is none.
+///
+/// With r = t/(1−t) it is proportional to a + 2br + cr², which is solved without cancellation.
+#[cfg_attr(feature = "fast", inline)]
+#[cfg_attr(not(feature = "fast"), inline(never))]
+pub(crate) fn quadratic_roots(coefficients: [f64; 3]) -> [f64; 2] {
+    // Squares must not underflow.
+    let scale = unit_scale(max_of(&coefficients));
+    let [a, b, c] = coefficients.map(|x| x * scale);
+    let discriminant = discriminant(a, b, c);
     let q = -(b + discriminant.sqrt().copysign(b));
     // r₁ = q/c and r₂ = a/q; converted by t = r/(1+r).
-    let (t1, t2) = if q == 0.0 {
-        (f64::NAN, f64::NAN)
-    } else {
-        (q / (c + q), a / (q + a))
-    };
-    push_inside(roots, t1.min(t2));
-    push_inside(roots, t1.max(t2));
+    let (t1, t2) = (q / (c + q), a / (q + a));
+    // NaN compares as false.
+    if t2 < t1 { [t2, t1] } else { [t1, t2] }
 }
 
 /// b² − ac, corrected by the rounding errors of both products (Kahan).
+#[cfg_attr(feature = "fast", inline)]
 pub(crate) fn discriminant(a: f64, b: f64, c: f64) -> f64 {
     let (square, product) = (b * b, a * c);
+    if product <= 0.0 {
+        return square - product; // nothing cancels
+    }
     square - product + (error_of_product(b, b, square) - error_of_product(a, c, product))
 }
 
@@ -258,9 +310,8 @@ impl Polynomial {
     /// The only root in (lo, hi), where the sign at lo is that of `before`.
     fn close_in(&self, lo: f64, hi: f64, before: f64) -> f64 {
         if let [a, b, c] = *self.0 {
-            let mut roots = Scalars::new();
-            quadratic(&mut roots, a, 0.5 * b, c);
-            if let Some(&root) = roots.iter().find(|&&t| lo <= t && t <= hi) {
+            let mut roots = quadratic_roots([a, 0.5 * b, c]).into_iter();
+            if let Some(root) = roots.find(|&t| lo <= t && t <= hi) {
                 return root;
             }
         }

@@ -13,6 +13,7 @@ impl Curve<DVec2> {
     /// true value leaves the range of f64, the result is infinite or 0. Source: Green's theorem, with the integrals of
     /// products of Bernstein polynomials; Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD
     /// 29 (2012), §3.3.
+    #[cfg_attr(feature = "fast", inline)]
     pub fn area(&self) -> f64 {
         self.area_xy()
     }
@@ -20,36 +21,48 @@ impl Curve<DVec2> {
 
 impl<P: Point> Curve<P> {
     /// [`area`](Curve::area) of the projection along z.
+    #[cfg_attr(feature = "fast", inline)]
     pub(crate) fn area_xy(&self) -> f64 {
-        let (start, end) = (self.start(), self.end());
-        area_about(&self.points, start) + triangle_area(start, end)
+        area_from_chord(&self.points) + triangle_area(self.start(), self.end())
     }
 }
 
 /// ½ a × b, the signed area of the triangle with the corners 0, a and b.
+#[cfg_attr(feature = "fast", inline)]
 pub(crate) fn triangle_area<P: Point>(a: P, b: P) -> f64 {
     0.5 * a.to_2d().cross(b.to_2d())
 }
 
-/// The area that the segment from `centre` to B(t) sweeps.
-///
-/// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m), which is ½ ∫
-/// (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
+/// The area that the segment from `centre` to B(t) sweeps: between the curve and its chord, and the triangle of the chord.
+#[cfg_attr(feature = "fast", inline)]
 pub(crate) fn area_about<P: Point>(points: &[P], centre: P) -> f64 {
-    let around = |p: P| (p - centre).to_2d();
+    let (start, end) = (points[0], points[points.len() - 1]);
+    area_from_chord(points) + triangle_area(start - centre, end - centre)
+}
+
+/// The area between the chord and the curve.
+///
+/// Σ w (Pᵢ × Pⱼ) over i < j, relative to P₀, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m),
+/// which is ½ ∫ (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
+#[cfg_attr(feature = "fast", inline)]
+fn area_from_chord<P: Point>(points: &[P]) -> f64 {
+    let from_start = |p: P| (p - points[0]).to_2d();
     match *points {
-        [a, b] => 0.5 * around(a).cross(around(b)),
-        [a, b, c] => {
-            let [a, b, c] = [a, b, c].map(around);
-            (2.0 * (a.cross(b) + b.cross(c)) + a.cross(c)) / 6.0
+        [_, _] => 0.0,
+        [_, b, c] => from_start(b).cross(from_start(c)) / 3.0,
+        [_, b, c, d] => {
+            let [b, c, d] = [b, c, d].map(from_start);
+            (3.0 * (b.cross(c) + b.cross(d)) + 6.0 * c.cross(d)) / 20.0
         }
-        [a, b, c, d] => {
-            let [a, b, c, d] = [a, b, c, d].map(around);
-            let ends = 6.0 * (a.cross(b) + c.cross(d));
-            (ends + 3.0 * (a.cross(c) + b.cross(c) + b.cross(d)) + a.cross(d)) / 20.0
-        }
-        _ => area_of_any_degree(&points.iter().map(|&p| around(p)).collect::<Points<DVec2>>()),
+        _ => area_of_high_degree(points),
     }
+}
+
+/// [`area_from_chord`] above degree 3; not inlined, so that the others stay short.
+#[inline(never)]
+fn area_of_high_degree<P: Point>(points: &[P]) -> f64 {
+    let from_start = |&p: &P| (p - points[0]).to_2d();
+    area_of_any_degree(&points.iter().map(from_start).collect::<Points<DVec2>>())
 }
 
 fn area_of_any_degree(points: &[DVec2]) -> f64 {

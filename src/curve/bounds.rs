@@ -1,8 +1,8 @@
 //! Bounding boxes of a curve.
 
 use super::Curve;
-use crate::bernstein::evaluate::evaluate_scalar;
-use crate::bernstein::roots::roots_inside;
+use crate::bernstein::evaluate::{cubic_scalar, evaluate_scalar};
+use crate::bernstein::roots::{quadratic_roots, roots_inside};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
@@ -20,11 +20,29 @@ impl<P: Point> Curve<P> {
         }
         .including(self.end());
         for axis in 0..P::DIMENSION {
-            if self.is_monotone(axis) {
+            let inside = |p: &P| {
+                let x = p.coordinate(axis);
+                bounds.min.coordinate(axis) <= x && x <= bounds.max.coordinate(axis)
+            };
+            if self.points.iter().all(inside) {
                 continue;
             }
-            for t in self.extrema_on(axis) {
-                bounds = bounds.including(self.only_axis(axis, t, bounds.min));
+            let mut include = |x: f64| {
+                bounds = bounds.including(bounds.min.with_coordinate(axis, x));
+            };
+            if let [a, b, c, d] = *self.points
+                && cfg!(feature = "fast")
+            {
+                let [a, b, c, d] = [a, b, c, d].map(|p| p.coordinate(axis));
+                let extrema = quadratic_roots([b - a, c - b, d - c]);
+                for t in extrema.into_iter().filter(|&t| t > 0.0 && t < 1.0) {
+                    include(cubic_scalar([a, b, c, d], t));
+                }
+            } else {
+                let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
+                for t in self.extrema_on(axis) {
+                    include(evaluate_scalar(&values, t));
+                }
             }
         }
         bounds
@@ -40,20 +58,5 @@ impl<P: Point> Curve<P> {
         let step = |pair: &[P]| pair[1].coordinate(axis) - pair[0].coordinate(axis);
         let slopes: Scalars = self.points.windows(2).map(step).collect();
         roots_inside(&slopes)
-    }
-
-    /// Whether the control points are monotone along an axis, so that the curve has no extremum inside.
-    fn is_monotone(&self, axis: usize) -> bool {
-        let mut pairs = self
-            .points
-            .windows(2)
-            .map(|pair| (pair[0].coordinate(axis), pair[1].coordinate(axis)));
-        pairs.clone().all(|(a, b)| a <= b) || pairs.all(|(a, b)| a >= b)
-    }
-
-    /// The point `inside` with one coordinate replaced by that of B(t).
-    fn only_axis(&self, axis: usize, t: f64, inside: P) -> P {
-        let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
-        inside.with_coordinate(axis, evaluate_scalar(&values, t))
     }
 }

@@ -1,7 +1,7 @@
 //! Extrema of a coordinate, and parameters at a given coordinate.
 
 use super::Curve;
-use crate::bernstein::roots::{contacts, crossings};
+use crate::bernstein::roots::{contacts, crossings, max_of};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
@@ -80,7 +80,7 @@ impl<P: Point> Curve<P> {
 pub(crate) fn extrema_of(values: &[f64]) -> Vec<f64> {
     let slopes: Scalars = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
     // Each of the two numbers is rounded by up to half an ulp.
-    crossings(&slopes, ulp(largest(values))).to_vec()
+    crossings(&slopes, ulp(max_of(values))).to_vec()
 }
 
 /// See [`Curve::times_at_coordinate`].
@@ -88,10 +88,6 @@ pub(crate) fn times_of(values: &[f64], value: f64) -> Vec<f64> {
     // Halved, because the value may be ±1e308.
     let heights: Scalars = values.iter().map(|v| 0.5 * v - 0.5 * value).collect();
     // Half of the rounding error of n steps of interpolation.
-    let rounding = values.len() as f64 * ulp(largest(values).max(value.abs()));
+    let rounding = values.len() as f64 * ulp(max_of(values).max(value.abs()));
     contacts(&heights, 0.5 * rounding).map_or_else(|| vec![0.0, 1.0], |ts| ts.to_vec())
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }

@@ -1,10 +1,10 @@
 //! Inflections, cusps, and tangent lines through a point.
 
 use super::Curve;
-use super::turning::turning;
+use super::turning::{turning, turning_of_quadratic};
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::product_of;
-use crate::bernstein::roots::{contacts, crossings, roots_inside};
+use crate::bernstein::roots::{contacts, crossings, crossings_of_quadratic, roots_inside};
 use crate::curve::arc_length::length::hodograph;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
@@ -19,6 +19,9 @@ const ASIDE: f64 = 1e-4;
 
 /// Double roots are accurate to about the square root of the rounding error.
 const HALF_THE_DIGITS: f64 = 1e-7;
+
+/// In this range of steps between control points, products of them stay in the range of f64.
+const PLAIN_RANGE: std::ops::Range<f64> = 1e-70..1e70;
 
 impl Curve<DVec2> {
     /// The parameters inside (0, 1) of inflections, where the curvature changes sign, in ascending order.
@@ -106,6 +109,15 @@ impl<P: Point> Curve<P> {
 
 /// See [`Curve::inflections`]; of the projection along z. `rounding` is the error bound of a coordinate.
 pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
+    if let [a, b, c, d] = *points
+        && cfg!(feature = "fast")
+    {
+        let steps = [b - a, c - b, d - c];
+        if PLAIN_RANGE.contains(&max_abs(&steps)) {
+            let (turning, slack) = turning_of_quadratic(steps.map(|p| p.to_2d()), rounding);
+            return crossings_of_quadratic(turning, slack);
+        }
+    }
     let (slopes, unit) = hodograph(points);
     if unit == 0.0 {
         return Scalars::new();

@@ -1,7 +1,7 @@
 //! Writing paths as SVG path data.
 
 use super::svg_arcs::Run;
-use super::text_write::{push, written_number};
+use super::text_write::{push, push_number, written_number};
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
@@ -208,9 +208,9 @@ impl Writer {
             if k > 0 {
                 self.text.push(' ');
             }
-            self.text.push_str(&written_number(p.x));
+            push_number(&mut self.text, p.x);
             self.text.push(',');
-            self.text.push_str(&written_number(p.y));
+            push_number(&mut self.text, p.y);
         }
     }
 

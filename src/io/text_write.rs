@@ -70,14 +70,34 @@ pub(crate) fn written(x: impl Display + LowerExp) -> String {
 /// decimal places, hence at most as many binary places.
 const DIGITS_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
 
+/// Any two numbers of at most 15 digits are read as different f64, so that a tie has more.
+const DIGITS_WITHOUT_TIES: usize = 15;
+
 /// [`written`] for all f64: if two shortest forms are equally close, JavaScript takes the even one, Rust the upper one.
 pub(crate) fn written_number(x: f64) -> String {
-    let plain = written(x);
-    let whole = x.abs() >= 1.0 / f64::EPSILON;
-    if x.abs() < 1.0 || !(whole || (x * DIGITS_OF_A_TIE).fract() == 0.0) {
-        return plain;
+    let mut text = String::new();
+    push_number(&mut text, x);
+    text
+}
+
+/// Appends [`written_number`].
+pub(crate) fn push_number(text: &mut String, x: f64) {
+    let (from, size) = (text.len(), x.abs());
+    if size >= 1e21 {
+        text.push_str(&written(x));
+    } else if size < 1e-6 && size > 0.0 {
+        push(text, format_args!("{x:e}"));
+    } else {
+        push(text, format_args!("{x}"));
     }
-    even(&plain, x).unwrap_or(plain)
+    let whole = size >= 1.0 / f64::EPSILON;
+    let may_be_tie = size >= 1.0 && (whole || (x * DIGITS_OF_A_TIE).fract() == 0.0);
+    if may_be_tie
+        && text.len() - from > DIGITS_WITHOUT_TIES
+        && let Some(even) = even(&text[from..], x)
+    {
+        text.replace_range(from.., &even);
+    }
 }
 
 /// The form one below the shortest one, if its last digit is even and it is equally close.

@@ -2,7 +2,7 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, walk};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -60,8 +60,10 @@ impl Path {
         tolerance: f64,
         mut vertex: impl FnMut(PathTime, DVec2),
     ) -> Result<(), Error> {
-        check_tolerance(tolerance, self.max_abs())?;
+        let size = self.max_abs();
+        check_tolerance(tolerance, size)?;
         check_vertices(
+            (self.points.len(), size),
             || self.segment_points().map(Curve::from_slice),
             tolerance,
             MAX_VERTICES,
@@ -69,8 +71,7 @@ impl Path {
         for (subpath, part) in self.parts().enumerate() {
             for (k, points) in part.segments().enumerate() {
                 let time = |t| PathTime::new(subpath, as_f64(k) + t);
-                let curve = Curve::from_slice(points);
-                curve.walk(k > 0, tolerance, |t, p| vertex(time(t), p));
+                walk(points, k > 0, tolerance, |t, p| vertex(time(t), p));
             }
         }
         Ok(())

@@ -257,12 +257,18 @@ impl Path {
         }
     }
 
+    /// The number of segments before subpath k.
+    fn segments_before(&self, k: usize) -> usize {
+        k.checked_sub(1)
+            .map_or(0, |before| self.subpaths[before].segments)
+    }
+
     /// Subpath k, which must exist.
     fn part(&self, k: usize) -> Subpath<'_> {
-        let (first, segments) = match k.checked_sub(1).map(|before| self.subpaths[before]) {
-            Some(before) => (before.points, before.segments),
-            None => (0, 0),
-        };
+        let first = k
+            .checked_sub(1)
+            .map_or(0, |before| self.subpaths[before].points);
+        let segments = self.segments_before(k);
         let end = self.subpaths[k];
         Subpath {
             points: &self.points[first..end.points],

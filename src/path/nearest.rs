@@ -1,11 +1,12 @@
 //! Nearest point on a path.
 
 use super::{Path, PathTime};
-use crate::curve::nearest::{Nearest, nearest_on};
+use crate::curve::nearest::{BOX_ROUNDING, Nearest, nearest_of_curves, nearest_on};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 use crate::numeric::list::Points;
 use glam::{DVec2, DVec3};
 
@@ -34,9 +35,6 @@ impl PathPoint {
     }
 }
 
-/// Squared distances are compared after two roundings each; a box may therefore seem this much too far away.
-const ROUNDING: f64 = 1.0 - 8.0 * f64::EPSILON;
-
 impl Path {
     /// The point of the path nearest to p, the first of equally near ones; `None` for the empty path.
     ///
@@ -48,33 +46,17 @@ impl Path {
     #[doc(alias = "closest")]
     pub fn nearest(&self, p: DVec2) -> Result<Option<PathPoint>, Error> {
         check_points("p", &[p])?;
-        // The nearest joint gives an upper bound of the distance.
-        let ends = self
-            .segment_points()
-            .flat_map(|points| [points[0], points[points.len() - 1]]);
-        let mut max = ends
-            .map(|end| (end - p).length_squared())
-            .fold(f64::INFINITY, f64::min);
-        let mut best: Option<PathPoint> = None;
-        for (subpath, part) in self.parts().enumerate() {
-            for (k, points) in part.segments().enumerate() {
-                if Bounds::from_points(points).outside(p).length_squared() * ROUNDING > max {
-                    continue;
-                }
-                let Nearest { t, point, distance } = nearest_on_segment(points, p);
-                if best.is_none_or(|best| distance < best.distance) {
-                    max = max.min(distance * distance);
-                    let t = k as f64 + t;
-                    best = Some(PathPoint {
-                        subpath,
-                        t,
-                        point,
-                        distance,
-                    });
-                }
+        let found = nearest_of_curves(self.segment_points(), p, nearest_on_segment);
+        Ok(found.map(|(k, Nearest { t, point, distance })| {
+            let subpath = self.subpaths.partition_point(|part| part.segments <= k);
+            let first = self.segments_before(subpath);
+            PathPoint {
+                subpath,
+                t: as_f64(k - first) + t,
+                point,
+                distance,
             }
-        }
-        Ok(best)
+        }))
     }
 
     /// The path of several that is nearest to p, for hit testing: its index and its nearest point. The first of equally
@@ -110,7 +92,7 @@ impl Path {
         let mut best: Option<(usize, PathPoint)> = None;
         for (index, path) in paths.into_iter().enumerate() {
             let limit = best.map_or(max_distance, |(_, found)| found.distance);
-            let is_near = |bounds: Bounds<DVec2>| bounds.distance(p) * ROUNDING <= limit;
+            let is_near = |bounds: Bounds<DVec2>| bounds.distance(p) * BOX_ROUNDING <= limit;
             if !path.control_bounds().is_some_and(is_near) {
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::eval::check_segments;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, walk};
 use crate::curve::trace::PathSink;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
@@ -49,8 +49,7 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// As [`Curve::flatten`](crate::Curve::flatten).
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segments(), tolerance, MAX_VERTICES)?;
+        self.check_flatten(tolerance)?;
         let mut line = Polyline::default();
         for (k, curve) in self.segments().enumerate() {
             line.append(&curve, as_f64(k), tolerance);
@@ -67,12 +66,23 @@ impl<P: Point> Spline<P> {
         tolerance: f64,
         mut vertex: impl FnMut(f64, P),
     ) -> Result<(), Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segments(), tolerance, MAX_VERTICES)?;
+        self.check_flatten(tolerance)?;
         for (k, curve) in self.segments().enumerate() {
-            curve.walk(k > 0, tolerance, |t, p| vertex(as_f64(k) + t, p));
+            let shifted = |t, p| vertex(as_f64(k) + t, p);
+            walk(curve.control_points(), k > 0, tolerance, shifted);
         }
         Ok(())
+    }
+
+    fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        self.check_vertices(tolerance, MAX_VERTICES)
+    }
+
+    /// Returns an error if flattening gives more vertices than the limit.
+    pub(super) fn check_vertices(&self, tolerance: f64, limit: usize) -> Result<(), Error> {
+        let all = (self.points.len(), self.max_abs());
+        check_vertices(all, || self.segments(), tolerance, limit)
     }
 
     /// The tight bounding box of the spline.

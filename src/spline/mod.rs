@@ -44,6 +44,7 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
+use std::borrow::Cow;
 
 /// A sequence of joined Bézier curves, open or closed.
 ///
@@ -188,17 +189,16 @@ impl<P: Point> Spline<P> {
 
     /// Segment k, which must exist.
     pub(crate) fn curve(&self, k: usize) -> Curve<P> {
+        Curve::from_slice(&self.segment_points(k))
+    }
+
+    /// The control points of segment k, which must exist.
+    pub(crate) fn segment_points(&self, k: usize) -> Cow<'_, [P]> {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
-        if to < self.points.len() {
-            return Curve::from_slice(&self.points[from..=to]);
-        }
-        // The last segment of a closed spline ends at the first point.
-        Curve::from_points(
-            self.points[from..to]
-                .iter()
-                .copied()
-                .chain([self.points[0]])
-                .collect(),
+        self.points.get(from..=to).map_or_else(
+            // The last segment of a closed spline ends at the first point.
+            || Cow::Owned([&self.points[from..], &self.points[..1]].concat()),
+            Cow::Borrowed,
         )
     }
 

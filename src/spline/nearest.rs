@@ -1,11 +1,11 @@
 //! Nearest point on a spline.
 
 use super::Spline;
-use crate::curve::nearest::{Nearest, nearest_on};
-use crate::geometry::bounds::Bounds;
+use crate::curve::nearest::{Nearest, nearest_of_curves, nearest_on};
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::as_f64;
 
 impl<P: Point> Spline<P> {
     /// The point of the spline nearest to p, with t from 0 to the number of segments.
@@ -36,43 +36,12 @@ impl<P: Point> Spline<P> {
 
     /// [`nearest`](Self::nearest) for a point that is known to be finite.
     pub(crate) fn nearest_to(&self, p: P) -> Nearest<P> {
-        let bounds: Vec<f64> = (0..self.segment_count())
-            .map(|k| self.lower_bound(k, p))
-            .collect();
-        // Start with the segment of the smallest lower bound, so that most others can be skipped. Visit the others in
-        // order, so that of equally near points the first one is found.
-        let promising = (0..bounds.len()).fold(0, |a, b| if bounds[b] < bounds[a] { b } else { a });
-        let mut best = self.nearest_on_segment(promising, p);
-        for k in (0..bounds.len()).filter(|&k| k != promising) {
-            if bounds[k] <= best.distance {
-                let found = self.nearest_on_segment(k, p);
-                let first = found.distance == best.distance && found.t < best.t;
-                if found.distance < best.distance || first {
-                    best = found;
-                }
-            }
-        }
-        best
-    }
-
-    fn nearest_on_segment(&self, k: usize, p: P) -> Nearest<P> {
-        let (from, to) = (self.starts[k], self.starts[k + 1]);
-        let found = match self.points.get(from..=to) {
-            Some(points) => nearest_on(points, p),
-            // The last segment of a closed spline, whose end is the first point of the list.
-            None => nearest_on(self.curve(k).control_points(), p),
-        };
+        let segments = (0..self.segment_count()).map(|k| self.segment_points(k));
+        let found = nearest_of_curves(segments, p, nearest_on);
+        let (k, found) = found.unwrap_or_else(|| (0, nearest_on(&self.points, p)));
         Nearest {
-            t: k as f64 + found.t,
+            t: as_f64(k) + found.t,
             ..found
         }
-    }
-
-    /// The distance from p to the bounding box of a segment's control points.
-    fn lower_bound(&self, k: usize, p: P) -> f64 {
-        let (from, to) = (self.starts[k], self.starts[k + 1]);
-        let last = self.points[to % self.points.len()];
-        let bounds = Bounds::from_points(&self.points[from..to]);
-        bounds.including(last).distance(p)
     }
 }

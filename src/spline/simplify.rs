@@ -3,7 +3,7 @@
 use super::Spline;
 use super::corners::angle_between;
 use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, ROUNDING_SHARE, check_corner_angle};
-use crate::curve::flatten::{Polyline, check_vertices};
+use crate::curve::flatten::Polyline;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -131,7 +131,7 @@ impl<P: Point> Spline<P> {
             tangents: Vec::new(),
         };
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
-        check_vertices(|| self.segments(), share, limit)?;
+        self.check_vertices(share, limit)?;
         for curve in self.segments() {
             let mut line = Polyline::default();
             line.append(&curve, 0.0, share);

@@ -8,7 +8,7 @@ use casteljau::glam::DVec2;
 pub(crate) fn offset(fact: &Fact) {
     let plane = fact.flat();
     let distance = number(&fact.input["distance"]);
-    let offset = plane.offset(distance, Some(0.1)).expect("finite");
+    let offset = plane.offset_within(distance, 0.1).expect("finite");
     let finite = offset.control_points().iter().all(|p| p.is_finite());
     assert!(finite, "{}", fact.id);
     let line = offset.flatten(0.001).expect("finite").points;

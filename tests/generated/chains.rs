@@ -90,7 +90,7 @@ pub(crate) fn curve<P: Space>(
         Curve::new(&points).expect("finite points")
     });
     ask! { chain, plane,
-        self_intersections() intersections(&second) inflections() area() hull() offset(tolerance, None)
+        self_intersections() intersections(&second) inflections() area() hull() offset(tolerance)
     }
     Ok(())
 }

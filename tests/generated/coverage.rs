@@ -12,7 +12,7 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 40] = [
+const WITHIN_OTHERS: [&str; 42] = [
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads
@@ -25,6 +25,8 @@ const WITHIN_OTHERS: [&str; 40] = [
     "Spline::point_at_length",     // Spline::time_at_length
     "Spline::extrema",             // tests/spline/queries.rs
     "Spline::times_at_coordinate", // tests/spline/queries.rs
+    "Curve::offset_within",        // Curve::offset
+    "Spline::offset_within",       // Spline::offset
     "Path::length_at",             // Path::time_at_length
     "Path::point_at_length",       // Path::time_at_length, and those that follow
     "Path::nearest_of",            // tests/path/sizes.rs

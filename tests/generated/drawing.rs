@@ -88,7 +88,11 @@ pub(crate) fn to_svg<D: Drawing>(
 const OFFSET_REFUSALS: &str = "tolerance|distance|steps of an offset";
 
 pub(crate) fn curve_offset(curve: Curve<DVec2>, distance: f64, tolerance: Option<f64>) -> Checked {
-    let spline = answer!(curve.offset(distance, tolerance), OFFSET_REFUSALS);
+    let offset = || match tolerance {
+        None => curve.offset(distance),
+        Some(tolerance) => curve.offset_within(distance, tolerance),
+    };
+    let spline = answer!(offset(), OFFSET_REFUSALS);
     is_offset(&curve, &spline, (distance, tolerance), distance.abs())
 }
 
@@ -98,7 +102,10 @@ pub(crate) fn spline_offset(
     tolerance: Option<f64>,
     join: OffsetJoin,
 ) -> Checked {
-    let offset = || spline.offset(distance, tolerance, join);
+    let offset = || match tolerance {
+        None => spline.offset(distance, join),
+        Some(tolerance) => spline.offset_within(distance, join, tolerance),
+    };
     let offset = answer!(offset(), OFFSET_REFUSALS);
     let curves = spline.curves();
     let [curve] = curves.as_slice() else {

@@ -212,6 +212,6 @@ fn the_corner_angle_selects_corners() {
 /// The derivative of this straight curve is zero at ½ and has the same sign on both sides.
 #[test]
 fn a_straight_curve_that_stops_goes_on() {
-    let offset = bezier("0 0, -3 0, -2 0, -1 0, -4 0").offset(1.0, None);
+    let offset = bezier("0 0, -3 0, -2 0, -1 0, -4 0").offset(1.0);
     assert_eq!(offset, Ok(spline("0 -1, -4 -1", 1, false)));
 }

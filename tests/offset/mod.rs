@@ -21,7 +21,7 @@ const SAGS: [f64; 2] = [0.04, 0.002];
 
 /// The distance of the offset from the reference, and of the reference from the offset, in tolerances.
 fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
-    let offset = curve.offset(distance, Some(tolerance)).expect("finite");
+    let offset = curve.offset_within(distance, tolerance).expect("finite");
     let finite = offset.control_points().iter().all(|p| p.is_finite());
     assert!(finite, "{curve:?} at {distance}");
     let measure = |sag: f64| {
@@ -78,7 +78,7 @@ fn adversarial_curves() {
     on_all(cases, |(case, kind, points, distance, tolerance)| {
         let curve = Curve::new(&points).expect("finite");
         if points.iter().all(|&p| p == points[0]) {
-            let offset = curve.offset(distance, Some(tolerance)).expect("finite");
+            let offset = curve.offset_within(distance, tolerance).expect("finite");
             assert!(offset.control_points().iter().all(|p| p.is_finite()));
             return;
         }
@@ -105,7 +105,7 @@ fn any_curve_has_an_offset() {
             3.0
         };
         let distance = largest(&points) * rng.signed() * rng.magnitude(-9.0, max);
-        let offset = curve.offset(distance, None).expect("finite");
+        let offset = curve.offset(distance).expect("finite");
         let finite = offset.control_points().iter().all(|p| p.is_finite());
         let valid = finite && offset.segment_count() < 20_000;
         assert!(valid, "{curve:?} at {distance}");

@@ -9,7 +9,7 @@ use casteljau::take_steps;
 fn work(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> (usize, usize) {
     take_steps();
     let offset = curve
-        .offset(distance, Some(tolerance))
+        .offset_within(distance, tolerance)
         .expect("within the limit");
     (offset.segment_count(), take_steps())
 }

@@ -116,6 +116,6 @@ fn splines_through_and_near_many_points() {
             assert!(distance <= tolerance, "{distance}");
         }
     }
-    let beside = through.offset(0.01, None, OffsetJoin::Round);
+    let beside = through.offset(0.01, OffsetJoin::Round);
     assert!(beside.expect("a distance").segment_count() >= points.len());
 }

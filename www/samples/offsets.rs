@@ -6,7 +6,7 @@ pub(crate) fn sample(out: &mut String) {
     let curve = Curve::new(&points).unwrap();
     // One cubic becomes several: the smaller the tolerance, the more.
     for tolerance in [0.01, 0.0001, 0.00001] {
-        let offset = curve.offset(0.3, Some(tolerance)).unwrap();
+        let offset = curve.offset_within(0.3, tolerance).unwrap();
         let (count, length) = (offset.segment_count(), offset.length());
         writeln!(
             out,

@@ -17,7 +17,7 @@ pub fn newton_in_bracket(
     [mut lo, mut hi]: [f64; 2],
     mut t: f64,
     slack: f64,
-    f: impl Fn(f64) -> (f64, f64),
+    mut f: impl FnMut(f64) -> (f64, f64),
 ) -> f64 {
     for _ in 0..MAX_NEWTON_STEPS {
         let (value, slope) = f(t);

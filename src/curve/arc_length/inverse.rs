@@ -3,6 +3,7 @@
 use super::integral::ArcLengthTable;
 use super::length::hodograph;
 use crate::curve::Curve;
+use crate::curve::arc_length::plane_cubic::PlaneCubicInverse;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
@@ -12,8 +13,33 @@ use crate::numeric::float::ratio;
 /// Without a tolerance, the error of a length is this part of the whole: a few roundings of its sum.
 const DEFAULT_SLACK: f64 = 4.0 * f64::EPSILON;
 
-/// The inverse of the arc length of one curve; the table is computed once.
-pub(crate) struct ArcLengthInverse {
+/// The inverse of the arc length of one curve, for several lengths.
+pub(crate) enum ArcLengthInverse {
+    PlaneCubic(PlaneCubicInverse),
+    Table(InverseByTable),
+}
+
+impl ArcLengthInverse {
+    /// Expects a checked tolerance.
+    pub(crate) fn new<P: Point>(curve: &Curve<P>, tolerance: Option<f64>) -> Self {
+        let slack = 0.5 * tolerance.unwrap_or(0.0);
+        match curve.plane_cubic() {
+            Some(points) => Self::PlaneCubic(PlaneCubicInverse::new(&points, slack)),
+            None => Self::Table(InverseByTable::new(curve, slack)),
+        }
+    }
+
+    /// The t up to which the arc length is s; 0 or 1 for an s outside the range, NaN for NaN.
+    pub(crate) fn time(&mut self, s: f64) -> f64 {
+        match self {
+            Self::PlaneCubic(inverse) => inverse.time(s),
+            Self::Table(inverse) => inverse.time(s),
+        }
+    }
+}
+
+/// The inverse of the arc length of a curve of any degree; the table is computed once.
+pub(crate) struct InverseByTable {
     arc: Option<ArcLengthTable>,
     /// The curve's length.
     length: f64,
@@ -22,22 +48,20 @@ pub(crate) struct ArcLengthInverse {
     slack: f64,
 }
 
-impl ArcLengthInverse {
-    /// Expects a checked tolerance.
-    pub(crate) fn new<P: Point>(curve: &Curve<P>, tolerance: Option<f64>) -> Self {
+impl InverseByTable {
+    fn new<P: Point>(curve: &Curve<P>, slack: f64) -> Self {
         let (slopes, unit) = hodograph(curve.control_points());
         let arc = (unit > 0.0).then(|| ArcLengthTable::new(&slopes, f64::INFINITY));
         let in_table = arc.as_ref().map_or(0.0, ArcLengthTable::length);
         Self {
-            slack: (tolerance.unwrap_or(0.0) / (2.0 * unit)).max(DEFAULT_SLACK * in_table),
+            slack: (slack / unit).max(DEFAULT_SLACK * in_table),
             arc,
             length: curve.arc_length(f64::INFINITY),
             in_table,
         }
     }
 
-    /// The t up to which the arc length is s; 0 or 1 for an s outside the range, NaN for NaN.
-    pub(crate) fn time(&self, s: f64) -> f64 {
+    fn time(&self, s: f64) -> f64 {
         let Some(arc) = self.arc.as_ref().filter(|_| s > 0.0) else {
             return if s.is_nan() { s } else { 0.0 };
         };
@@ -79,14 +103,16 @@ impl<P: Point> Curve<P> {
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
     pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
-        let table = ArcLengthInverse::new(self, None);
+        let whole = self.arc_length(f64::INFINITY);
+        let mut inverse = ArcLengthInverse::new(self, None);
         let mut ts = vec![0.0; segments + 1];
         let mut before = 0.0;
         for (i, t) in ts.iter_mut().enumerate().skip(1) {
             let part = ratio(i, segments);
-            before = match &table.arc {
-                Some(arc) => arc.time(part * table.in_table, table.slack).max(before),
-                None => part,
+            before = if whole > 0.0 {
+                inverse.time(part * whole).max(before)
+            } else {
+                part
             };
             *t = before;
         }

@@ -76,7 +76,7 @@ const PLANE_CUBIC_REL_ERROR: f64 = 5e-13;
 impl<P: Point> Curve<P> {
     /// The points of a cubic in the plane, or in space with z = 0.
     #[inline]
-    fn plane_cubic(&self) -> Option<[[f64; 2]; 4]> {
+    pub(super) fn plane_cubic(&self) -> Option<[[f64; 2]; 4]> {
         match *self.points {
             [a, b, c, d] if self.points.iter().all(|p| p.to_3d().z == 0.0) => {
                 Some([a, b, c, d].map(|p| p.to_2d().to_array()))

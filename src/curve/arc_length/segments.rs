@@ -9,8 +9,8 @@ use crate::numeric::float::{as_f64, ratio, whole_and_rest};
 pub(crate) struct SegmentLengths {
     /// The arc length from the start to the end of each curve, after a 0.
     ends: Vec<f64>,
-    /// The table of the curve that was asked last; successive positions mostly lie on the same curve.
-    table: Option<(usize, ArcLengthInverse)>,
+    /// The curve that was asked last; successive positions mostly lie on the same curve.
+    inverse: Option<(usize, ArcLengthInverse)>,
 }
 
 impl SegmentLengths {
@@ -22,7 +22,10 @@ impl SegmentLengths {
             whole += length;
             whole
         }));
-        Self { ends, table: None }
+        Self {
+            ends,
+            inverse: None,
+        }
     }
 
     pub(crate) fn ends(&self) -> &[f64] {
@@ -59,12 +62,12 @@ impl SegmentLengths {
         if rest <= margin {
             return (k, 0.0);
         }
-        let (_, inverse) = match self.table.take().filter(|&(of, _)| of == k) {
-            Some(table) => table,
-            None => (k, ArcLengthInverse::new(&curve(k), tolerance)),
+        let mut inverse = match self.inverse.take() {
+            Some((of, inverse)) if of == k => inverse,
+            _ => ArcLengthInverse::new(&curve(k), tolerance),
         };
         let t = inverse.time(rest);
-        self.table = Some((k, inverse));
+        self.inverse = Some((k, inverse));
         (k, t)
     }
 

@@ -52,7 +52,7 @@ impl<P: Point> Polyline<P> {
     /// vertices, the last of which is then the start.
     pub(crate) fn append(&mut self, curve: &Curve<P>, from: f64, tolerance: f64) {
         let joined = !self.ts.is_empty();
-        curve.walk(joined, tolerance, |t, point| {
+        walk(&curve.points, joined, tolerance, |t, point| {
             self.ts.push(from + t);
             self.points.push(point);
         });
@@ -87,26 +87,16 @@ impl<P: Point> Curve<P> {
     /// Same as `flatten`, before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        self.walk(false, tolerance, vertex);
+        walk(&self.points, false, tolerance, vertex);
         Ok(())
     }
 
     /// Returns an error before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| std::iter::once(self), tolerance, MAX_VERTICES)
-    }
-
-    /// Passes on the vertices for a tolerance that is checked; without the start if the curve is joined to another one,
-    /// whose last vertex it is.
-    pub(crate) fn walk(&self, joined: bool, tolerance: f64, mut vertex: impl FnMut(f64, P)) {
-        if !joined {
-            vertex(0.0, self.start());
-        }
-        if self.points.len() > 2 {
-            self.walk_inside(tolerance, &mut vertex);
-        }
-        vertex(1.0, self.end());
+        let size = self.max_abs();
+        check_tolerance(tolerance, size)?;
+        let all = (self.points.len(), size);
+        check_vertices(all, || std::iter::once(self), tolerance, MAX_VERTICES)
     }
 
     /// Passes on the vertices inside (0, 1).
@@ -219,21 +209,41 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// Returns an error if flattening all curves gives more vertices than the limit.
+/// Passes on the vertices of the curve with the given control points, for a tolerance that is checked; without the start
+/// if the curve is joined to another one, whose last vertex it is.
+#[cfg_attr(feature = "fast", inline)]
+pub(crate) fn walk<P: Point>(
+    points: &[P],
+    joined: bool,
+    tolerance: f64,
+    mut vertex: impl FnMut(f64, P),
+) {
+    if !joined {
+        vertex(0.0, points[0]);
+    }
+    if points.len() > 2 {
+        Curve::from_slice(points).walk_inside(tolerance, &mut vertex);
+    }
+    vertex(1.0, points[points.len() - 1]);
+}
+
+/// Returns an error if flattening curves gives more vertices than the limit. `points` is the number of all control points
+/// and `size` their largest coordinate.
 pub(crate) fn check_vertices<P: Point, C: Borrow<Curve<P>>, I: Iterator<Item = C>>(
-    curves: impl Fn() -> I,
+    (points, size): (usize, f64),
+    curves: impl FnOnce() -> I,
     tolerance: f64,
     limit: usize,
 ) -> Result<(), Error> {
     // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
     // large overestimate.
-    let enough = |curve: C| match curve.borrow().degree() {
-        1 => 1.0,
-        n => n as f64 * (curve.borrow().max_abs() / tolerance).sqrt() + 8.0,
-    };
+    let enough = points as f64 * ((size / tolerance).sqrt() + 8.0);
     let max = limit as f64;
-    let count = |curve: C| curve.borrow().chord_count(tolerance);
-    if curves().map(enough).sum::<f64>() <= max || curves().map(count).sum::<f64>() < max {
+    let count = |curve: C| match curve.borrow().degree() {
+        1 => 1.0,
+        _ => curve.borrow().chord_count(tolerance),
+    };
+    if enough <= max || curves().map(count).sum::<f64>() < max {
         return Ok(());
     }
     Err(Error::too_many("vertices", limit, limit.saturating_add(1)))

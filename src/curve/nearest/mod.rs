@@ -14,7 +14,7 @@ use super::Curve;
 use super::with_derivatives::CurveWithDerivatives;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
-use crate::bernstein::roots::{roots_inside, sign_changes};
+use crate::bernstein::roots::{max_of, roots_inside, sign_changes};
 use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, max_abs};
@@ -93,6 +93,40 @@ pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
     let point = evaluate(points, t);
     let distance = (point - p).norm();
     Nearest { t, point, distance }
+}
+
+/// Squared distances are compared after two roundings each; a box may therefore seem this much too far away.
+pub(crate) const BOX_ROUNDING: f64 = 1.0 - 8.0 * f64::EPSILON;
+
+/// The nearest point of several curves, the first of equally near ones, and the index of its curve; `None` for no curves.
+///
+/// The nearest end point gives an upper bound of the distance; curves whose control-point box is farther away than that or
+/// than the best point so far are skipped. Source: Roussopoulos, Kelley and Vincent, "Nearest neighbor queries", SIGMOD
+/// 1995, for the bounds.
+pub(crate) fn nearest_of_curves<P: Point, C: AsRef<[P]>>(
+    curves: impl Iterator<Item = C> + Clone,
+    p: P,
+    nearest_on: impl Fn(&[P], P) -> Nearest<P>,
+) -> Option<(usize, Nearest<P>)> {
+    let square = |v: P| v.dot(v);
+    let ends = curves.clone().map(|curve| {
+        let points = curve.as_ref();
+        square(points[0] - p).min(square(points[points.len() - 1] - p))
+    });
+    let mut max = ends.fold(f64::INFINITY, f64::min);
+    let mut best: Option<(usize, Nearest<P>)> = None;
+    for (k, curve) in curves.enumerate() {
+        let points = curve.as_ref();
+        if square(Bounds::from_points(points).outside(p)) * BOX_ROUNDING > max {
+            continue;
+        }
+        let found = nearest_on(points, p);
+        if best.is_none_or(|(_, best)| found.distance < best.distance) {
+            max = max.min(found.distance * found.distance);
+            best = Some((k, found));
+        }
+    }
+    best
 }
 
 /// The parameter of the nearest point of the curve with the given control points.
@@ -216,11 +250,6 @@ impl<P: Point> Search<'_, P> {
         self.consider(mid);
         self.run(&right.points, [mid, hi], halvings - 1);
     }
-}
-
-/// The largest absolute value.
-fn max_of(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
 /// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the

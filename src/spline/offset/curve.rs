@@ -42,10 +42,11 @@ const FARTHEST: f64 = 1e30;
 impl Curve<DVec2> {
     /// The offset curve at a distance along the normal, as a spline of lines and cubics.
     ///
-    /// O(t) = B(t) + d·N(t), with N the tangent rotated by +90°; a negative distance gives the other side. `tolerance`
-    /// is the maximum distance from any point of O to the spline and from any point of the spline to O, in the unit of
-    /// the input. The default is 10⁻⁴ of the diagonal of the control points' box, and at least 10⁻¹² of the largest
-    /// coordinate plus the distance. End points and end tangents are exact, and adjacent pieces share their ends.
+    /// O(t) = B(t) + d·N(t), with N the tangent rotated by +90°; a negative distance gives the other side. The maximum
+    /// distance from any point of O to the spline and from any point of the spline to O is 10⁻⁴ of the diagonal of the
+    /// control points' box, and at least 10⁻¹² of the largest coordinate plus the distance;
+    /// [`offset_within`](Self::offset_within) sets another one. End points and end tangents are exact, and adjacent
+    /// pieces share their ends.
     ///
     /// Where |κd| passes 1 the offset curve has a cusp, and so has the spline; nothing is trimmed. Where the curve
     /// reverses (a cusp, a turn of a straight curve), a half circle about that point joins the two sides. Lines stay
@@ -54,17 +55,25 @@ impl Curve<DVec2> {
     /// curve that is a point has no normal and is returned unchanged.
     ///
     /// # Errors
-    /// [`Error::Range`] for a distance that is not finite or makes coordinates infinite, and for a tolerance that is
-    /// not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the largest coordinate plus the distance;
-    /// [`Error::TooMany`] if more than 2¹⁷ steps (attempted pieces and evaluated bounds) would be needed.
+    /// [`Error::Range`] for a distance that is not finite or makes coordinates infinite; [`Error::TooMany`] if more than 2¹⁷ steps (attempted pieces and evaluated bounds) would be needed.
     ///
     /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is our own.
-    pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
-        self.offset_builder(distance, tolerance)
+    pub fn offset(&self, distance: f64) -> Result<Spline<DVec2>, Error> {
+        self.offset_builder(distance, None)
             .map(SplineBuilder::spline)
     }
 
-    /// Same as [`offset`](Self::offset), but returns the builder of the spline.
+    /// [`offset`](Self::offset) with a maximum distance from the exact offset curve, in the unit of the points.
+    ///
+    /// # Errors
+    /// Also [`Error::Range`] for a tolerance that is not above 0, and [`Error::Tolerance`] for one below 4 ulps of the
+    /// largest coordinate plus the distance.
+    pub fn offset_within(&self, distance: f64, tolerance: f64) -> Result<Spline<DVec2>, Error> {
+        self.offset_builder(distance, Some(tolerance))
+            .map(SplineBuilder::spline)
+    }
+
+    /// [`offset`](Self::offset) with an optional tolerance, as the builder of the spline.
     pub(crate) fn offset_builder(
         &self,
         distance: f64,

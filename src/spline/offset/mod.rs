@@ -50,11 +50,28 @@ impl Spline<DVec2> {
     ///
     /// # Errors
     /// As [`Curve::offset`].
-    pub fn offset(
+    pub fn offset(&self, distance: f64, join: OffsetJoin) -> Result<Self, Error> {
+        self.offset_by(distance, join, None)
+    }
+
+    /// [`offset`](Self::offset) with a maximum distance from the exact offset curve, in the unit of the points.
+    ///
+    /// # Errors
+    /// As [`Curve::offset_within`].
+    pub fn offset_within(
         &self,
         distance: f64,
-        tolerance: Option<f64>,
         join: OffsetJoin,
+        tolerance: f64,
+    ) -> Result<Self, Error> {
+        self.offset_by(distance, join, Some(tolerance))
+    }
+
+    fn offset_by(
+        &self,
+        distance: f64,
+        join: OffsetJoin,
+        tolerance: Option<f64>,
     ) -> Result<Self, Error> {
         let curves: Vec<Curve<DVec2>> = self.segments().collect();
         offset_of_curves(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)

@@ -2,6 +2,7 @@
 
 use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
 use crate::numeric::order::larger;
+use crate::numeric::zero::newton_in_bracket;
 use wide::f64x2;
 
 type Complex = [f64; 2];
@@ -32,29 +33,125 @@ const SPLIT_AT_PROJECTION_WITHIN: f64 = 0.75;
 /// suffices; if none does, the interval is cut at the minimum of the speed, or closer to it. Source of the error bounds
 /// of Gauss rules by ellipses: Trefethen, *Approximation Theory and Approximation Practice*, ch. 19.
 pub fn plane_cubic_length(points: &[[f64; 2]; 4]) -> f64 {
-    let [a, b, c, d] = *points;
-    let steps = [minus(b, a), minus(c, b), minus(d, c)];
-    let longest = longest(&steps);
-    // Fourth powers stay in the range of f64.
-    if longest > 1e-70 && longest < 1e70 {
-        length_of_steps(steps)
-    } else {
-        scaled_length(points)
+    let (steps, unit) = steps_and_unit(points);
+    if unit == 0.0 {
+        return 0.0;
+    }
+    let speed = Speed::of_steps(steps);
+    LENGTH_UNIT * speed.integral(&speed.roots(), -1.0, 1.0, 0) * unit
+}
+
+/// The inverse of the arc length of a plane cubic.
+///
+/// Newton's method, safeguarded by bisection. Each step integrates only from the last parameter to the next, also from one
+/// call to the next: successive lengths are mostly close to each other.
+pub struct PlaneCubicInverse {
+    speed: Speed,
+    roots: Roots,
+    /// The length of the curve.
+    length: f64,
+    /// The same as an integral of the speed.
+    whole: f64,
+    /// The allowed error of an integral.
+    slack: f64,
+    /// The last z = 2t − 1, and the integral up to it.
+    last: [f64; 2],
+}
+
+impl PlaneCubicInverse {
+    /// `slack` is the allowed error as a length, in addition to rounding.
+    pub fn new(points: &[[f64; 2]; 4], slack: f64) -> Self {
+        let (steps, unit) = steps_and_unit(points);
+        let speed = Speed::of_steps(steps);
+        let roots = speed.roots();
+        let whole = if unit == 0.0 {
+            0.0
+        } else {
+            speed.integral(&roots, -1.0, 1.0, 0)
+        };
+        Self {
+            slack: larger(slack / (LENGTH_UNIT * unit), ROUNDING * whole),
+            speed,
+            roots,
+            length: LENGTH_UNIT * whole * unit,
+            whole,
+            last: [-1.0, 0.0],
+        }
+    }
+
+    /// The t up to which the arc length is s; 0 or 1 for an s outside the range, NaN for NaN.
+    pub fn time(&mut self, s: f64) -> f64 {
+        if s.is_nan() {
+            return s;
+        }
+        if s <= 0.0 || self.length == 0.0 {
+            return 0.0;
+        }
+        if s >= self.length {
+            return 1.0;
+        }
+        let part = s / self.length;
+        let s = part * self.whole;
+        let guess = self.guess(s, part);
+        newton_in_bracket([0.0, 1.0], guess, self.slack, |t| {
+            let (z, [at, before]) = (2.0 * t - 1.0, self.last);
+            let between = self.speed.integral(&self.roots, at.min(z), at.max(z), 0);
+            self.last = [z, before + between.copysign(z - at)];
+            (self.last[1] - s, 2.0 * self.speed.at(z))
+        })
+    }
+
+    /// A first guess of the t at the length s: near the last parameter with the speed there, otherwise the cubic Hermite
+    /// interpolant of t with its derivatives at both ends.
+    fn guess(&self, s: f64, part: f64) -> f64 {
+        let [z, before] = self.last;
+        let near = 0.5 * (1.0 + z + (s - before) / self.speed.at(z));
+        if (s - before).abs() < NEAR * self.whole && near > 0.0 && near < 1.0 {
+            return near;
+        }
+        let [first, second] = [-1.0, 1.0].map(|z| 0.5 * self.whole / self.speed.at(z) - 1.0);
+        let guess = part + part * (1.0 - part) * (first * (1.0 - part) - second * part);
+        if guess > 0.0 && guess < 1.0 {
+            guess
+        } else {
+            part
+        }
     }
 }
 
-/// [`plane_cubic_length`] for very large and very small cubics, and for points.
+/// Lengths that differ by less than this part of the whole are near.
+const NEAR: f64 = 0.2;
+
+/// An integral of the speed over z, times this, is a length.
+const LENGTH_UNIT: f64 = 0.375;
+
+/// The rounding of an integral, as a part of it.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// The differences of the control points in a unit, for which fourth powers stay in the range of f64. The unit is 0 if all
+/// points coincide.
+#[inline(always)]
+fn steps_and_unit(points: &[[f64; 2]; 4]) -> ([Complex; 3], f64) {
+    let [a, b, c, d] = *points;
+    let steps = [minus(b, a), minus(c, b), minus(d, c)];
+    let longest = longest(&steps);
+    if longest > 1e-70 && longest < 1e70 {
+        (steps, 1.0)
+    } else {
+        scaled_steps(points)
+    }
+}
+
+/// [`steps_and_unit`] of very large and very small cubics, and of points.
 #[cold]
-fn scaled_length(points: &[[f64; 2]; 4]) -> f64 {
+fn scaled_steps(points: &[[f64; 2]; 4]) -> ([Complex; 3], f64) {
     // The difference of ±1e308 overflows; that of their halves does not.
     let part = if longest(points) < 1e300 { 1.0 } else { 0.5 };
     let [a, b, c, d] = points.map(|p| p.map(|x| x * part));
     let steps = [minus(b, a), minus(c, b), minus(d, c)];
     let unit = longest(&steps);
-    if unit == 0.0 {
-        return 0.0;
-    }
-    length_of_steps(steps.map(|step| step.map(|x| x / unit))) * unit / part
+    let scale = |x: f64| if unit == 0.0 { x } else { x / unit };
+    (steps.map(|step| step.map(scale)), unit / part)
 }
 
 /// The largest absolute coordinate.
@@ -62,18 +159,6 @@ fn scaled_length(points: &[[f64; 2]; 4]) -> f64 {
 fn longest(vectors: &[Complex]) -> f64 {
     let size = |v: &Complex| larger(v[0].abs(), v[1].abs());
     vectors.iter().map(size).fold(0.0, larger)
-}
-
-/// The arc length of the cubic with the given differences of control points.
-#[inline(always)]
-fn length_of_steps([a, b, c]: [Complex; 3]) -> f64 {
-    // B′(t) at t = (1 + z)/2 is ¾ (m + 2dz + ez²).
-    let speed = Speed {
-        m: plus(plus(a, c), plus(b, b)),
-        d: minus(c, a),
-        e: minus(minus(a, b), minus(b, c)),
-    };
-    0.375 * speed.integral(&speed.roots(), -1.0, 1.0, 0)
 }
 
 /// The speed |m + 2dz + ez²|.
@@ -85,6 +170,23 @@ struct Speed {
 }
 
 impl Speed {
+    /// The speed of the cubic with the given differences of control points: B′(t) is ¾ (m + 2dz + ez²) at t = (1 + z)/2.
+    #[inline(always)]
+    fn of_steps([a, b, c]: [Complex; 3]) -> Self {
+        Self {
+            m: plus(plus(a, c), plus(b, b)),
+            d: minus(c, a),
+            e: minus(minus(a, b), minus(b, c)),
+        }
+    }
+
+    /// The speed at z.
+    #[inline(always)]
+    fn at(&self, z: f64) -> f64 {
+        let [x, y] = self.about(z, 0.0).m;
+        (x * x + y * y).sqrt()
+    }
+
     /// The roots, without a branch, because it would be unpredictable.
     #[inline(always)]
     fn roots(&self) -> Roots {
@@ -104,6 +206,7 @@ impl Speed {
     }
 
     /// ∫ |m + 2dz + ez²| dz from `lo` to `hi`.
+    #[inline(never)]
     fn integral(&self, roots: &Roots, lo: f64, hi: f64, depth: usize) -> f64 {
         let half = 0.5 * (hi - lo);
         let axes = roots.axes(lo, hi);
