@@ -1,5 +1,7 @@
 // Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
 
+import { capture } from "../ui/capture.js";
+
 export type Point2 = [number, number];
 
 /** What dragging needs to know and may do. */
@@ -25,7 +27,15 @@ export interface DragPort {
   ended: (moved: number[]) => void;
 }
 
-export type Drag = { index: number; grip: Point2; from: Point2; to: Point2 | null; event?: PointerEvent };
+export interface Drag {
+  index: number;
+  grip: Point2;
+  from: Point2;
+  to: Point2 | null;
+  event?: PointerEvent;
+  /** Stops following the pointer */
+  stop: () => void;
+}
 
 /** A second press within this distance of the last one is on the same stack. */
 const SAME_PLACE_PX = 4;
@@ -42,10 +52,6 @@ export class Drags {
   constructor(overlay: HTMLElement, port: DragPort) {
     this.#port = port;
     overlay.addEventListener("pointerdown", (event) => this.#down(event));
-    overlay.addEventListener("pointermove", (event) => this.#move(event));
-    overlay.addEventListener("pointerup", (event) => this.#up(event));
-    overlay.addEventListener("pointercancel", (event) => this.#lost(event));
-    overlay.addEventListener("lostpointercapture", (event) => this.#lost(event));
     overlay.addEventListener("mousedown", (event) => event.preventDefault()); // focus stays where `grabbed` puts it
   }
 
@@ -88,13 +94,8 @@ export class Drags {
   }
 
   #release() {
-    const ids = [...this.#drags];
-    this.#drags.clear(); // first, since releasing a capture is reported as a loss
-    for (const [id, { index }] of ids) {
-      if (index < this.#port.count() && this.#port.boxOf(index).hasPointerCapture(id)) {
-        this.#port.boxOf(index).releasePointerCapture(id);
-      }
-    }
+    for (const { stop } of this.#drags.values()) stop();
+    this.#drags.clear();
   }
 
   #down(event: PointerEvent) {
@@ -104,8 +105,15 @@ export class Drags {
     if (!this.active) this.#begin();
     const from = this.#port.placeOf(index);
     const [x, y] = this.#port.toBox(event);
-    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null });
-    this.#port.boxOf(index).setPointerCapture(event.pointerId);
+    const stop = capture(
+      event,
+      {
+        move: (now) => this.#move(now),
+        end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
+      },
+      this.#port.boxOf(index),
+    );
+    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null, stop });
     this.#port.grabbed(index);
   }
 
@@ -146,7 +154,6 @@ export class Drags {
   }
 
   #up(event: PointerEvent) {
-    if (!this.#drags.has(event.pointerId)) return;
     this.apply();
     this.#drags.delete(event.pointerId);
     if (!this.active) this.#port.ended([...this.#moved]);

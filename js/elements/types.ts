@@ -111,7 +111,7 @@ export interface SurfaceProperties {
   probe: string | null;
   /** The patch whose control points can be dragged; null for none */
   patch: number | null;
-  /** Whether the control panel is shown; some of the words "shape shading place model mesh show files" show only these groups */
+  /** Whether the control panel is shown; some of the words "shape shading place model mesh show edit files" show only these groups */
   controls: string | boolean | null;
   /** Whether the surface rotates; it does not start by itself for users who prefer reduced motion */
   turn: boolean;
@@ -125,6 +125,10 @@ export interface SurfaceProperties {
   view: SurfaceView;
   /** What is shown, as plain values; read-only */
   figure: SurfaceFigure;
+  /** Takes back the last change of points, settings or file by the user */
+  undo: () => void;
+  /** Repeats the change that was taken back */
+  redo: () => void;
   /** The picture as a PNG; null before it is drawn */
   toBlob: () => Promise<Blob | null>;
 }

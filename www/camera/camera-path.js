@@ -1,4 +1,6 @@
 // <camera-path>: what a camera on a path sees, where it is, its speed and its frames.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { css, html, svg } from "lit";
 import { codeBox } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
@@ -164,28 +166,22 @@ export class CameraPath extends Figure {
   /** @param {PointerEvent} start */
   drag(start) {
     if (start.button !== 0) return;
-    const target = /** @type {HTMLElement} */ (start.currentTarget);
-    target.setPointerCapture(start.pointerId);
     const { turn, tilt } = this.orbit;
-    const ends = new AbortController();
-    const move = (/** @type {PointerEvent} */ event) =>
-      this.orbitTo(
-        turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
-        tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
-      );
-    target.addEventListener("pointermove", move, { signal: ends.signal });
-    for (const type of ["pointerup", "pointercancel"])
-      target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+    capture(start, {
+      move: (event) =>
+        this.orbitTo(
+          turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
+          tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
+        ),
+    });
   }
 
   /** @param {KeyboardEvent} event */
   key(event) {
-    /** @type {Record<string, [number, number]>} */
-    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-    const arrow = arrows[event.key];
-    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrowDirection(event);
+    if (!arrow || event.altKey) return;
     event.preventDefault();
-    this.orbitTo(this.orbit.turn + arrow[0] * DEGREES_PER_KEY, this.orbit.tilt + arrow[1] * DEGREES_PER_KEY);
+    this.orbitTo(this.orbit.turn - arrow[0] * DEGREES_PER_KEY, this.orbit.tilt + arrow[1] * DEGREES_PER_KEY);
   }
 
   /** @param {number} turn @param {number} tilt */

@@ -1,4 +1,6 @@
 // The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's construction and its box.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
 import { Figure, numeric } from "./lib/figure.js";
@@ -65,31 +67,22 @@ export class FigCurve3d extends Figure {
   /** @param {PointerEvent} start */
   drag(start) {
     if (start.button !== 0) return;
-    const target = /** @type {SVGElement} */ (start.currentTarget);
-    target.setPointerCapture(start.pointerId);
     const [turn, tilt] = [this.turn, this.tilt];
-    const ends = new AbortController();
-    target.addEventListener(
-      "pointermove",
-      (event) =>
+    capture(start, {
+      move: (event) =>
         this.orbit(
           turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
           tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
         ),
-      { signal: ends.signal },
-    );
-    for (const type of ["pointerup", "pointercancel"])
-      target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+    });
   }
 
   /** @param {KeyboardEvent} event */
   key(event) {
-    /** @type {Record<string, [number, number]>} */
-    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-    const arrow = arrows[event.key];
-    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrowDirection(event);
+    if (!arrow || event.altKey) return;
     event.preventDefault();
-    this.orbit(this.turn + arrow[0] * DEGREES_PER_KEY, this.tilt + arrow[1] * DEGREES_PER_KEY);
+    this.orbit(this.turn - arrow[0] * DEGREES_PER_KEY, this.tilt + arrow[1] * DEGREES_PER_KEY);
   }
 
   /** From space to the picture, which always holds the ball around the planes. */

@@ -1,4 +1,6 @@
 // <unit-square for="id">: the square of all (u, v) beside the surface that it becomes.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { element } from "../parts/dom.js";
 import { svg } from "./lib/svg.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
@@ -6,12 +8,6 @@ import { LinkedFigure } from "./lib/linked-figure.js";
 const SIDE = 200;
 const MARGIN = 24;
 const LINES = 4;
-const KEYS = /** @type {Record<string, [number, number]>} */ ({
-  ArrowRight: [1, 0],
-  ArrowLeft: [-1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-});
 const STEP = 0.01;
 
 class UnitSquare extends LinkedFigure {
@@ -61,12 +57,6 @@ class UnitSquare extends LinkedFigure {
       group,
     );
     picture.addEventListener("pointerdown", (event) => this.#down(/** @type {PointerEvent} */ (event), square));
-    picture.addEventListener("pointermove", (event) =>
-      this.#drag(/** @type {PointerEvent} */ (event), square, "input"),
-    );
-    picture.addEventListener("lostpointercapture", (event) =>
-      this.#drag(/** @type {PointerEvent} */ (event), square, "change"),
-    );
     picture.addEventListener("keydown", (event) => this.#key(/** @type {KeyboardEvent} */ (event)));
     this.#words.setAttribute("role", "status");
     this.append(picture, this.#words);
@@ -79,34 +69,24 @@ class UnitSquare extends LinkedFigure {
     this.target.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
   }
 
-  #held = false;
-
   /** @param {PointerEvent} event @param {SVGElement} square */
   #down(event, square) {
     if (event.button !== 0) return;
-    /** @type {Element} */ (event.currentTarget).setPointerCapture(event.pointerId);
-    this.#held = true;
-    this.#drag(event, square, "input");
-  }
-
-  /** @param {PointerEvent} event @param {SVGElement} square @param {"input" | "change"} type */
-  #drag(event, square, type) {
-    if (!this.#held) return;
-    if (type === "change") {
-      this.#held = false;
-      return this.#set(this.target.u, this.target.v, type);
-    }
-    const { left, bottom, width, height } = square.getBoundingClientRect();
-    this.#set((event.clientX - left) / width, (bottom - event.clientY) / height, type);
+    const move = (/** @type {PointerEvent} */ { clientX, clientY }) => {
+      const { left, bottom, width, height } = square.getBoundingClientRect();
+      this.#set((clientX - left) / width, (bottom - clientY) / height, "input");
+    };
+    capture(event, { move, end: () => this.#set(this.target.u, this.target.v, "change") });
+    move(event);
   }
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const way = KEYS[event.key];
-    if (!way || event.ctrlKey || event.altKey || event.metaKey) return;
+    const arrow = arrowDirection(event);
+    if (!arrow || event.altKey) return;
     event.preventDefault();
     const step = event.shiftKey ? 10 * STEP : STEP;
-    this.#set(this.target.u + step * way[0], this.target.v + step * way[1], "change");
+    this.#set(this.target.u + step * arrow[0], this.target.v - step * arrow[1], "change");
   }
 
   follow() {

@@ -1,4 +1,6 @@
 // The editor of a letter: outline, points, joints; what it looks like in small and in large; in and out as SVG.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { css, html } from "lit";
 import { codeBox } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
@@ -204,19 +206,11 @@ export class GlyphEditor extends Figure {
   /** One finger or the mouse moves the picture, two fingers zoom. @param {PointerEvent} start */
   pan(start) {
     if (start.button !== 0) return;
-    const target = /** @type {Element} */ (start.currentTarget);
-    target.setPointerCapture(start.pointerId);
     this.fingers.set(start.pointerId, start);
-    const ends = new AbortController();
-    target.addEventListener("pointermove", (event) => this.panTo(/** @type {PointerEvent} */ (event)), {
-      signal: ends.signal,
+    capture(start, {
+      move: (event) => this.panTo(event),
+      end: ({ pointerId }) => this.fingers.delete(pointerId),
     });
-    const end = (/** @type {any} */ { pointerId }) => {
-      if (pointerId !== start.pointerId) return;
-      this.fingers.delete(pointerId);
-      ends.abort();
-    };
-    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, end, { signal: ends.signal });
   }
 
   /** @param {PointerEvent} event */
@@ -249,14 +243,12 @@ export class GlyphEditor extends Figure {
       "=": () => this.zoom(ZOOM_STEP),
       "-": () => this.zoom(1 / ZOOM_STEP),
       0: () => (this.view = null),
-      ArrowLeft: () => (this.view = panned(this.seen, PAN_KEY_PX, 0, this.wide)),
-      ArrowRight: () => (this.view = panned(this.seen, -PAN_KEY_PX, 0, this.wide)),
-      ArrowUp: () => (this.view = panned(this.seen, 0, PAN_KEY_PX, this.wide)),
-      ArrowDown: () => (this.view = panned(this.seen, 0, -PAN_KEY_PX, this.wide)),
     };
-    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrowDirection(event);
+    if (!(arrow || keys[event.key]) || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    keys[event.key]();
+    if (arrow) this.view = panned(this.seen, -arrow[0] * PAN_KEY_PX, -arrow[1] * PAN_KEY_PX, this.wide);
+    else keys[event.key]();
   }
 
   /** Keys of the whole editor, but not while text is written. @param {KeyboardEvent} event */

@@ -1,4 +1,6 @@
 // The teapot turns: each frame is one matrix and one call of the core.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { Surface } from "casteljau/surfaces";
 import { pixelsFromSurface, sphereAround } from "./matrix.js";
 
@@ -22,7 +24,6 @@ const sphere = sphereAround(teapot.vertices);
 const view = { turn: -35, tilt: 24, rotating: !matchMedia("(prefers-reduced-motion: reduce)").matches };
 let frame = 0;
 let before = 0;
-let lastPlace = [0, 0];
 
 function draw() {
   const { width, height } = canvas;
@@ -76,25 +77,20 @@ for (const slider of [turnSlider, tiltSlider]) {
 
 canvas.addEventListener("pointerdown", (event) => {
   if (event.button !== 0) return;
-  canvas.setPointerCapture(event.pointerId);
-  lastPlace = [event.clientX, event.clientY];
+  const { turn, tilt } = view;
   setRotating(false);
-});
-canvas.addEventListener("pointermove", (event) => {
-  if (!canvas.hasPointerCapture(event.pointerId)) return;
-  const [x, y] = lastPlace;
-  lastPlace = [event.clientX, event.clientY];
-  turnTo(
-    view.turn + (event.clientX - x) * DEGREES_PER_DRAGGED_PIXEL,
-    view.tilt + (event.clientY - y) * DEGREES_PER_DRAGGED_PIXEL,
-  );
+  capture(event, {
+    move: ({ clientX, clientY }) =>
+      turnTo(
+        turn + (clientX - event.clientX) * DEGREES_PER_DRAGGED_PIXEL,
+        tilt + (clientY - event.clientY) * DEGREES_PER_DRAGGED_PIXEL,
+      ),
+  });
 });
 
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 canvas.addEventListener("keydown", (event) => {
-  const arrow = ARROWS[event.key];
-  if (!arrow || event.ctrlKey || event.altKey || event.metaKey) return;
+  const arrow = arrowDirection(event);
+  if (!arrow || event.altKey) return;
   event.preventDefault();
   setRotating(false);
   turnTo(view.turn + arrow[0] * DEGREES_PER_KEY, view.tilt + arrow[1] * DEGREES_PER_KEY);

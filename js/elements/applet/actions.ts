@@ -27,7 +27,7 @@ export class AppletActions {
     toggle: () => undefined;
     append: () => void;
     insert: () => undefined;
-    removeChosen: () => undefined;
+    removeSelected: () => undefined;
     tapping: () => void;
     help: () => void;
     home: () => void;
@@ -182,7 +182,7 @@ export class AppletActions {
         void (this.do(states.allPointsToggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
       append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
       insert: () => void this.do((state) => edits.inserted(state), "Split at t"),
-      removeChosen: () => void this.removeAt(this.selected),
+      removeSelected: () => void this.removeAt(this.selected),
       tapping: () => {
         this.tapping = !this.tapping;
         this.host.say(this.tapping ? "Tap a point, then the place where it shall be." : "", true);
@@ -226,7 +226,7 @@ export class AppletActions {
       can: { undo: this.host.history.canUndo, redo: this.host.history.canRedo, insert: edits.canInsert(state) },
       set: (change) => void this.do(change, ""),
       put: (name, value, done = true) => {
-        this.host.attempt(() => this.host.updateInStep((now) => put(now, name, value)));
+        this.host.attempt(() => this.host.updateOpenStep((now) => put(now, name, value)));
         if (done) this.host.commit();
       },
       act: this.actions,

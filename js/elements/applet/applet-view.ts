@@ -1,5 +1,5 @@
 // The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
-import { isForText } from "../../applet/keys.js";
+import { isForText } from "../../ui/keys.js";
 import { Speaker, setText } from "../../applet/voice.js";
 import { AppletActions } from "./actions.js";
 import * as edits from "./edits.js";
@@ -96,7 +96,7 @@ export class AppletView extends AppletActions {
   #pull(index: number, to: Point2, { from, event }: { from: Point2; event?: PointerEvent }) {
     to = this.#roundedToPixels(to);
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
-    this.host.updateInStep((state) => {
+    this.host.updateOpenStep((state) => {
       const free = altKey ? edits.broken(state, index) : state;
       const place = shiftKey
         ? turnedBy15(free, index, to, from)
@@ -126,7 +126,7 @@ export class AppletView extends AppletActions {
       },
       grabbed: (index) => this.#choose(index),
       slide: (index, to) => {
-        this.host.attempt(() => this.host.updateInStep((state) => edits.withPointAt(state, index, to)));
+        this.host.attempt(() => this.host.updateOpenStep((state) => edits.withPointAt(state, index, to)));
         this.speaker?.say(this.places([index]));
       },
       slid: () => this.host.commit(),
@@ -175,7 +175,7 @@ export class AppletView extends AppletActions {
     const scale = states.scaleOf(this.host.now());
     const [x, y] = this.host.now().points[index];
     this.host.attempt(() =>
-      this.host.updateInStep((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
+      this.host.updateOpenStep((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
     );
     this.speaker?.say(this.places([index]));
   }

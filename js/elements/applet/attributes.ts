@@ -92,13 +92,14 @@ export class AppletAttributes extends LitElement {
     const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
     this.#unread.clear();
     for (const name of names) {
+      const before = this.#problems.get(name);
       this.#problems.delete(name);
       try {
         this.#state = this.#readOne(name, this.getAttribute(name));
       } catch (error) {
         const problem = error instanceof Error ? error.message : String(error);
         this.#problems.set(name, problem);
-        console.warn(`<${this.localName}> ${problem}`);
+        if (problem !== before) console.warn(`<${this.localName}> ${problem}`);
       }
     }
     if (names.includes("joints")) this.#state = withJoints(this.#state, this.#state.joints);

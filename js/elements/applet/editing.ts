@@ -130,7 +130,7 @@ export class AppletEditing extends AppletAttributes {
   ) {
     if (this.readonly && (index !== undefined || values.points)) return;
     const given = values as Record<string, unknown>;
-    this.updateInStep((state) => {
+    this.updateOpenStep((state) => {
       const next = Object.entries(FIELDS).reduce(
         (at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])),
         state,
@@ -184,7 +184,7 @@ export class AppletEditing extends AppletAttributes {
    * @internal
    * A part of what the user is doing; `commit` completes it.
    */
-  updateInStep(change: (state: State) => State) {
+  updateOpenStep(change: (state: State) => State) {
     const before = this.now();
     const next = change(before);
     this.#origin ??= before;
@@ -209,7 +209,7 @@ export class AppletEditing extends AppletAttributes {
   updateByUser(change: (state: State) => State): boolean {
     this.commit();
     return this.attempt(() => {
-      this.updateInStep(change);
+      this.updateOpenStep(change);
       this.commit();
     });
   }

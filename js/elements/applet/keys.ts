@@ -1,6 +1,6 @@
 // The keyboard: `r` and `m` from the whole page, everything else while the focus is inside.
 import { addKeyTarget, keyTarget } from "../../applet/key-targets.js";
-import { arrowStep, historyStep, isForText, isPlain } from "../../applet/keys.js";
+import { arrowStep, historyStep, isForText, isPlain } from "../../ui/keys.js";
 
 export interface KeyPort {
   /** Whether there are no keys but the arrows */

@@ -1,6 +1,6 @@
 // The controls below the picture: native form controls, in groups; what is used less is folded.
 import { html, nothing } from "lit";
-import { box, button, choice, icon, slider } from "./controls.js";
+import { box, button, choice, icon, slider } from "../../ui/controls.js";
 import { savings } from "./saving.js";
 import { LAYERS } from "./layers/index.js";
 import { tools } from "./tools.js";
@@ -67,7 +67,7 @@ function parameter(port: PanelPort) {
   const names = Object.fromEntries(segments.map((k) => [k, String(Number(k) + 1)]));
   return html`<div class="t">
     <button type="button" class="icon" aria-label=${playing ? "Pause" : "Play t"} title=${playing ? "Pause" : "Play t"} @click=${act.play}>${playing ? icon("M8 5v14M16 5v14") : icon("M7 4l13 8-13 8z", true)}</button>
-    ${slider(html`<i>t</i>`, "t", state.t, { min: min, max: max, step: 0.01 }, (t, done) => put("t", t, done))}
+    ${slider(html`<i>t</i>`, "t", state.t, { min, max, step: 0.01 }, (t, done) => put("t", t, done))}
     ${count > 1 ? choice("segment", segments, String(Math.min(state.segment, count - 1)), names, (k) => put("segment", Number(k))) : nothing}
     ${shows("zoom") ? tools(port) : nothing}
   </div>`;
@@ -79,7 +79,7 @@ function actions({ state, figure, act, can, selected, tapping }: PanelPort) {
   return html`<div class="row" role="group" aria-label="Points">
     ${button(icon("M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5"), act.undo, { name: "Undo", off: !can.undo })}
     ${button(icon("M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5"), act.redo, { name: "Redo", off: !can.redo })}
-    ${button("Add a point", act.append)} ${button(name ? `Remove ${name}` : "Remove", act.removeChosen, { off: !name })}
+    ${button("Add a point", act.append)} ${button(name ? `Remove ${name}` : "Remove", act.removeSelected, { off: !name })}
     ${button(html`Split at <i>t</i>`, act.insert, { key: "i", off: !can.insert })} ${button(all ? "Fewer points" : `All ${state.points.length} points`, act.toggle, { key: "m" })}
     ${button("Randomize", act.randomize, { key: "r" })} ${button("Move by taps", act.tapping, { pressed: tapping })}
     ${button("Reset", act.reset)} ${button("Keys", act.help, { key: "?" })}

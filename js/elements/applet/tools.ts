@@ -1,5 +1,5 @@
 import { html } from "lit";
-import { button, icon } from "./controls.js";
+import { button, icon } from "../../ui/controls.js";
 import { KEYS } from "./words.js";
 
 /** The buttons on the picture. */

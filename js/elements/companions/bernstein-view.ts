@@ -1,4 +1,5 @@
 import { css, html, nothing, svg } from "lit";
+import { capture } from "../../ui/capture.js";
 import { shown } from "./numbers.js";
 import { intervalOf, lookOf, PLOT, plotOf, tAt, xOf, yOf } from "./plot.js";
 import { slider } from "./slider.js";
@@ -56,7 +57,7 @@ export class BernsteinView {
   /** The polynomial that was selected here, and the one of the applet's focused point. */
   #selected: number | null = null;
   #focusedPoint: number | null = null;
-  #drag = { pointer: -1, start: 0 };
+  #dragging = false;
   /** The lines of the last picture, and what they depend on. */
   #plot: { key: string; frame: Frame; lines: Line[] } = { key: "", frame: { x: [0, 1], y: [0, 1] }, lines: [] };
 
@@ -119,7 +120,7 @@ export class BernsteinView {
     const [top, bottom] = [PLOT.top, PLOT.height - PLOT.bottom];
     const inside = { width: PLOT.width, height: bottom + 4 };
     return html`<svg part="plot" role="img" aria-label=${`${title}. ${spoken(values, names, t)}`} viewBox="0 0 ${PLOT.width} ${PLOT.height}" class=${marked === null ? "" : "marked"}
-      @pointerdown=${this.#grabbed} @pointermove=${this.#moved} @pointerup=${this.#released} @pointercancel=${this.#released} @lostpointercapture=${this.#released}>
+      @pointerdown=${this.#grabbed}>
       ${axes(frame)}
       <svg width=${inside.width} height=${inside.height}>
         ${lines.map((line, i) => svg`<polyline class="line ${lookOf(i).colour} ${i === marked ? "selected" : ""}" stroke-dasharray=${lookOf(i).dash || nothing} points=${line.points} />`)}
@@ -153,25 +154,23 @@ export class BernsteinView {
   }
 
   #grabbed = (event: PointerEvent) => {
-    if (event.button !== 0 || this.#drag.pointer >= 0) return;
+    if (event.button !== 0 || this.#dragging) return;
     const picture = event.currentTarget as SVGSVGElement;
-    picture.setPointerCapture(event.pointerId);
-    this.#drag = { pointer: event.pointerId, start: this.#subject().t };
-    this.#moved(event);
+    const before = this.#subject().t;
+    const move = (now: PointerEvent) => this.#host.setT(this.#place(picture, now), false);
+    this.#dragging = true;
+    capture(event, {
+      move,
+      end: (last, released) => {
+        this.#dragging = false;
+        this.#host.setT(released ? this.#place(picture, last) : before, true);
+      },
+    });
+    move(event);
   };
 
-  #moved = (event: PointerEvent) => {
-    if (event.pointerId === this.#drag.pointer) this.#host.setT(this.#place(event), false);
-  };
-
-  #released = (event: PointerEvent) => {
-    if (event.pointerId !== this.#drag.pointer) return;
-    this.#drag.pointer = -1;
-    this.#host.setT(event.type === "pointerup" ? this.#place(event) : this.#drag.start, true);
-  };
-
-  #place(event: PointerEvent) {
-    const { left, width } = (event.currentTarget as SVGSVGElement).getBoundingClientRect();
+  #place(picture: SVGSVGElement, event: PointerEvent) {
+    const { left, width } = picture.getBoundingClientRect();
     return tAt(this.#plot.frame, ((event.clientX - left) / width) * PLOT.width);
   }
 }

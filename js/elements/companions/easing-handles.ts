@@ -1,5 +1,6 @@
 import { html } from "lit";
-import { arrowStep } from "../../applet/keys.js";
+import { arrowStep } from "../../ui/keys.js";
+import { capture } from "../../ui/capture.js";
 import { shown } from "./numbers.js";
 import { across, down, placeAt, rounded, SQUARE } from "./timing.js";
 import type { Handles, Heights } from "./timing.js";
@@ -17,8 +18,8 @@ export interface DragPort {
 /** Pointers and keys on both handles; two fingers may move both. */
 export class HandleDrag {
   #port;
-  /** Which handle each pointer holds, how far from its middle, and what was before. */
-  #held: Map<number, { which: number; grip: [number, number]; before: Handles }> = new Map();
+  /** What was before each drag, and what stops it. */
+  #drags: Set<{ before: Handles; stop: () => void }> = new Set();
 
   constructor(port: DragPort) {
     this.#port = port;
@@ -26,7 +27,7 @@ export class HandleDrag {
 
   /** Whether a pointer holds one. */
   get busy() {
-    return this.#held.size > 0;
+    return this.#drags.size > 0;
   }
 
   to(which: number, x: number, y: number, done: boolean) {
@@ -39,27 +40,20 @@ export class HandleDrag {
     if (event.button !== 0) return;
     const box = event.currentTarget as HTMLElement;
     const { left, top, width, height } = box.getBoundingClientRect();
-    box.setPointerCapture(event.pointerId);
     box.querySelector("input")?.focus({ preventScroll: true });
     event.preventDefault(); // the focus stays
-    this.#held.set(event.pointerId, {
-      which,
-      grip: [event.clientX - left - width / 2, event.clientY - top - height / 2],
-      before: this.#port.handles(),
+    const grip: [number, number] = [event.clientX - left - width / 2, event.clientY - top - height / 2];
+    const before = this.#port.handles();
+    const stop = capture(event, {
+      move: (now) => this.to(which, ...this.#place(box, now, grip), false),
+      end: (last, released) => {
+        this.#drags.delete(drag);
+        if (released) this.to(which, ...this.#place(box, last, grip), true);
+        else this.#port.move(before, true);
+      },
     });
-  }
-
-  drag(event: PointerEvent) {
-    const held = this.#held.get(event.pointerId);
-    if (held) this.to(held.which, ...this.#place(event, held.grip), false);
-  }
-
-  release(event: PointerEvent) {
-    const held = this.#held.get(event.pointerId);
-    if (!held) return;
-    this.#held.delete(event.pointerId);
-    if (event.type === "pointerup") this.to(held.which, ...this.#place(event, held.grip), true);
-    else this.#port.move(held.before, true);
+    const drag = { before, stop };
+    this.#drags.add(drag);
   }
 
   press(which: number, event: KeyboardEvent) {
@@ -74,15 +68,16 @@ export class HandleDrag {
   }
 
   #restore(event: Event) {
-    for (const [pointer, { before }] of this.#held) {
-      this.#held.delete(pointer);
+    for (const { before, stop } of this.#drags) {
+      stop();
       event.preventDefault();
       this.#port.move(before, true);
     }
+    this.#drags.clear();
   }
 
-  #place(event: PointerEvent, [gripX, gripY]: [number, number]) {
-    const stage = (event.currentTarget as HTMLElement).parentElement as HTMLElement;
+  #place(box: HTMLElement, event: PointerEvent, [gripX, gripY]: [number, number]) {
+    const stage = box.parentElement as HTMLElement;
     const { left, top, width, height } = stage.getBoundingClientRect();
     return placeAt(
       this.#port.heights(),
@@ -97,7 +92,6 @@ const pairOf = (handles: Handles, which: number): [number, number] => [handles[2
 /** A hit box with two sliders inside, as the applet's points have. */
 export function handle(which: number, handles: Handles, heights: Heights, drag: HandleDrag) {
   const [x, y] = pairOf(handles, which);
-  const release = (event: PointerEvent) => drag.release(event);
   const slider = (axis: string, value: number, range: number[], place: (value: number) => [number, number]) => {
     const slid = (event: Event) =>
       drag.to(which, ...place(Number((event.target as HTMLInputElement).value)), event.type === "change");
@@ -105,7 +99,6 @@ export function handle(which: number, handles: Handles, heights: Heights, drag: 
   };
   // The place as a property: a strict policy forbids the attribute.
   return html`<div class="handle" part="handle" data-index=${which} .style=${`left: ${(100 * across(x)) / SQUARE.width}%; top: ${(100 * down(heights, y)) / SQUARE.height}%`}
-    @pointerdown=${(event: PointerEvent) => drag.grab(which, event)} @pointermove=${(event: PointerEvent) => drag.drag(event)}
-    @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release} @keydown=${(event: KeyboardEvent) => drag.press(which, event)}>
+    @pointerdown=${(event: PointerEvent) => drag.grab(which, event)} @keydown=${(event: KeyboardEvent) => drag.press(which, event)}>
     ${slider("x", x, [0, 1], (to) => [to, y])}${slider("y", y, heights, (to) => [x, to])}</div>`;
 }

@@ -78,7 +78,7 @@ export class EasingView {
     this.#preview.stop();
   }
 
-  selected(done: boolean) {
+  onChange(done: boolean) {
     if (done && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#play();
   }
 

@@ -13,13 +13,13 @@ export class BezierEasing extends FormField {
   /** @internal */
   handles: Handles = [...PRESETS.ease];
   /** Whether someone has chosen; and whether it was other than the attribute. */
-  #selected = false;
+  #hasValue = false;
   #dirty = false;
   #custom = "";
 
   /** The timing function as CSS writes it; empty while it is required and not chosen. */
   get value() {
-    return this.#selected || !this.required ? timingText(this.handles) : "";
+    return this.#hasValue || !this.required ? timingText(this.handles) : "";
   }
 
   set value(text) {
@@ -63,12 +63,12 @@ export class BezierEasing extends FormField {
    */
   choose(handles: Handles, done: boolean) {
     this.handles = handles;
-    this.#selected = this.#dirty = true;
+    this.#hasValue = this.#dirty = true;
     this.say("");
     this.#report();
     this.requestUpdate();
     this.tell(done);
-    this.view?.selected?.(done);
+    this.view?.onChange?.(done);
   }
 
   /** A text from outside; what cannot be read changes nothing and is told. */
@@ -76,7 +76,7 @@ export class BezierEasing extends FormField {
     this.say("");
     try {
       this.handles = text ? readTiming(text) : [...PRESETS.ease];
-      this.#selected = text !== "";
+      this.#hasValue = text !== "";
     } catch (error) {
       this.say(`value: ${error instanceof Error ? error.message : error}; ${timingText(this.handles)} is kept.`);
     }
@@ -86,7 +86,7 @@ export class BezierEasing extends FormField {
 
   /** What the form is to know. */
   #report() {
-    const missing = this.required && !this.#selected;
+    const missing = this.required && !this.#hasValue;
     this.internals.setFormValue(this.value, this.value);
     this.internals.setValidity(
       { valueMissing: missing, customError: this.#custom !== "" },

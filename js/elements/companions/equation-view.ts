@@ -100,8 +100,8 @@ export class EquationView {
     const words = [...BASES, ...(this.#host.editable || basis === "matrix" ? ["matrix"] : [])];
     const option = (word: string) =>
       html`<option value=${word} .selected=${word === basis}>${BASIS_NAMES[word]}</option>`;
-    const selected = (event: Event) => this.#setBasis((event.target as HTMLSelectElement).value);
-    return html`<label class="bar">Basis <select @change=${selected}>${words.map(option)}</select></label>`;
+    const onChange = (event: Event) => this.#setBasis((event.target as HTMLSelectElement).value);
+    return html`<label class="bar">Basis <select @change=${onChange}>${words.map(option)}</select></label>`;
   }
 
   #matrixForm(subject: Subject) {

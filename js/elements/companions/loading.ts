@@ -6,8 +6,8 @@ export interface View {
   content: () => unknown;
   /** The applet gets or loses the focus */
   handleFocus?: (event: Event) => void;
-  /** The user has chosen */
-  selected?: (done: boolean) => void;
+  /** The user has changed the value */
+  onChange?: (done: boolean) => void;
   /** The companion leaves the page */
   stop?: () => void;
 }

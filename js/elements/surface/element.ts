@@ -1,4 +1,6 @@
+import { History } from "../../editor/history.js";
 import { Surface } from "../../surfaces.js";
+import { historyStep, isForText } from "../../ui/keys.js";
 import { adoptProperties } from "../adopt.js";
 import { controlGroups } from "../attribute-text.js";
 import { SurfaceAttributes } from "./attributes.js";
@@ -14,6 +16,7 @@ import { Subject } from "./subject.js";
 import { AutoRotation } from "./auto-rotation.js";
 import { MODEL_NAMES, STATES } from "./words.js";
 import type { View } from "./camera.js";
+import type { Edits } from "./subject.js";
 import type { Facts } from "./geometry.js";
 import type { Handles } from "./handles.js";
 import type { Labels } from "./labels.js";
@@ -29,6 +32,24 @@ const MAX_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 
+/** The properties that undo and redo restore, besides moved points and the surface of a file. */
+const UNDOABLE = [
+  "model",
+  "parts",
+  "height",
+  "up",
+  "shading",
+  "show",
+  "evaluation",
+  "segments",
+  "tolerance",
+  "pixels",
+  "flatness",
+  "lines",
+] as const;
+
+type UndoState = { edits: Edits } & Pick<SurfaceAttributes, (typeof UNDOABLE)[number]>;
+
 /** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
 function surfaceOfOtherBundle(value: Surface): Surface {
   if (value?.casteljauType !== "surface")
@@ -40,6 +61,7 @@ function surfaceOfOtherBundle(value: Surface): Surface {
 export class BezierSurface extends SurfaceAttributes {
   static styles = style;
   #subject = new Subject();
+  #history: History<UndoState> = new History();
   #stage: Stage | null = null;
   #handles: Handles | null = null;
   #labels: Labels | null = null;
@@ -94,6 +116,58 @@ export class BezierSurface extends SurfaceAttributes {
     const scene = this.#scene();
     return figureOf(scene, (this.#facts && this.#stage?.factsOf(scene)) ?? this.#facts);
   }
+
+  /** Takes back the last change of the surface or its settings by the user. */
+  undo() {
+    this.#restore(this.#history.undo(this.#undoState()));
+  }
+
+  /** Repeats the change that was taken back. */
+  redo() {
+    this.#restore(this.#history.redo(this.#undoState()));
+  }
+
+  #undoState(): UndoState {
+    const properties = UNDOABLE.map((name) => [name, this[name]] as const);
+    return { edits: this.#subject.edits, ...Object.fromEntries(properties) } as UndoState;
+  }
+
+  #restore({ edits, ...properties }: UndoState) {
+    if (edits.given !== this.#subject.given) this.patch = null;
+    this.#subject.edits = edits;
+    Object.assign(this, properties);
+    this.requestUpdate();
+  }
+
+  /** The user changes something, which is one undo step when it is done. */
+  #edit(change: () => void, type: "input" | "change" = "change") {
+    this.#history.touch(this.#undoState());
+    change();
+    if (type === "change") this.#history.close(this.#undoState());
+    this.requestUpdate();
+    this.#fire(type);
+  }
+
+  #cancelEdit() {
+    const before = this.#history.abandon();
+    if (before) this.#restore(before);
+    this.#fire("change");
+  }
+
+  #stepByUser(step: "undo" | "redo") {
+    const { open, canUndo, canRedo } = this.#history;
+    if (!(step === "undo" ? canUndo || open : canRedo)) return;
+    this.#handles?.endDrags();
+    this[step]();
+    this.#fire("change");
+  }
+
+  #key = (event: KeyboardEvent) => {
+    const step = historyStep(event);
+    if (!step || isForText(event)) return;
+    event.preventDefault();
+    this.#stepByUser(step);
+  };
 
   /** The picture as it is now, a PNG. */
   async toBlob(): Promise<Blob | null> {
@@ -185,7 +259,9 @@ export class BezierSurface extends SurfaceAttributes {
       turning: () => this.#visible && this.#turns(),
     });
     this.#handles ??= new Handles(find(".overlay"), {
-      moved: (...args) => this.#pulled(...args),
+      moved: (vertex, to, done) =>
+        this.#edit(() => this.#subject.move(vertex, to, this.settings()), done ? "change" : "input"),
+      cancelled: () => this.#cancelEdit(),
       sight: () => this.#stage?.sight() ?? null,
     });
     this.#labels ??= new Labels(find(".overlay"));
@@ -207,7 +283,7 @@ export class BezierSurface extends SurfaceAttributes {
   willUpdate(changed: Map<string, unknown>) {
     if (!this.hasUpdated) return;
     if (["model", "height", "up"].some((name) => changed.has(name))) {
-      this.#subject.restore();
+      this.#subject.forgetMovesOfOthers(this.settings());
       if (!changed.has("patch")) this.patch = null;
     }
   }
@@ -254,12 +330,6 @@ export class BezierSurface extends SurfaceAttributes {
     this.#fire(done ? "change" : "input");
   }
 
-  #pulled(vertex: number, to: number[], done: boolean) {
-    this.#subject.move(vertex, to);
-    this.requestUpdate();
-    this.#fire(done ? "change" : "input");
-  }
-
   /**
    * The patch under a click gets handles, a click beside the surface takes them away; where de Casteljau's grid is shown,
    * it goes to the place.
@@ -280,8 +350,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   #set(name: string, value: unknown, type: "input" | "change") {
-    Object.assign(this, { [name]: value });
-    this.#fire(type);
+    this.#edit(() => Object.assign(this, { [name]: value }), type);
   }
 
   #toggleRotation() {
@@ -293,15 +362,17 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   #showFile(surface: Surface) {
-    this.surface = surface;
     const max = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
-    if (this.segments > max) this.#set("segments", Math.max(1, max), "input");
-    this.#fire("change");
+    this.#edit(() => {
+      this.surface = surface;
+      if (this.segments > max) this.segments = Math.max(1, max);
+    });
   }
 
   #backToModel() {
-    this.surface = null;
-    this.#fire("change");
+    this.#edit(() => {
+      this.surface = null;
+    });
   }
 
   render() {
@@ -315,6 +386,7 @@ export class BezierSurface extends SurfaceAttributes {
       blank: !this.#drawn,
       message: this.#files.message || STATES[this.#state],
       facts: this.#facts,
+      key: this.#key,
       tools: {
         turning: this.#turns(),
         toggle: () => this.#toggleRotation(),
@@ -336,7 +408,9 @@ export class BezierSurface extends SurfaceAttributes {
       edited: this.#subject.edited,
       set: (...args) => this.#set(...args),
       setDetail: (kind) => this.#setDetail(kind),
-      restore: () => this.#restore(),
+      can: { undo: this.#history.canUndo, redo: this.#history.canRedo },
+      step: (step) => this.#stepByUser(step),
+      restore: () => this.#edit(() => this.#subject.restore()),
       savePicture: () => this.#files.savePicture(),
       saveMesh: (kind) => this.#files.saveMesh(kind),
       open: (file) => this.#files.open(file),
@@ -347,14 +421,9 @@ export class BezierSurface extends SurfaceAttributes {
   #setDetail(kind: "segments" | "tolerance" | "pixels" | "flatness") {
     const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
     const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
-    for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
-    this.#fire("change");
-  }
-
-  #restore() {
-    this.#subject.restore();
-    this.requestUpdate();
-    this.#fire("change");
+    this.#edit(() => {
+      for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
+    });
   }
 }
 

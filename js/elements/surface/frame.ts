@@ -22,6 +22,7 @@ import { INSTRUCTIONS } from "./words.js";
  * @param parts.name what the picture is called
  * @param parts.blank the canvas holds no picture: what the page put into the element stands in for the picture
  * @param parts.message an error message
+ * @param parts.key what a key does that was pressed anywhere in it
  * @param parts.panel null: none
  */
 export function frame({
@@ -29,16 +30,18 @@ export function frame({
   blank,
   message,
   facts,
+  key,
   ...parts
 }: {
   name: string;
   blank: boolean;
   message: string;
   facts: import("./geometry.js").Facts | null;
+  key: (event: KeyboardEvent) => void;
   tools: Parameters<typeof tools>[0];
   panel: import("./panel.js").PanelPort | null;
 }) {
-  return html`<div class="frame" part="frame" @input=${stop} @change=${stop}>
+  return html`<div class="frame" part="frame" @input=${stop} @change=${stop} @keydown=${key}>
     <div class="stage" part="stage" role="group" aria-label=${name}>
       <canvas part="canvas" tabindex="0" role="img" aria-label=${name} aria-describedby="help" width="1" height="1"></canvas>
       ${blank ? poster : nothing}

@@ -1,5 +1,7 @@
 // Fingers, mouse, wheel and keys on the picture: what they do to the view.
 
+import { arrowDirection } from "../../ui/keys.js";
+import { capture } from "../../ui/capture.js";
 import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
 import type { View } from "./camera.js";
 
@@ -19,13 +21,6 @@ const ZOOM_PER_WHEEL_PIXEL = 1.0015;
 const LINE_PX = 16;
 const PAN_PER_KEY = 0.05;
 
-const ARROWS = new Map([
-  ["ArrowLeft", [-1, 0]],
-  ["ArrowRight", [1, 0]],
-  ["ArrowUp", [0, -1]],
-  ["ArrowDown", [0, 1]],
-]);
-
 export type Point2 = { x: number; y: number };
 
 export class Gestures {
@@ -43,9 +38,6 @@ export class Gestures {
   listen() {
     const listeners: [string, (event: any) => void][] = [
       ["pointerdown", (event) => this.#down(event)],
-      ["pointermove", (event) => this.#moved(event)],
-      ["pointerup", (event) => this.#up(event)],
-      ["pointercancel", (event) => this.#up(event)],
       ["wheel", (event) => this.#wheel(event)],
       ["keydown", (event) => this.#key(event)],
     ];
@@ -59,7 +51,10 @@ export class Gestures {
     if (event.button > 1) return;
     if (this.#pointers.size === 0) this.#travelled = 0;
     this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    this.#canvas.setPointerCapture(event.pointerId);
+    capture(event, {
+      move: (moved) => this.#moved(moved),
+      end: (ended, released) => this.#up(ended, released),
+    });
   }
 
   #moved(event: PointerEvent) {
@@ -76,11 +71,11 @@ export class Gestures {
     else this.#orbit(dx, dy);
   }
 
-  #up(event: PointerEvent) {
-    if (!this.#pointers.delete(event.pointerId)) return;
+  #up(event: PointerEvent, released: boolean) {
+    this.#pointers.delete(event.pointerId);
     if (this.#pointers.size > 0) return;
     if (this.#travelled >= CLICK_PX) return this.#port.move({}, true);
-    if (event.type !== "pointerup") return;
+    if (!released) return;
     const box = this.#canvas.getBoundingClientRect();
     this.#port.pick(event.clientX - box.left, event.clientY - box.top);
   }
@@ -118,7 +113,7 @@ export class Gestures {
   #key(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const view = this.#port.view();
-    const arrow = ARROWS.get(event.key);
+    const arrow = arrowDirection(event);
     if (arrow && event.shiftKey) {
       const scale = PAN_PER_KEY / view.zoom;
       this.#port.move({ panX: view.panX + arrow[0] * scale, panY: view.panY - arrow[1] * scale }, true);

@@ -1,4 +1,6 @@
 // One HTML button for each control point of the picked patch, over the canvas.
+import { arrowDirection } from "../../ui/keys.js";
+import { capture } from "../../ui/capture.js";
 import { placeOf, shiftOf } from "./camera.js";
 import { patchesOf } from "./patches.js";
 import type { Sight } from "./camera.js";
@@ -6,6 +8,8 @@ import type { Scene } from "./geometry.js";
 
 export interface HandlePort {
   moved: (vertex: number, to: number[], done: boolean) => void;
+  /** The pointer was taken away, or Escape was pressed: back to what was before */
+  cancelled: () => void;
   sight: () => { sight: Sight; width: number; height: number } | null;
 }
 
@@ -13,18 +17,11 @@ export interface HandlePort {
 const MAX_HANDLES = 100;
 const [STEP_PX, WIDE_STEP_PX, FINE_STEP_PX] = [4, 20, 1];
 
-/** Towards the right, downwards, away from the eye. */
-const KEYS = new Map([
-  ["ArrowLeft", [-1, 0, 0]],
-  ["ArrowRight", [1, 0, 0]],
-  ["ArrowUp", [0, -1, 0]],
-  ["ArrowDown", [0, 1, 0]],
-  ["PageUp", [0, 0, 1]],
-  ["PageDown", [0, 0, -1]],
+/** How far a key moves a point away from the eye. */
+const DEPTH_KEYS = new Map([
+  ["PageUp", 1],
+  ["PageDown", -1],
 ]);
-
-/** Where the pointer was, where the point was at first */
-export type Drag = { vertex: number; x: number; y: number; before: number[]; moved: boolean };
 
 export class Handles {
   #overlay;
@@ -34,16 +31,14 @@ export class Handles {
   #vertices: number[] = [];
   #points: Float64Array = new Float64Array();
   #scene: Scene | null = null;
-  #drags: Map<number, Drag> = new Map();
+  /** What stops each drag. */
+  #drags: Set<() => void> = new Set();
 
   constructor(overlay: HTMLElement, port: HandlePort) {
     this.#overlay = overlay;
     this.#port = port;
     const on = (type: string, listener: (event: any) => void) => overlay.addEventListener(type, listener);
     on("pointerdown", (event) => this.#down(event));
-    on("pointermove", (event) => this.#pulled(event));
-    on("pointerup", (event) => this.#released(event, true));
-    on("pointercancel", (event) => this.#released(event, false));
     on("keydown", (event) => this.#key(event));
   }
 
@@ -60,8 +55,9 @@ export class Handles {
     this.#buttons.forEach((button, i) => this.#describe(button, i, (patch?.degreeU ?? 0) + 1));
   }
 
-  /** Forgets pointers that are down: their other events will not come. */
+  /** Lets all points go where they are. */
   endDrags() {
+    for (const stop of this.#drags) stop();
     this.#drags.clear();
   }
 
@@ -111,55 +107,41 @@ export class Handles {
     const i = this.#nearest(event);
     event.preventDefault();
     this.#buttons[i].focus({ preventScroll: true });
-    this.#overlay.setPointerCapture(event.pointerId);
-    this.#drags.set(event.pointerId, {
-      vertex: this.#vertices[i],
-      x: event.clientX,
-      y: event.clientY,
-      before: this.#pointAt(i),
-      moved: false,
+    const [vertex, before] = [this.#vertices[i], this.#pointAt(i)];
+    const follow = (now: PointerEvent, done: boolean) =>
+      this.#shift(vertex, before, [now.clientX - event.clientX, now.clientY - event.clientY, 0], done);
+    let moved = false;
+    const stop = capture(event, {
+      move: (now) => {
+        moved ||= now.clientX !== event.clientX || now.clientY !== event.clientY;
+        if (moved) follow(now, false);
+      },
+      end: (last, released) => {
+        this.#drags.delete(stop);
+        if (moved && released) follow(last, true);
+        else if (moved) this.#port.cancelled();
+      },
     });
+    this.#drags.add(stop);
   }
 
   #pointAt(i: number) {
     return [...this.#points.subarray(3 * i, 3 * i + 3)];
   }
 
-  #pulled(event: PointerEvent) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
-    const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
-    if (!drag.moved && dx === 0 && dy === 0) return;
-    drag.moved = true;
-    this.#shift(drag.vertex, drag.before, [dx, dy, 0], false);
-  }
-
-  #released(event: PointerEvent, kept: boolean) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
-    this.#drags.delete(event.pointerId);
-    if (!drag.moved) return;
-    if (kept) this.#shift(drag.vertex, drag.before, [event.clientX - drag.x, event.clientY - drag.y, 0], true);
-    else this.#port.moved(drag.vertex, drag.before, true);
-  }
-
   #key(event: KeyboardEvent) {
     if (event.key === "Escape" && this.#drags.size > 0) {
-      for (const { vertex, before } of this.#drags.values()) this.#port.moved(vertex, before, true);
-      this.#drags.clear();
+      this.endDrags();
+      this.#port.cancelled();
       return event.preventDefault();
     }
     const i = this.#buttons.indexOf(event.target as HTMLButtonElement);
-    const way = KEYS.get(event.key);
-    if (i < 0 || !way || event.ctrlKey || event.metaKey) return;
+    const [right, down] = arrowDirection(event) ?? [0, 0];
+    const away = event.ctrlKey || event.metaKey ? 0 : (DEPTH_KEYS.get(event.key) ?? 0);
+    if (i < 0 || !(right || down || away)) return;
     event.preventDefault();
     const step = event.shiftKey ? WIDE_STEP_PX : event.altKey ? FINE_STEP_PX : STEP_PX;
-    this.#shift(
-      this.#vertices[i],
-      this.#pointAt(i),
-      way.map((x) => x * step),
-      true,
-    );
+    this.#shift(this.#vertices[i], this.#pointAt(i), [right * step, down * step, away * step], true);
   }
 
   /**

@@ -1,5 +1,6 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
+import { box, button, choice, slider } from "../../ui/controls.js";
 import {
   AXES,
   EVALUATIONS,
@@ -36,6 +37,9 @@ export interface PanelPort {
   named: boolean;
   edited: boolean;
   set: (name: string, value: unknown, type: "input" | "change") => void;
+  can: { undo: boolean; redo: boolean };
+  step: (step: "undo" | "redo") => void;
+  /** Takes back all moves */
   restore: () => void;
   savePicture: () => void;
   saveMesh: (kind: "obj" | "stl" | "glb") => void;
@@ -58,6 +62,7 @@ const GROUPS: Record<string, (port: PanelPort) => unknown> = {
   model: (port) => (port.named ? modelControls(port) : nothing),
   mesh: meshControls,
   show: layerControls,
+  edit: editControls,
   files: fileControls,
 };
 
@@ -69,7 +74,7 @@ export function panel(port: PanelPort) {
   return html`<div class="controls" part="controls">
     <fieldset class="wide main"><legend class="away">Picture</legend>${GROUPS.shape(port)} ${shadingControl(port)}</fieldset> ${placeControls(port)}
     <details class="more"><summary>More</summary><div class="body">
-      ${GROUPS.model(port)} ${meshControls(port)} ${layerControls(port)} ${fileControls(port)}
+      ${GROUPS.model(port)} ${meshControls(port)} ${layerControls(port)} ${editControls(port)} ${fileControls(port)}
     </div></details>
   </div>`;
 }
@@ -85,36 +90,15 @@ function select(
   return choice(label, words, selected, names, (word) => set(name, word, "change"));
 }
 
-function choice(
-  label: string,
-  words: readonly string[],
-  selected: string,
-  names: Record<string, string>,
-  act: (word: any) => void,
-) {
-  const changed = (event: Event) => act((event.target as HTMLSelectElement).value);
-  const option = (word: string) =>
-    html`<option value=${word} .selected=${word === selected}>${names[word] ?? word}</option>`;
-  return html`<label class="line"><span>${label}</span><select @change=${changed}>${words.map(option)}</select></label>`;
-}
-
-function slider(
+/** A slider that sets a property. */
+function propertySlider(
   name: string,
   label: unknown,
   value: number,
-  { min, max, step }: { min: number; max: number; step: number },
+  range: { min: number; max: number; step: number },
   { set }: PanelPort,
 ) {
-  const to = (type: "input" | "change") => (event: Event) =>
-    set(name, Number((event.target as HTMLInputElement).value), type);
-  return html`<label class="line"><span>${label}</span>
-    <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to("input")} @change=${to("change")}>
-    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(2) : value}</span></label>`;
-}
-
-function box(label: string, checked: boolean, act: (on: boolean) => void) {
-  const changed = (event: Event) => act((event.target as HTMLInputElement).checked);
-  return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
+  return slider(label, name, value, range, (to, done) => set(name, to, done ? "change" : "input"));
 }
 
 function shadingControl(port: PanelPort) {
@@ -156,8 +140,8 @@ function meshControls(port: PanelPort) {
   const { settings } = port;
   const { detail } = settings;
   return html`<fieldset><legend>Mesh</legend>
-    ${choice("Fineness", DETAIL_KINDS, Object.keys(detail)[0], DETAIL_NAMES, port.setDetail)}
-    ${"segments" in detail ? slider("segments", "Segments", settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
+    ${choice("Fineness", DETAIL_KINDS, Object.keys(detail)[0], DETAIL_NAMES, (kind) => port.setDetail(kind as Parameters<typeof port.setDetail>[0]))}
+    ${"segments" in detail ? propertySlider("segments", "Segments", settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
     ${"tolerance" in detail ? decades("tolerance", "Tolerance", detail.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
     ${"pixels" in detail ? decades("pixels", "Pixels", detail.pixels, 0.1, 30, port) : nothing}
     ${"flatness" in detail ? decades("flatness", "Flatness", detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
@@ -173,7 +157,7 @@ function layerControls(port: PanelPort) {
   const layer = (each: import("./settings.js").Layer) =>
     box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
-    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? slider("lines", "Strips", lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
+    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? propertySlider("lines", "Strips", lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }
 
 /** The sliders of u and v, where something is shown at them. */
@@ -183,7 +167,7 @@ function placeControls(port: PanelPort) {
   if (!steps && !layers.has("derivatives") && !layers.has("place") && !swept) return nothing;
   const unit = { min: 0, max: 1, step: UV_STEP };
   return html`<fieldset class="wide"><legend>${steps ? "De Casteljau on the grid" : "Place"}</legend>
-    ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}
+    ${propertySlider("u", html`<i>u</i>`, u, unit, port)} ${propertySlider("v", html`<i>v</i>`, v, unit, port)}
     ${steps ? stepper(port) : nothing}
   </fieldset>`;
 }
@@ -196,15 +180,21 @@ function stepper({ settings: { step }, set }: PanelPort) {
     <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS[step - 1]}</p>`;
 }
 
-function fileControls({ edited, restore, savePicture, saveMesh, open }: PanelPort) {
-  const selected = (event: Event) => {
+function editControls({ edited, can, step, restore }: PanelPort) {
+  return html`<fieldset><legend>Changes</legend><div class="row">
+    ${button("Undo", () => step("undo"), { off: !can.undo })} ${button("Redo", () => step("redo"), { off: !can.redo })}
+    ${button("Undo all moves", restore, { off: !edited })}
+  </div></fieldset>`;
+}
+
+function fileControls({ savePicture, saveMesh, open }: PanelPort) {
+  const openSelected = (event: Event) => {
     const input = event.target as HTMLInputElement;
     if (input.files?.[0]) open(input.files[0]);
-    input.value = ""; // the same file can be chosen again
+    input.value = ""; // the same file can be selected again
   };
   return html`<fieldset><legend>Files</legend><div class="row">
-    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${selected}></label>
-    <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
+    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${openSelected}></label>
   </div><div class="row" role="group" aria-label="Save as">
     <button type="button" @click=${savePicture}>PNG</button>
     ${KINDS.map((kind) => html`<button type="button" @click=${() => saveMesh(kind)}>${kind.toUpperCase()}</button>`)}

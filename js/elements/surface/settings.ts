@@ -57,25 +57,13 @@ export interface Settings {
  */
 export type DetailSettings = { segments: number } | { tolerance: number } | { pixels: number } | { flatness: number };
 
-/** What the attributes say, checked one by one. */
-interface Checked {
-  model: Model;
-  parts: Set<Part>;
-  height: "squashed" | "original";
-  up: "z" | "y";
-  segments: number;
+/** What the attributes say, checked one by one: the settings, but for those that are made of other attributes. */
+interface Checked extends Omit<Settings, "detail" | "layers" | "shading"> {
   tolerance: number | null;
   pixels: number | null;
   flatness: number | null;
-  lines: number;
   shading: Shading | "curvature";
   show: Set<Layer>;
-  evaluation: "cpu" | "forward" | "gpu";
-  u: number;
-  v: number;
-  step: number;
-  swept: boolean;
-  probe: number[] | null;
 }
 export type Attributes = Record<keyof Checked, unknown>;
 

@@ -1,5 +1,7 @@
 // <live-figure>: points to drag by pointer and keyboard, sliders and choices. Each change runs the entry's sample again; the picture, the
 // literals in the code and the printed lines follow. The samples and the package are loaded at the first use.
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { LiveCode } from "./live-code.js";
 import { Drawing } from "./drawing.js";
 import { handlesOf } from "./handles.js";
@@ -16,9 +18,6 @@ import { Projection } from "./projection.js";
 const [KEY_STEP, FINE_KEY_STEP] = [8, 1];
 /** Significant digits of the numbers that are printed after a change. */
 const DIGITS = 6;
-
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /** The samples of each page. @type {Sources} */
 let sources = {};
@@ -74,19 +73,16 @@ class LiveFigure extends HTMLElement {
     button.setAttribute("aria-roledescription", "draggable point");
     button.addEventListener("keydown", (event) => this.#onKey(event, k));
     button.addEventListener("pointerdown", (event) => {
-      button.setPointerCapture(event.pointerId);
+      capture(event, { move: (now) => this.#onPointer(now, k) });
       event.preventDefault(); // keeps the page from selecting text
       button.focus();
-    });
-    button.addEventListener("pointermove", (event) => {
-      if (button.hasPointerCapture(event.pointerId)) this.#onPointer(event, k);
     });
     return button;
   }
 
   /** @param {KeyboardEvent} event @param {number} k */
   #onKey(event, k) {
-    const direction = ARROWS[event.key];
+    const direction = arrowDirection(event);
     if (!direction) return;
     event.preventDefault();
     const step = event.shiftKey ? FINE_KEY_STEP : KEY_STEP;

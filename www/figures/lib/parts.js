@@ -1,5 +1,7 @@
 // Templates that several figures share: sliders, choices, marks, handles.
 import { html, svg } from "lit";
+import { arrowDirection } from "#js/ui/keys.js";
+import { capture } from "#js/ui/capture.js";
 import { live } from "lit/directives/live.js";
 
 /**
@@ -171,43 +173,39 @@ function drag(start, { at, place, unplace, size, box, move, done = () => {}, can
   if (nearest !== handle) return void nearest.dispatchEvent(new PointerEvent("pointerdown", start));
   const stage = /** @type {HTMLElement} */ (handle.offsetParent ?? handle.parentElement);
   handle.querySelector("input")?.focus({ preventScroll: true });
-  handle.setPointerCapture(start.pointerId);
   const pixels = (/** @type {PointerEvent} */ event) => {
     const rect = stage.getBoundingClientRect();
     return [((event.clientX - rect.left) * size[0]) / rect.width, ((event.clientY - rect.top) * size[1]) / rect.height];
   };
   const [x, y] = pixels(start);
   const [cx, cy] = place(at);
-  const ends = new AbortController();
-  const listen = (
-    /** @type {string} */ type,
-    /** @type {(event: any) => void} */ listener,
-    /** @type {EventTarget} */ target = handle,
-  ) => target.addEventListener(type, listener, { signal: ends.signal });
-  const end = (/** @type {boolean} */ kept) => {
-    ends.abort();
-    if (!kept) cancel();
+  const end = (/** @type {boolean} */ released) => {
+    handle.removeEventListener("keydown", onEscape);
+    if (!released) cancel();
     done();
   };
-  listen("pointermove", (event) => {
-    const [px, py] = pixels(event);
-    move(within(box, unplace([px - x + cx, py - y + cy])));
+  const stop = capture(start, {
+    move: (event) => {
+      const [px, py] = pixels(event);
+      move(within(box, unplace([px - x + cx, py - y + cy])));
+    },
+    end: (_, released) => end(released),
   });
-  listen("pointerup", () => end(true));
-  listen("pointercancel", () => end(false));
-  listen("keydown", (event) => event.key === "Escape" && end(false));
+  const onEscape = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== "Escape") return;
+    stop();
+    end(false);
+  };
+  handle.addEventListener("keydown", onEscape);
 }
-
-/** Right, left, up, down on the screen. @type {Record<string, readonly [number, number]>} */
-const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /**
  * @param {KeyboardEvent} event
  * @param {HandleOptions & { done: () => void }} options
  */
 function key(event, { at, place, unplace, box, step, move, done }) {
-  const arrow = ARROWS[event.key];
-  if (!arrow || event.ctrlKey || event.metaKey) return;
+  const arrow = arrowDirection(event);
+  if (!arrow) return;
   event.preventDefault();
   const length = step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
   const [x, y] = place(at);
