@@ -70,7 +70,7 @@ test("settings and another model are undone with the moves; u stays, and a drag 
 
 test("an opened file is undone", async (t) => {
   const page = await openSurface(t, 'model="patch" controls');
-  const text = await page.evaluate(() => globalThis.bezier.Surface.teacup().toString());
+  const text = await page.evaluate(() => globalThis.bezier.Surface.teacup().toText());
   const patches = () => page.evaluate(() => document.querySelector("bezier-surface").surface.patchCount);
   await page
     .locator("bezier-surface input[type=file]")
@@ -81,4 +81,17 @@ test("an opened file is undone", async (t) => {
   assert.equal(await patches(), 1);
   await press(page, "Control+y");
   assert.ok((await patches()) > 1);
+
+  await page.evaluate(() => {
+    const { Surface } = globalThis.bezier;
+    const vertices = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
+    document.querySelector("bezier-surface").surface = new Surface(
+      { vertices, patches: [[0, 1, 2, 3]] },
+      { degreeU: 1, degreeV: 1 },
+    );
+  });
+  await settled(page);
+  await press(page, "Control+z");
+  const vertices = await page.evaluate(() => document.querySelector("bezier-surface").surface.vertices.length / 3);
+  assert.equal(vertices, 4, "a surface that the page sets stays");
 });

@@ -92,12 +92,13 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   set surface(surface: Surface | null | undefined) {
-    this.#subject.given =
-      surface === undefined || surface === null
-        ? null
-        : surface instanceof Surface
-          ? surface
-          : surfaceOfOtherBundle(surface);
+    const own = surface === undefined || surface === null || surface instanceof Surface;
+    this.#show(own ? (surface ?? null) : surfaceOfOtherBundle(surface));
+    this.#history = new History(); // its states are those of another surface
+  }
+
+  #show(surface: Surface | null) {
+    this.#subject.given = surface;
     this.patch = null;
     this.requestUpdate();
   }
@@ -364,15 +365,13 @@ export class BezierSurface extends SurfaceAttributes {
   #showFile(surface: Surface) {
     const max = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
     this.#edit(() => {
-      this.surface = surface;
+      this.#show(surface);
       if (this.segments > max) this.segments = Math.max(1, max);
     });
   }
 
   #backToModel() {
-    this.#edit(() => {
-      this.surface = null;
-    });
+    this.#edit(() => this.#show(null));
   }
 
   render() {
