@@ -19,7 +19,7 @@ const COMMITTED_KB = {
   "{ Surface } of surfaces": 122.2,
   "only types": 0,
   "bezier-app.js": 45.9,
-  "elements, loaded at once": 37.1,
+  "elements, loaded at once": 38.3,
   "bezier-applet: kernel": 165.4,
   "bezier-easing: kernel": 7.1,
   "bezier-surface: kernel": 122.4,

@@ -2,7 +2,7 @@
 
 export interface CaptureListener {
   move: (event: PointerEvent) => void;
-  /** `released` is false if the pointer was taken away: by the browser, or since its element is gone */
+  /** `released` is false if the browser has taken the pointer away */
   end?: (event: PointerEvent, released: boolean) => void;
 }
 
@@ -19,21 +19,23 @@ export function capture(
 ): () => void {
   const id = start.pointerId;
   const listening = new AbortController();
-  const listen = (type: string, listener: (event: PointerEvent) => void) =>
-    target.addEventListener(
+  const listen = (on: EventTarget, type: string, listener: (event: PointerEvent) => void) =>
+    on.addEventListener(
       type,
       (event) => {
         if ((event as PointerEvent).pointerId === id) listener(event as PointerEvent);
       },
       { signal: listening.signal },
     );
+  const finish = (event: PointerEvent) => {
+    listening.abort();
+    end?.(event, event.type === "pointerup");
+  };
   target.setPointerCapture(id);
-  listen("pointermove", move);
-  for (const type of ["pointerup", "pointercancel", "lostpointercapture"])
-    listen(type, (event) => {
-      listening.abort();
-      end?.(event, type === "pointerup");
-    });
+  listen(target, "pointermove", move);
+  for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(target, type, finish);
+  // An element that was removed gets no more events.
+  for (const type of ["pointerup", "pointercancel"]) listen(target.ownerDocument, type, finish);
   return () => {
     listening.abort();
     if (target.hasPointerCapture(id)) target.releasePointerCapture(id);

@@ -7,6 +7,7 @@ import { capture } from "#js/ui/capture.js";
 /** An element that knows only about captures. */
 class Target extends EventTarget {
   captured = new Set();
+  ownerDocument = new EventTarget();
   setPointerCapture(id) {
     this.captured.add(id);
   }
@@ -47,12 +48,20 @@ test("a captured pointer reports its own moves and its end, once", () => {
   assert.deepEqual(reports, [5, 7, "released"]);
 });
 
-test("a pointer is taken away by the browser, or with its element", () => {
+test("a pointer is taken away by the browser", () => {
   for (const type of ["pointercancel", "lostpointercapture"]) {
     const { target, reports } = followed();
     target.send(type);
     assert.deepEqual(reports, ["taken away"]);
   }
+});
+
+test("after its element was removed, the release is seen by the document", () => {
+  const { target, reports } = followed();
+  const release = () => Object.assign(new Event("pointerup"), { pointerId: 1 });
+  target.ownerDocument.dispatchEvent(release());
+  target.ownerDocument.dispatchEvent(release());
+  assert.deepEqual(reports, ["released"]);
 });
 
 test("who stops a capture is told nothing more", () => {
