@@ -18,7 +18,7 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     ///
-    /// Source: Roussopoulos, Kelley and Vincent, "Nearest neighbor queries", SIGMOD 1995, for the order of the visits.
+    /// Source: Roussopoulos, Kelley and Vincent, "Nearest neighbor queries", SIGMOD 1995, for the bounds.
     ///
     /// ```
     /// use casteljau::{Spline, glam::DVec2};

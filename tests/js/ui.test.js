@@ -64,7 +64,7 @@ test("after its element was removed, the release is seen by the document", () =>
   assert.deepEqual(reports, ["released"]);
 });
 
-test("who stops a capture is told nothing more", () => {
+test("a capture that was stopped reports nothing more", () => {
   const { target, reports, stop } = followed();
   stop();
   target.send("pointermove");
