@@ -26,6 +26,7 @@ export type {
   StrokeCap,
   RegionOffsetOptions,
   CornerOptions,
+  WidthProfile,
 } from "./geometry/path/path-stroke.js";
 export type { CircularArc } from "./geometry/path/path-arcs.js";
 export type { BooleanOperation } from "./geometry/path/path-boolean.js";

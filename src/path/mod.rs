@@ -32,7 +32,10 @@ pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
-pub use stroke::{CornerOptions, OffsetOptions, StrokeCap, StrokeOptions};
+pub use stroke::{
+    CornerOptions, OffsetOptions, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition,
+    WidthProfile,
+};
 pub use winding::FillRule;
 
 use crate::geometry::check::images;

@@ -7,7 +7,7 @@ use super::path::path_at;
 use crate::geometry::error::Error;
 use crate::path::{
     BooleanOperation, CornerOptions, FillRule, OffsetOptions, Path, PathTime, StrokeCap,
-    StrokeOptions,
+    StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
 };
 use crate::spline::OffsetJoin;
 use glam::DVec2;
@@ -122,9 +122,16 @@ fn stroke_cap(index: u32) -> StrokeCap {
     }
 }
 
-/// The path at the start of the arena and the options of its stroke: after the path, the miter limit, the dash offset,
-/// the tolerance (0 for the default), and `dashes` lengths.
-fn stroke_arguments(a: &Arena, join: u32, cap: u32, dashes: usize) -> (Path, StrokeOptions) {
+/// The path at the start of the arena, the options of its stroke and its widths: after the path, the miter limit, the
+/// dash offset, the tolerance (0 for the default), `dashes` lengths, and `stops` pairs of a position and a width.
+fn stroke_arguments(
+    a: &Arena,
+    join: u32,
+    cap: u32,
+    dashes: usize,
+    stops: usize,
+    kind: u32,
+) -> (Path, StrokeOptions, WidthProfile) {
     let (path, end) = path_at(a, 0);
     let options = StrokeOptions {
         join: offset_join(join),
@@ -135,19 +142,49 @@ fn stroke_arguments(a: &Arena, join: u32, cap: u32, dashes: usize) -> (Path, Str
         tolerance: optional(a.number(end + 2)),
         simple: true,
     };
-    (path, options)
+    let numbers = a.numbers(end + 3 + dashes, 2 * stops).chunks_exact(2);
+    let profile = WidthProfile {
+        at: if kind & 1 == 0 {
+            WidthPosition::Length
+        } else {
+            WidthPosition::T
+        },
+        stops: numbers.map(|stop| (stop[0], stop[1])).collect(),
+        interpolation: if kind & 2 == 0 {
+            WidthInterpolation::Linear
+        } else {
+            WidthInterpolation::Smooth
+        },
+    };
+    (path, options, profile)
 }
 
-/// Writes the region of a stroke; see `stroke_arguments`.
+/// Writes the region of a stroke of a constant width; see `stroke_arguments`.
 #[wasm_bindgen]
 pub fn region_stroke(width: f64, join: u32, cap: u32, dashes: usize, simple: bool) -> isize {
     answer_path(|a| {
-        let (path, options) = stroke_arguments(a, join, cap, dashes);
+        let (path, options, _) = stroke_arguments(a, join, cap, dashes, 0, 0);
         path.stroke(width, &StrokeOptions { simple, ..options })
     })
 }
 
-/// Returns 1 if a point is in a stroke, otherwise 0; see `stroke_arguments`.
+/// Writes the region of a stroke of varying width; see `stroke_arguments`. Bit 0 of `kind`: positions by t, bit 1: smooth.
+#[wasm_bindgen]
+pub fn region_stroke_with(
+    stops: usize,
+    kind: u32,
+    join: u32,
+    cap: u32,
+    dashes: usize,
+    simple: bool,
+) -> isize {
+    answer_path(|a| {
+        let (path, options, profile) = stroke_arguments(a, join, cap, dashes, stops, kind);
+        path.stroke_with(&profile, &StrokeOptions { simple, ..options })
+    })
+}
+
+/// Returns 1 if a point is in a stroke of a constant width, otherwise 0; see `stroke_arguments`.
 #[wasm_bindgen]
 pub fn region_stroke_contains(
     x: f64,
@@ -158,8 +195,26 @@ pub fn region_stroke_contains(
     dashes: usize,
 ) -> isize {
     arena::answer(|a| {
-        let (path, options) = stroke_arguments(a, join, cap, dashes);
+        let (path, options, _) = stroke_arguments(a, join, cap, dashes, 0, 0);
         let contains = path.stroke_contains(DVec2::new(x, y), width, &options)?;
+        Ok(usize::from(contains))
+    })
+}
+
+/// Returns 1 if a point is in a stroke of varying width, otherwise 0; see `region_stroke_with`.
+#[wasm_bindgen]
+pub fn region_stroke_contains_with(
+    x: f64,
+    y: f64,
+    stops: usize,
+    kind: u32,
+    join: u32,
+    cap: u32,
+    dashes: usize,
+) -> isize {
+    arena::answer(|a| {
+        let (path, options, profile) = stroke_arguments(a, join, cap, dashes, stops, kind);
+        let contains = path.stroke_contains_with(DVec2::new(x, y), &profile, &options)?;
         Ok(usize::from(contains))
     })
 }

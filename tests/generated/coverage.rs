@@ -12,7 +12,7 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 42] = [
+const WITHIN_OTHERS: [&str; 44] = [
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads
@@ -55,6 +55,8 @@ const WITHIN_OTHERS: [&str; 42] = [
     "Spline::simplify_with", // tests/offset/simplify.rs
     "Path::round_corners_with",
     "Path::simplify_with",
+    "Path::stroke_with",          // Path::stroke
+    "Path::stroke_contains_with", // tests/stroke/variable.rs
 ];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {

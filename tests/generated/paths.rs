@@ -342,7 +342,7 @@ pub(crate) fn filled_moments(path: Path, rule: FillRule) -> Checked {
 }
 
 /// What errors of strokes may name: negative widths, and results that are too large or cannot be resolved.
-const REFUSALS: &str = "width|distance|radius|tolerance|steps of an offset|segments|contacts|dashes|pattern|sum of the pattern";
+const REFUSALS: &str = "width|widths|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
 
 /// The options of a stroke; caps follow the joins, so that all kinds occur.
 fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {
@@ -363,7 +363,13 @@ pub(crate) fn stroke(path: Path, width: f64, join: OffsetJoin, tolerance: Option
     is_closed(&region)?;
     options.simple = false;
     let outlines = answer!(path.stroke(width, &options), REFUSALS);
-    is_closed(&outlines)
+    is_closed(&outlines)?;
+    for at in [WidthPosition::Length, WidthPosition::T] {
+        let stops = [(0.0, 0.0), (0.4, width), (0.7, 0.2 * width), (1.0, width)];
+        let profile = WidthProfile::new(&stops).at(at);
+        is_closed(&answer!(path.stroke_with(&profile, &options), REFUSALS))?;
+    }
+    Ok(())
 }
 
 /// Checks that a stroke with round joins and caps contains the points near the path, and no others.

@@ -121,6 +121,45 @@ test("a stroke with round joins and caps is what is nearer than half its width",
     }
 });
 
+test("widths along a stroke: a cone, a leaf, and what is refused", () => {
+  const line = Path.polygon([0, 0, 10, 0], { closed: false });
+  const cone = {
+    stops: [
+      [0, 2],
+      [1, 6],
+    ],
+  };
+  const round = { cap: /** @type {const} */ ("round"), tolerance: 1e-9 };
+  // The hull of two discs of radius 1 and 3.
+  const angle = Math.acos(-0.2);
+  const area = 4 * Math.sqrt(96) + Math.PI - angle + 9 * angle;
+  near([line.stroke(cone, round).area()], [area], 1e-7);
+  assert.ok(line.strokeContains([10, 2.9], cone, { cap: "round" }));
+  assert.ok(!line.strokeContains([5, 2.2], cone, { cap: "round" }));
+  // Positions by t: half of the parameters are on the first line, a tenth of the length.
+  const bent = Path.polygon([0, 0, 1, 0, 10, 0], { closed: false });
+  const late = [
+    [0, 1],
+    [0.5, 1],
+    [1, 4],
+  ];
+  for (const at of /** @type {const} */ (["length", "t"])) {
+    const outline = bent.stroke({ stops: late, at, interpolation: "smooth" });
+    assert.ok((outline.bounds()?.max.y ?? 0) > 1.9);
+  }
+  const wide = (/** @type {"length" | "t"} */ at) => bent.strokeContains([4, 0.6], { stops: late, at });
+  assert.deepEqual([wide("t"), wide("length")], [true, false]);
+  const refused = (/** @type {any} */ profile, /** @type {string} */ message) =>
+    assert.throws(() => line.stroke(profile), { message });
+  refused({ stops: [] }, "stops: expected at least 1, got 0");
+  refused({}, "stops: expected a list of [position, width], got undefined");
+  refused({ stops: [[0, 1], 2] }, "stops[1]: expected [position, width], got 2");
+  refused({ stops: [[0, NaN]] }, "stops[0][1]: expected a finite number, got NaN");
+  refused({ stops: [[0, -1]] }, "widths[0]: expected a finite number, at least 0, got -1");
+  refused({ stops: [[0, 1]], at: "x" }, 'at: expected one of "length", "t", got "x"');
+  refused({ widths: [1] }, "widths: unknown option; expected stops, at, interpolation");
+});
+
 test("caps and joins of strokes: areas in closed form", () => {
   const straight = line(0, 0, 10, 0);
   /** @type {[Path, any, number][]} */

@@ -7,3 +7,4 @@ mod resvg;
 mod round;
 mod round_corners;
 mod shapes;
+mod variable;

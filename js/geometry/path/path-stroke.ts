@@ -46,7 +46,19 @@ export interface StrokeShape {
  */
 export type StrokeOptions = StrokeShape & { tolerance?: number; simple?: boolean };
 
-/** In the order of the core */
+/**
+ * Widths along each subpath: pairs of a position and a width. Positions ascend from 0, the start of the subpath, to 1, its
+ * end. Before the first stop the width is that of the first one, after the last stop that of the last one.
+ */
+export interface WidthProfile {
+  /** Pairs `[position, width]` */
+  stops: readonly (readonly number[])[];
+  /** Whether positions are fractions of the arc length or of t: "length" by default */
+  at?: "length" | "t";
+  /** "linear" by default; "smooth" has no kinks and exceeds no width */
+  interpolation?: "linear" | "smooth";
+}
+
 /** The options of `roundCorners`. */
 export interface CornerOptions {
   /** The largest distance of the cubics from the arcs, 1e-9 of the radius by default */
@@ -61,6 +73,8 @@ const MAX_INDEX = 2 ** 32 - 1;
 const JOINS: readonly StrokeJoin[] = ["miter", "round", "bevel"];
 /** In the order of the core */
 const CAPS: readonly StrokeCap[] = ["butt", "round", "square"];
+const POSITIONS = ["length", "t"] as const;
+const INTERPOLATIONS = ["linear", "smooth"] as const;
 const SHAPE = ["join", "cap", "miterLimit", "dash", "dashOffset"] as const;
 
 /**
@@ -75,17 +89,37 @@ function lengthsOf(lengths: unknown, name: string): Float64Array {
   return Float64Array.from(lengths as ArrayLike<number>, (length, k) => check.finite(length, `${name}[${k}]`));
 }
 
-/** Writes a path and the numbers of its stroke to the arena. */
+function isProfile(width: unknown): width is WidthProfile {
+  return typeof width === "object" && width !== null;
+}
+
+/** The stops of a profile as pairs of numbers, and its kind as the core expects it; the core checks the order. */
+function widthsOf(profile: WidthProfile): { stops: Float64Array; kind: number } {
+  const { stops, at = "length", interpolation = "linear" } = check.options(profile, ["stops", "at", "interpolation"]);
+  check.oneOf(at, "at", POSITIONS);
+  check.oneOf(interpolation, "interpolation", INTERPOLATIONS);
+  if (!Array.isArray(stops))
+    throw new TypeError(`stops: expected a list of [position, width], got ${check.describe(stops)}`);
+  const numbers = stops.flatMap((stop: unknown, k) => {
+    if (!Array.isArray(stop) || stop.length !== 2)
+      throw new TypeError(`stops[${k}]: expected [position, width], got ${check.describe(stop)}`);
+    return [check.finite(stop[0], `stops[${k}][0]`), check.finite(stop[1], `stops[${k}][1]`)];
+  });
+  return { stops: Float64Array.from(numbers), kind: POSITIONS.indexOf(at) + 2 * INTERPOLATIONS.indexOf(interpolation) };
+}
+
+/** Writes a path, the numbers of its stroke and the stops of its widths to the arena. */
 function writeStroke(
   path: Float64Array,
   options: Partial<StrokeOptions>,
+  stops: Float64Array<ArrayBufferLike> = new Float64Array(0),
 ): { join: number; cap: number; dashes: number } {
   const { join = "miter", cap = "butt", miterLimit = 4, dash = [], dashOffset = 0, tolerance } = options;
   check.oneOf(join, "join", JOINS);
   check.oneOf(cap, "cap", CAPS);
   const lengths = lengthsOf(dash, "dash");
   const numbers = [check.finite(miterLimit, "miterLimit"), check.finite(dashOffset, "dashOffset")];
-  writePaths([path, Float64Array.of(...numbers, check.optionalTolerance(tolerance)), lengths]);
+  writePaths([path, Float64Array.of(...numbers, check.optionalTolerance(tolerance)), lengths, stops]);
   return { join: JOINS.indexOf(join), cap: CAPS.indexOf(cap), dashes: lengths.length };
 }
 
@@ -93,9 +127,14 @@ function writeStroke(
  * @internal
  * @returns a packed path
  */
-export function stroke(path: Float64Array, width: number, options?: StrokeOptions): Float64Array {
+export function stroke(path: Float64Array, width: number | WidthProfile, options?: StrokeOptions): Float64Array {
   const checked = check.options(options, [...SHAPE, "tolerance", "simple"]);
   const simple = check.optionalBoolean(checked.simple, "simple", true);
+  if (isProfile(width)) {
+    const { stops, kind } = widthsOf(width);
+    const { join, cap, dashes } = writeStroke(path, checked, stops);
+    return readPath(core(regionsModule).region_stroke_with(stops.length / 2, kind, join, cap, dashes, simple));
+  }
   check.finite(width, "width");
   const { join, cap, dashes } = writeStroke(path, checked);
   return readPath(core(regionsModule).region_stroke(width, join, cap, dashes, simple));
@@ -104,9 +143,21 @@ export function stroke(path: Float64Array, width: number, options?: StrokeOption
 /**
  * @internal
  */
-export function strokeContains(path: Float64Array, point: PointLike, width: number, options?: StrokeShape): boolean {
+export function strokeContains(
+  path: Float64Array,
+  point: PointLike,
+  width: number | WidthProfile,
+  options?: StrokeShape,
+): boolean {
   const checked = check.options(options, SHAPE);
   const [x, y] = coordinatesOf(point);
+  if (isProfile(width)) {
+    const { stops, kind } = widthsOf(width);
+    const { join, cap, dashes } = writeStroke(path, checked, stops);
+    const module = core(regionsModule);
+    const answer = module.region_stroke_contains_with(x, y, stops.length / 2, kind, join, cap, dashes);
+    return unwrapCount(answer, regionsModule) === 1;
+  }
   check.finite(width, "width");
   const { join, cap, dashes } = writeStroke(path, checked);
   const contains = core(regionsModule).region_stroke_contains(x, y, width, join, cap, dashes);

@@ -11,7 +11,7 @@ import { arcsOf } from "./path-arcs.js";
 import { svgOfArcs } from "../../io/svg-write.js";
 import type { PathSvgOptions } from "../../io/svg-write.js";
 import type { CircularArc } from "./path-arcs.js";
-import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js";
+import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape, WidthProfile } from "./path-stroke.js";
 import type { SplineJSON } from "../spline/core-spline.js";
 
 /**
@@ -140,23 +140,30 @@ export class Path extends CorePath {
    *
    *     Path.polygon([0, 0, 10, 0], { closed: false }).stroke(2).area(); // 20
    *
+   * A profile `{ stops: [[0, 0], [0.5, 8], [1, 0]] }` gives a stroke of varying width: the union of the discs around all
+   * points of the path whose radius is half the width there. A butt cap is then the line between the points in which the
+   * last disc touches both sides. A subpath that is a point has its largest width.
+   *
    * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
    * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
    * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
    * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
    *
-   * @throws {RangeError} for a negative width, a miter limit below 1, a dash pattern with a negative entry or with
-   *   zeros only, and a tolerance not above 0 or below 4 ulps of the largest coordinate
+   * @param width the width everywhere, or widths at positions along each subpath
+   * @throws {RangeError} for a negative width, positions that do not ascend from 0 to 1, a miter limit below 1, a dash
+   *   pattern with a negative entry or with zeros only, and a tolerance not above 0 or below 4 ulps of the largest
+   *   coordinate
    */
-  stroke(width: number, options?: StrokeOptions): this {
+  stroke(width: number | WidthProfile, options?: StrokeOptions): this {
     return this._pathOf(strokes.stroke(this._packed, width, options));
   }
 
   /**
    * Whether a point is in the stroke of the path: hit testing, as `isPointInStroke` of a canvas. It computes distances
-   * from the path, and is exact up to rounding.
+   * from the path, and is exact up to rounding. With a profile of widths it computes the region of `stroke`, and within its
+   * tolerance of the boundary the answer may be either.
    */
-  strokeContains(point: PointLike, width: number, options?: StrokeShape): boolean {
+  strokeContains(point: PointLike, width: number | WidthProfile, options?: StrokeShape): boolean {
     return strokes.strokeContains(this._packed, point, width, options);
   }
 

@@ -18,6 +18,31 @@ pub(super) struct Dash {
     pub(super) spline: Spline<DVec2>,
     /// The unit tangent at its start: the direction of a dash of length 0.
     pub(super) tangent: DVec2,
+    /// The parameter and the arc length at its start on the subpath.
+    pub(super) from: (f64, f64),
+    /// The parameter at its end, larger than the number of segments if it passes the start of a closed subpath.
+    to: f64,
+}
+
+impl Dash {
+    /// A subpath without gaps.
+    pub(super) fn whole(spline: Spline<DVec2>) -> Self {
+        Self {
+            to: as_f64(spline.segment_count()),
+            spline,
+            tangent: DVec2::X,
+            from: (0.0, 0.0),
+        }
+    }
+
+    /// The parameters on the subpath at the ends of the segments of the dash.
+    pub(super) fn parameters(&self) -> Vec<f64> {
+        let count = self.spline.segment_count();
+        let joint = |k: usize| (self.from.0.floor() + as_f64(k)).min(self.to);
+        let mut ts: Vec<f64> = (0..=count).map(joint).collect();
+        (ts[0], ts[count]) = (self.from.0, self.to);
+        ts
+    }
 }
 
 impl Path {
@@ -125,13 +150,13 @@ impl Pattern {
         }
         if whole == 0.0 {
             let starts_on = self.ends.iter().position(|&end| end > self.offset);
-            let dash = Dash {
-                spline: spline.clone(),
-                tangent: DVec2::X,
-            };
             *count += 1;
             let on = starts_on.is_some_and(|entry| entry % 2 == 0);
-            return Ok(if on { vec![dash] } else { Vec::new() });
+            return Ok(if on {
+                vec![Dash::whole(spline.clone())]
+            } else {
+                Vec::new()
+            });
         }
         let intervals = self.intervals(whole);
         *count += intervals.len();
@@ -177,35 +202,32 @@ impl DashSplitter<'_> {
             [] => false,
         };
         if around && intervals.len() == 1 && intervals[0] == [0.0, whole] {
-            return vec![self.dash(self.spline.clone())];
+            return vec![Dash::whole(self.spline.clone())];
         }
         for &[from, to] in intervals {
             let ts = [from, to].map(|s| self.time(s));
-            let mut dash = self.dash(self.spline.part(ts[0], ts[1]));
-            if from == to {
-                dash.tangent = self.tangent(ts[0]);
-            }
-            dashes.push(dash);
+            dashes.push(Dash {
+                spline: self.spline.part(ts[0], ts[1]),
+                tangent: if from == to {
+                    self.spline.tangent(ts[0])
+                } else {
+                    DVec2::X
+                },
+                from: (ts[0], from),
+                to: ts[1],
+            });
         }
-        if around && dashes.len() > 1 {
-            let last = dashes.pop().map(|dash| dash.spline);
-            let joined = last.map(|last| joined(&last, &dashes[0].spline));
-            if let Some(spline) = joined {
-                dashes[0] = self.dash(spline);
-            }
+        if around
+            && dashes.len() > 1
+            && let Some(last) = dashes.pop()
+        {
+            dashes[0] = Dash {
+                spline: joined(&last.spline, &dashes[0].spline),
+                to: last.to + dashes[0].to,
+                ..last
+            };
         }
         dashes
-    }
-
-    fn dash(&self, spline: Spline<DVec2>) -> Dash {
-        Dash {
-            spline,
-            tangent: DVec2::X,
-        }
-    }
-
-    fn tangent(&self, t: f64) -> DVec2 {
-        self.spline.tangent(t)
     }
 
     /// The parameter at an arc length.

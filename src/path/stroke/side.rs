@@ -65,7 +65,11 @@ impl Turns {
 }
 
 /// The parameter of the smallest speed near another one.
-fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn slowest_near(
+    with: &CurveWithDerivatives<DVec2>,
+    mut t: f64,
+    [from, to]: [f64; 2],
+) -> f64 {
     for _ in 0..NEWTON_STEPS {
         let [first, second] = with.derivatives(t);
         let square = second.dot(second);

@@ -1,0 +1,364 @@
+//! Strokes whose width varies, judged by the discs around dense points of the path and by closed forms.
+
+use crate::stroke::cases::{curves, hard, size};
+use crate::support::paths::path;
+use crate::support::{Rng, near, real};
+use casteljau::glam::DVec2;
+use casteljau::path::{
+    FillRule, OffsetJoin, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
+};
+use casteljau::{Error, Path};
+use std::f64::consts::{PI, TAU};
+
+const POINTS: usize = 60;
+
+/// The centres and radii of the discs of an open path of one subpath, at dense parameters.
+struct Discs(Vec<(DVec2, f64)>);
+
+const STEPS: usize = 4_000;
+
+/// The width of a profile, written again from its documentation.
+fn width(profile: &WidthProfile, position: f64) -> f64 {
+    let stops = &profile.stops;
+    let next = stops.iter().position(|stop| stop.0 > position);
+    let k = match next {
+        Some(0) => return stops[0].1,
+        None => return stops[stops.len() - 1].1,
+        Some(k) => k,
+    };
+    let ((a, from), (b, to)) = (stops[k - 1], stops[k]);
+    from + (to - from) * (position - a) / (b - a)
+}
+
+impl Discs {
+    fn new(path: &Path, profile: &WidthProfile) -> Self {
+        let spline = path.subpath(0).expect("a subpath");
+        let count = real(spline.segment_count());
+        let mut ts: Vec<f64> = (0..=STEPS).map(|k| count * real(k) / real(STEPS)).collect();
+        // The radius may be largest at a stop.
+        ts.extend(profile.stops.iter().map(|&(position, _)| match profile.at {
+            WidthPosition::T => position * count,
+            _ => spline.time_at_length(position * spline.length()),
+        }));
+        ts.sort_by(f64::total_cmp);
+        let points: Vec<DVec2> = ts.iter().map(|&t| spline.eval(t)).collect();
+        let mut lengths = vec![0.0];
+        for pair in points.windows(2) {
+            lengths.push(lengths[lengths.len() - 1] + pair[0].distance(pair[1]));
+        }
+        let whole = lengths[lengths.len() - 1];
+        let position = |k: usize| match profile.at {
+            WidthPosition::T => ts[k] / count,
+            _ if whole == 0.0 => 0.0,
+            _ => lengths[k] / whole,
+        };
+        let disc = |k: usize| (points[k], 0.5 * width(profile, position(k)));
+        Self((0..ts.len()).map(disc).collect())
+    }
+
+    /// The distance of a point from the union of the discs and of the disks between neighbours; negative inside.
+    fn distance(&self, p: DVec2) -> f64 {
+        let between = |pair: &[(DVec2, f64)]| {
+            let [(a, r), (b, s)] = [pair[0], pair[1]];
+            let chord = b - a;
+            // The minimum of |p − c| − r along the chord: where the disc's tangent passes p.
+            let length = chord.length();
+            let mut t = (p - a).dot(chord) / chord.length_squared();
+            let slope = (s - r) / length;
+            if slope.abs() < 1.0 {
+                let across = (p - a).perp_dot(chord).abs() / length;
+                t += slope / (1.0 - slope * slope).sqrt() * across / length;
+            }
+            let t = if t > 0.0 { t.min(1.0) } else { 0.0 };
+            let at = |t: f64| (p - a - chord * t).length() - r - (s - r) * t;
+            at(t).min(at(0.0)).min(at(1.0))
+        };
+        self.0.windows(2).map(between).fold(f64::INFINITY, f64::min)
+    }
+}
+
+fn round(tolerance: f64) -> StrokeOptions {
+    StrokeOptions::new()
+        .join(OffsetJoin::Round)
+        .cap(StrokeCap::Round)
+        .tolerance(tolerance)
+}
+
+fn profile(width: f64, rng: &mut Rng) -> WidthProfile {
+    let mut positions: Vec<f64> = (0..1 + rng.below(4)).map(|_| rng.unit()).collect();
+    if rng.unit() < 0.5 {
+        positions.extend([0.0, 1.0]);
+    }
+    positions.sort_by(f64::total_cmp);
+    positions.dedup();
+    let stop = |position| {
+        let part = rng.unit();
+        (position, if part < 0.25 { 0.0 } else { width * part })
+    };
+    let stops: Vec<(f64, f64)> = positions.into_iter().map(stop).collect();
+    let at = if rng.unit() < 0.5 {
+        WidthPosition::T
+    } else {
+        WidthPosition::Length
+    };
+    WidthProfile::new(&stops).at(at)
+}
+
+fn found_in(path: &Path, p: DVec2, profile: &WidthProfile, options: &StrokeOptions) -> bool {
+    path.stroke_contains_with(p, profile, options)
+        .expect("few segments")
+}
+
+/// The samples that a stroke gets wrong, farther than the tolerance from its boundary.
+fn wrong(path: &Path, profile: &WidthProfile, tolerance: f64, rng: &mut Rng) -> Vec<String> {
+    let options = round(tolerance);
+    let simple = path.stroke_with(profile, &options).expect("few segments");
+    let overlapping = path
+        .stroke_with(profile, &options.clone().simple(false))
+        .unwrap();
+    let discs = Discs::new(path, profile);
+    let mut wrong = Vec::new();
+    let size = size(path);
+    for k in 0..POINTS {
+        let (center, radius) = discs.0[rng.below(STEPS)];
+        let far = if k % 3 == 0 {
+            radius * 2.0 * rng.unit()
+        } else {
+            radius + tolerance * rng.magnitude(0.0, 2.0) * rng.signed().signum()
+        };
+        let p = center + DVec2::from_angle(rng.unit() * TAU) * far;
+        let distance = discs.distance(p);
+        // The chords of the dense points are within 1e-6 of the curves here.
+        if distance.abs() <= tolerance + 3e-6 * size {
+            continue;
+        }
+        let winding = simple.winding_number(p);
+        if (winding != 0) != (distance < 0.0) || !(0..=1).contains(&winding) {
+            wrong.push(format!("at {p}: {winding}, distance {distance}"));
+        }
+        if k == 0 && found_in(path, p, profile, &options) != (winding != 0) {
+            wrong.push(format!("stroke_contains_with at {p}"));
+        }
+        // Gaps inside are thinner than twice the tolerance.
+        let is_near = |k: i32| {
+            let by = DVec2::from_angle(TAU * f64::from(k) / 8.0) * tolerance;
+            overlapping.contains(p + by, FillRule::NonZero)
+        };
+        let found =
+            overlapping.contains(p, FillRule::NonZero) || distance < 0.0 && (0..8).any(is_near);
+        if found != (distance < 0.0) {
+            wrong.push(format!("overlapping at {p}, distance {distance}"));
+        }
+    }
+    wrong
+}
+
+#[test]
+fn outlines_are_the_union_of_all_discs() {
+    let mut rng = Rng(11);
+    let mut faults = Vec::new();
+    let rounds = crate::support::cases(1, 200);
+    for (name, path) in (0..rounds).flat_map(|_| curves()) {
+        for part in [0.1, 0.5, 2.0] {
+            let profile = profile(part * size(&path), &mut rng);
+            let tolerance = rng.magnitude(-4.0, -1.0) * size(&path);
+            let found = wrong(&path, &profile, tolerance, &mut rng);
+            if let Some(first) = found.first() {
+                let count = found.len();
+                faults.push(format!(
+                    "{name} {profile:?} {tolerance:e}: {count}, {first}"
+                ));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The area of the union of two discs at a distance, neither in the other, and of all discs between them.
+fn hull(r: f64, s: f64, distance: f64) -> f64 {
+    let angle = ((r - s) / distance).acos();
+    let side = (distance * distance - (r - s) * (r - s)).sqrt();
+    (r + s) * side + r * r * (PI - angle) + s * s * angle
+}
+
+#[test]
+fn cones_have_their_area() {
+    let line = path("M1 2L7 10");
+    let near_to = |outline: &Path, area: f64| near(outline.area(), area, 1e-6 * area);
+    for (a, b) in [(1.0, 3.0), (4.0, 0.0), (2.0, 2.0)] {
+        let profile = WidthProfile::new(&[(0.0, a), (1.0, b)]);
+        let outline = line.stroke_with(&profile, &round(1e-9)).unwrap();
+        near_to(&outline, hull(0.5 * a, 0.5 * b, 10.0));
+        let butt = StrokeOptions::new();
+        let outline = line.stroke_with(&profile, &butt).unwrap();
+        // The discs touch their sides at r r′ before the ends, and r √(1 − r′²) beside the line.
+        let slope: f64 = 0.05 * (b - a);
+        let across = (1.0 - slope * slope).sqrt();
+        let length = 10.0 - 0.5 * slope * (b - a);
+        near_to(&outline, 0.5 * (a + b) * across * length);
+        assert_eq!(outline.segment_count(), if b == 0.0 { 3 } else { 4 });
+    }
+    // The second disc contains the others.
+    let profile = WidthProfile::new(&[(0.0, 2.0), (1.0, 60.0)]);
+    let outline = line.stroke_with(&profile, &round(1e-9)).unwrap();
+    near_to(&outline, PI * 900.0);
+    // Both discs of a step at the start of a closed subpath: half of an annulus's inner and outer radius apart.
+    let square = path("M0 0H10V10H0Z");
+    let profile = WidthProfile::new(&[(0.0, 4.0), (1.0, 1.0)]);
+    let outline = square.stroke_with(&profile, &round(1e-6)).unwrap();
+    assert!(outline.contains(DVec2::new(-1.9, 0.0), FillRule::NonZero));
+    assert!(!outline.contains(DVec2::new(-1.0, 9.0), FillRule::NonZero));
+    assert_eq!(outline.subpath_count(), 2);
+}
+
+/// A constant profile is a stroke of constant width, for all joins and caps.
+#[test]
+fn constant_profiles_are_plain_strokes() {
+    let mut rng = Rng(5);
+    let mut faults = Vec::new();
+    for (k, (name, curve)) in hard().enumerate() {
+        let end = curve.segments().last().expect("a curve").end();
+        let [a, b] =
+            [DVec2::new(0.3, 0.1), DVec2::new(0.05, 0.5)].map(|by| end + by * size(&curve));
+        let path = path(&format!("{curve} L{} {} L{} {}", a.x, a.y, b.x, b.y));
+        let join = [OffsetJoin::Miter, OffsetJoin::Round, OffsetJoin::Bevel][k % 3];
+        for cap in [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square] {
+            let tolerance = 1e-3 * size(&path);
+            let options = StrokeOptions::new()
+                .join(join)
+                .cap(cap)
+                .tolerance(tolerance);
+            for part in [0.02, 0.5, 1.5] {
+                let width = part * size(&path);
+                let profile = WidthProfile::constant(width);
+                let outline = path.stroke_with(&profile, &options).expect("few segments");
+                for _ in 0..POINTS {
+                    let p = path.subpath(0).unwrap().eval(rng.unit() * 3.0)
+                        + DVec2::from_angle(rng.unit() * TAU) * (0.6 * width * rng.unit());
+                    let contains =
+                        |p, width| path.stroke_contains(p, width, &options).expect("finite");
+                    let expected = contains(p, width);
+                    let around = (0..12).all(|k| {
+                        let by = DVec2::from_angle(TAU * f64::from(k) / 12.0) * 2.1 * tolerance;
+                        contains(p + by, width) == expected
+                    });
+                    let wider = [-4.2, 4.2].map(|k| contains(p, (width + k * tolerance).max(0.0)));
+                    if around
+                        && wider == [expected; 2]
+                        && outline.contains(p, FillRule::NonZero) != expected
+                    {
+                        faults.push(format!("{name} {part} {join:?} {cap:?}: {p} {expected}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn dashes_have_the_widths_of_their_subpath() {
+    let arch = path("M0 0C0 60 80 60 80 0");
+    let options = round(1e-4);
+    for at in [WidthPosition::Length, WidthPosition::T] {
+        let profile = WidthProfile::new(&[(0.0, 2.0), (0.4, 10.0), (1.0, 4.0)]).at(at);
+        let dashed = arch
+            .stroke_with(&profile, &options.clone().dash(&[12.0, 15.0], 5.0))
+            .unwrap();
+        let discs = Discs::new(&arch, &profile);
+        let length = arch.length();
+        let mut rng = Rng(3);
+        for _ in 0..400 {
+            let s = rng.unit() * length;
+            let point = arch.point_at_length(s).unwrap();
+            let (time, center) = (point.t, point.point);
+            let position = if at == WidthPosition::T {
+                time.t
+            } else {
+                s / length
+            };
+            let radius = 0.5 * width(&profile, position);
+            let on = (s + 5.0).rem_euclid(27.0) < 12.0;
+            let normal = arch.normal(time).unwrap();
+            if on {
+                assert!(dashed.contains(center + normal * (0.98 * radius), FillRule::NonZero));
+            }
+            let beyond = center + normal * (1.05 * radius + 1e-3);
+            if discs.distance(beyond) > 1e-3 {
+                assert!(!dashed.contains(beyond, FillRule::NonZero));
+            }
+        }
+        let dashes = arch.dash(&[12.0, 15.0], 5.0).unwrap();
+        assert_eq!(dashed.subpath_count(), dashes.subpath_count());
+    }
+    // A dash that passes the start of a closed subpath, with the same width on both sides of it.
+    let circle = Path::circle(DVec2::ZERO, 10.0).unwrap();
+    let profile = WidthProfile::new(&[(0.0, 4.0), (0.5, 1.0), (1.0, 4.0)]);
+    let dashed = circle
+        .stroke_with(&profile, &options.dash(&[TAU * 5.0, TAU * 5.0], TAU * 2.5))
+        .unwrap();
+    assert_eq!(dashed.subpath_count(), 1);
+    assert!(dashed.contains(DVec2::new(11.9, 0.0), FillRule::NonZero));
+    assert!(!dashed.contains(DVec2::new(-10.0, 0.0), FillRule::NonZero));
+}
+
+#[test]
+fn smooth_profiles_stay_between_their_stops_and_have_no_kinks() {
+    let line = path("M0 0H100");
+    let stops = [(0.0, 0.0), (0.3, 10.0), (0.5, 10.0), (1.0, 2.0)];
+    let profile = WidthProfile::new(&stops).interpolation(WidthInterpolation::Smooth);
+    let outline = line.stroke_with(&profile, &round(1e-6)).unwrap();
+    let bounds = outline.bounds().unwrap();
+    near(bounds.max.y, 5.0, 1e-5);
+    near(bounds.min.y, -5.0, 1e-5);
+    let spline = outline.subpath(0).unwrap();
+    let corners = (1..spline.segment_count()).filter(|&k| {
+        let curve = |k| spline.segment(k).expect("a segment");
+        curve(k - 1).tangent(1.0).distance(curve(k).tangent(0.0)) > 1e-3
+    });
+    assert_eq!(corners.count(), 0);
+}
+
+#[test]
+fn degenerate_input_is_defined_or_refused_by_name() {
+    let line = path("M0 0H10");
+    let options = StrokeOptions::new().cap(StrokeCap::Round);
+    let stroke = |path: &Path, stops: &[(f64, f64)]| {
+        path.stroke_with(&WidthProfile::new(stops), &options)
+            .map_err(|error: Error| error.to_string())
+    };
+    assert_eq!(stroke(&line, &[(0.0, 0.0)]), Ok(Path::default()));
+    let point = stroke(&path("M3 4L3 4"), &[(0.0, 2.0), (1.0, 8.0)]).unwrap();
+    near(point.area(), PI * 16.0, 1e-2);
+    assert_eq!(stroke(&Path::default(), &[(0.0, 1.0)]), Ok(Path::default()));
+    for (stops, message) in [
+        (&[][..], "stops: expected at least 1, got 0"),
+        (
+            &[(0.5, 1.0), (0.2, 1.0)],
+            "stops[1]: expected a position from 0 to 1, greater than the one before, got 0.2",
+        ),
+        (
+            &[(0.0, 1.0), (f64::NAN, 1.0)],
+            "stops[1]: expected a position from 0 to 1, greater than the one before, got NaN",
+        ),
+        (
+            &[(0.0, -1.0)],
+            "widths[0]: expected a finite number, at least 0, got -1",
+        ),
+        (
+            &[(0.0, f64::NAN)],
+            "widths[0]: expected a finite number, at least 0, got NaN",
+        ),
+    ] {
+        assert_eq!(stroke(&line, stops), Err(message.to_owned()));
+    }
+    // Far away, tiny and huge.
+    for (scale, by) in [(1e-150, 0.0), (1e140, 0.0), (1.0, 1e9)] {
+        let moved = |x: f64| x * scale + by;
+        let d = format!("M{} {}L{} {}", moved(0.0), by, moved(10.0), by);
+        let profile = [(0.0, 2.0 * scale), (1.0, 6.0 * scale)];
+        let outline = stroke(&path(&d), &profile).unwrap();
+        let area = hull(1.0, 3.0, 10.0) * scale * scale;
+        near(outline.area() / area, 1.0, 1e-3);
+    }
+}
