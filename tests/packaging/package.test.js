@@ -53,8 +53,9 @@ test("declarations do not show the parameters that refuse surplus arguments", as
  * Boolean operations and strokes added 100 kB of wasm to each of two bundles and to casteljau.wasm, and their sources to the source maps.
  * The files for Node and the entry points of single elements added 30 kB.
  * The grid of Boolean operations, rates of chords and `simplify` of paths added 30 kB.
+ * Strokes of varying width added 40 kB: 13 kB of wasm in each of two bundles and in casteljau.wasm.
  */
-const MAX_TARBALL_KB = 3060;
+const MAX_TARBALL_KB = 3100;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);

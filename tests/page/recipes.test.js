@@ -71,6 +71,28 @@ test("a pen stroke: fewer segments with a larger tolerance; one segment for a st
   assert.equal(await segments(), 1);
 });
 
+test("a brush stroke follows the pointer; a click makes a dot; the download is the outline", async (t) => {
+  const { page, figure, output } = await openRecipe(t, "brush-stroke");
+  const before = await pictureOf(figure);
+  const [points, segments] = numbersIn(await output.innerText());
+  assert.equal(points, 61);
+  assert.ok(segments > 6 && segments < 200, `${segments}`);
+  const pad = figure.locator("svg");
+  await dragBy(page, pad, 90, 40);
+  assert.notEqual(await pictureOf(figure), before);
+  const box = await boxOf(pad);
+  await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.3 * box.height);
+  assert.equal(numbersIn(await output.innerText())[0], 1);
+  const [left, width] = await figure.locator("path.area").evaluate((path) => {
+    const { x, width } = /** @type {SVGPathElement} */ (path).getBBox();
+    return [x, width];
+  });
+  assert.ok(Math.abs(width - 11) < 0.5 && Math.abs(left + width / 2 - 320) < 1, `${width} at ${left}`);
+  const { name, bytes } = await downloadBy(figure.getByRole("button"));
+  assert.equal(name, "stroke.svg");
+  assert.match(bytes.toString(), /<path d="M/);
+});
+
 test("two icons: as many marks as intersections, none where they are apart", async (t) => {
   const { page, figure, output } = await openRecipe(t, "icon-intersections");
   const count = async () => numbersIn(await output.innerText())[0];
