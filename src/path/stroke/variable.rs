@@ -17,7 +17,7 @@ use super::dash::Dash;
 use super::options::{Pen, StrokeCap};
 use super::outline::push_closed;
 use super::profile::{Radii, WidthPosition};
-use super::variable_pen::{LEFT, PenAt, Pencil, RIGHT, ROUNDING, Section, between_ends};
+use super::variable_pen::{LEFT, PenAt, RIGHT, ROUNDING, Section, SectionEvaluator, between_ends};
 use super::variable_side::{MAX_HALVINGS, SideFit, push_line};
 use super::{Strokes, has_size};
 use crate::curve::Curve;
@@ -56,15 +56,15 @@ impl VariableOutline<'_> {
         [(LEFT, &mut self.left), (RIGHT, &mut self.right)]
     }
 
-    /// Appends a section. `is_corner` tells whether a change of direction at its start is a corner of the subpath and not a
-    /// reversal of a curve.
+    /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a reversal
+    /// of a curve.
     fn add(&mut self, section: &Section, is_corner: bool) {
-        let pencil = Pencil {
+        let evaluator = SectionEvaluator {
             section,
             with: CurveWithDerivatives::new(section.curve.control_points()),
         };
-        let breaks = pencil.breaks();
-        let mut from = pencil.at(0.0);
+        let breaks = evaluator.breaks();
+        let mut from = evaluator.at(0.0);
         match self.ends {
             Some([_, last]) => self.connect(last, from, is_corner),
             None => {
@@ -76,8 +76,8 @@ impl VariableOutline<'_> {
         let first = self.ends.map_or(from, |[first, _]| first);
         for pair in breaks.windows(2) {
             let [a, b] = [pair[0], pair[1]];
-            let to = pencil.at(b);
-            let [square, left, right] = pencil.look(0.5 * (a + b)).1;
+            let to = evaluator.at(b);
+            let [square, left, right] = evaluator.evaluate(0.5 * (a + b)).1;
             let is_inside = square <= 0.0 || square.is_nan() || section.radius.is_zero();
             for (side, ahead) in [(LEFT, left), (RIGHT, right)] {
                 let chain = if side == LEFT {
@@ -92,7 +92,7 @@ impl VariableOutline<'_> {
                 let start = (chain.points.len() - 1, chain.degrees.len());
                 let sign = if ahead < -ROUNDING { -1.0 } else { 1.0 };
                 let fit = SideFit {
-                    pencil: &pencil,
+                    evaluator: &evaluator,
                     side,
                     sign,
                     tolerance: self.pen.tolerance * (1.0 - SMOOTH_PART),
@@ -150,7 +150,8 @@ impl VariableOutline<'_> {
         }
     }
 
-    /// Appends a cap to a chain that ends on one side of an end: around the front, or around the rear with `sign` −1.
+    /// Appends a cap to a chain that ends on one side of an end: around the front if `sign` is 1, around the rear if
+    /// it is −1.
     fn add_cap(chain: &mut SplineBuilder, end: PenAt, sign: f64, cap: StrokeCap, pen: &Pen) {
         let (from, to) = (-sign, sign);
         match cap {
@@ -198,10 +199,10 @@ impl VariableOutline<'_> {
         if closed {
             return (vec![right, left], folds);
         }
-        Self::add_cap(&mut right, last, LEFT, cap, pen);
+        Self::add_cap(&mut right, last, 1.0, cap, pen);
         right.points.extend(&left.points[1..]);
         right.degrees.extend(&left.degrees);
-        Self::add_cap(&mut right, first, RIGHT, cap, pen);
+        Self::add_cap(&mut right, first, -1.0, cap, pen);
         (vec![right], folds)
     }
 }

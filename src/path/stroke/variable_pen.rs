@@ -130,15 +130,15 @@ impl Section {
 }
 
 /// A section with its derivatives.
-pub(super) struct Pencil<'a> {
+pub(super) struct SectionEvaluator<'a> {
     pub(super) section: &'a Section,
     pub(super) with: CurveWithDerivatives<'a, DVec2>,
 }
 
-impl Pencil<'_> {
+impl SectionEvaluator<'_> {
     /// The pen, and 1 − r′² and 1 − r′² − r r″ ∓ rκ √(1 − r′²), which are negative where the left or the right side runs
     /// backwards.
-    pub(super) fn look(&self, t: f64) -> (PenAt, [f64; 3]) {
+    pub(super) fn evaluate(&self, t: f64) -> (PenAt, [f64; 3]) {
         let section = self.section;
         let [center, first, second] = self.with.jet(t);
         let speed = Point::norm(first);
@@ -178,7 +178,7 @@ impl Pencil<'_> {
     }
 
     pub(super) fn at(&self, t: f64) -> PenAt {
-        self.look(t).0
+        self.evaluate(t).0
     }
 
     /// Regular parameters, and those where the curve is slowest, next to tight turns.
@@ -200,7 +200,7 @@ impl Pencil<'_> {
         ts
     }
 
-    /// The parameters from 0 to 1 between which no value of `look` changes its sign.
+    /// The parameters from 0 to 1 between which no value of `evaluate` changes its sign.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let mut breaks = Vec::new();
         let section = self.section;
@@ -208,11 +208,11 @@ impl Pencil<'_> {
             let samples: Vec<(f64, [f64; 3])> = self
                 .samples()
                 .into_iter()
-                .map(|t| (t, self.look(t).1))
+                .map(|t| (t, self.evaluate(t).1))
                 .collect();
             for which in 0..3 {
                 // The speed may be 0 at an end.
-                let value = |t: f64| self.look(t).1[which];
+                let value = |t: f64| self.evaluate(t).1[which];
                 let mut last: Option<(f64, f64)> = None;
                 for &(t, ref values) in &samples {
                     let found = values[which];

@@ -1,6 +1,6 @@
 //! Cubics that approximate one side of a stroke of varying width.
 
-use super::variable_pen::{LEFT, PenAt, Pencil, RIGHT};
+use super::variable_pen::{LEFT, PenAt, RIGHT, SectionEvaluator};
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
@@ -38,9 +38,9 @@ pub(super) fn push_line(chain: &mut SplineBuilder, to: DVec2) {
     }
 }
 
-/// The approximation of one side of a section by cubics.
+/// One side of a section, for its approximation by cubics.
 pub(super) struct SideFit<'a> {
-    pub(super) pencil: &'a Pencil<'a>,
+    pub(super) evaluator: &'a SectionEvaluator<'a>,
     pub(super) side: f64,
     /// −1 where the side runs backwards.
     pub(super) sign: f64,
@@ -58,7 +58,7 @@ impl SideFit<'_> {
         work: &mut WorkLimit,
     ) {
         let end = ends[1].point(self.side);
-        let inside = COMPARED.map(|part| self.pencil.at(a + (b - a) * part));
+        let inside = COMPARED.map(|part| self.evaluator.at(a + (b - a) * part));
         if self.is_sampled(&ends, &inside) {
             if self.is_straight(&ends, &inside) {
                 return push_line(chain, end);
@@ -73,7 +73,7 @@ impl SideFit<'_> {
             return push_line(chain, end);
         }
         let middle = 0.5 * (a + b);
-        let between = self.pencil.at(middle);
+        let between = self.evaluator.at(middle);
         self.add([a, middle], [ends[0], between], halvings - 1, chain, work);
         self.add([middle, b], [between, ends[1]], halvings - 1, chain, work);
     }
@@ -212,7 +212,7 @@ impl SideFit<'_> {
 
     /// The point of the chord between both sides that moves along the chord.
     fn pivot(&self, t: f64) -> DVec2 {
-        let (pen, [_, left, right]) = self.pencil.look(t);
+        let (pen, [_, left, right]) = self.evaluator.evaluate(t);
         let [own, other] = [self.side, -self.side].map(|side| pen.point(side));
         let (ahead, beyond) = if self.side == LEFT {
             (left, right)
