@@ -13,6 +13,7 @@ pub mod bernstein {
 /// Quadrature, work limits, and what the standard library lacks in wasm.
 pub mod numeric {
     pub mod gauss;
+    pub mod lanes;
     pub mod order;
     pub mod trigonometry;
     pub mod work_limit;
@@ -50,6 +51,7 @@ pub mod spline {
 }
 
 /// Grids of points of patches.
+#[cfg(feature = "surfaces")]
 pub mod mesh {
     pub mod bicubic;
     pub mod cell_triangulator;

@@ -39,11 +39,10 @@ impl<P: Point> Curve<P> {
         let segments = out.len().saturating_sub(1);
         match *self.points {
             [p0, p1, p2] => fill(out, segments, |t| weigh3([p0, p1, p2], t)),
-            [p0, p1, p2, p3] if P::DIMENSION == 2 => {
-                let points = [p0, p1, p2, p3].map(|p| p.to_2d().to_array());
-                sample_plane_cubic(&points, bytemuck::cast_slice_mut(out));
-            }
-            [p0, p1, p2, p3] => fill(out, segments, |t| weigh4([p0, p1, p2, p3], t)),
+            [p0, p1, p2, p3] => match P::plane_points(out) {
+                Some(out) => sample_plane_cubic([p0, p1, p2, p3].map(P::to_2d), out),
+                None => fill(out, segments, |t| weigh4([p0, p1, p2, p3], t)),
+            },
             _ => fill(out, segments, |t| self.eval(t)),
         }
     }

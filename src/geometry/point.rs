@@ -22,7 +22,6 @@ pub trait Point:
     + Debug
     + Default
     + PartialEq
-    + bytemuck::Pod
     + Add<Output = Self>
     + AddAssign
     + Sub<Output = Self>
@@ -46,6 +45,9 @@ pub trait Point:
     fn to_3d(self) -> DVec3;
     /// The point in the plane; drops the z of a point in space.
     fn to_2d(self) -> DVec2;
+    /// The same points, if they are points in the plane.
+    #[doc(hidden)]
+    fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]>;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
     /// This point with one coordinate replaced.
@@ -185,6 +187,10 @@ impl Point for DVec2 {
         self
     }
     #[inline]
+    fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]> {
+        Some(points)
+    }
+    #[inline]
     fn coordinate(self, axis: usize) -> f64 {
         if axis == 0 { self.x } else { self.y }
     }
@@ -259,6 +265,10 @@ impl Point for DVec3 {
     #[inline]
     fn to_2d(self) -> DVec2 {
         self.truncate()
+    }
+    #[inline]
+    fn plane_points(_points: &mut [Self]) -> Option<&mut [DVec2]> {
+        None
     }
     #[inline]
     fn coordinate(self, axis: usize) -> f64 {

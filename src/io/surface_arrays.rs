@@ -1,6 +1,7 @@
 //! Parsing a surface from arrays of C source code; `js/io/surface-arrays.ts` does the same with the same messages.
 
-use super::text_reader::{END, ParseError, number, refuse, shown, whole};
+use super::shown_text::{END, shown};
+use super::text_reader::{ParseError, number, refuse, whole};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::order::to_u32;
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! Tokens of SVG path data: separators, numbers, flags. `js/io/svg-number.ts` reads the same grammar.
 
-use super::text_reader::{END, shown};
+use super::shown_text::{END, shown};
 
 /// A syntax error: its offset and what was expected.
 pub(crate) struct Refusal {

@@ -1,5 +1,6 @@
 //! Reading text by rows, and parse errors.
 
+use super::shown_text::END;
 use crate::geometry::error::Error;
 use std::fmt;
 
@@ -43,9 +44,6 @@ impl From<ParseError> for Error {
         }
     }
 }
-
-/// The maximum number of characters of a word that a message shows.
-const SHOWN_CHARACTERS: usize = 40;
 
 /// A reader of text as rows of words.
 ///
@@ -159,32 +157,12 @@ fn is_break(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
-/// The actual text in a message about the end of the text.
-pub(crate) const END: &str = "the end of the text";
-
 pub(crate) fn refuse(line: usize, expected: impl Into<String>, got: impl ToString) -> ParseError {
     ParseError {
         line,
         expected: expected.into(),
         got: got.to_string(),
     }
-}
-
-/// A word, or its beginning if it is long, quoted as in JSON.
-pub(crate) fn shown(word: &str) -> String {
-    let mut quoted = String::from("\"");
-    for character in word.chars().take(SHOWN_CHARACTERS) {
-        match character {
-            '"' | '\\' => quoted.extend(['\\', character]),
-            '\u{8}' => quoted.push_str("\\b"),
-            '\0'..' ' => quoted.push_str(&format!("\\u{:04x}", u32::from(character))),
-            _ => quoted.push(character),
-        }
-    }
-    if word.chars().nth(SHOWN_CHARACTERS).is_some() {
-        quoted.push('…');
-    }
-    quoted + "\""
 }
 
 /// Parses a decimal number with optional sign, decimal point and exponent.

@@ -1,53 +1,6 @@
-//! Writing surfaces as text.
+//! Writing numbers as text.
 
-use crate::surface::network::Surface;
 use std::fmt::{Arguments, Display, LowerExp, Write};
-
-impl Surface {
-    /// The surface as text; [`parse`](Self::parse) reads back an equal surface, bit for bit.
-    ///
-    /// The only exception are vertices that were moved to the same point: reading merges them, as every new surface
-    /// does.
-    ///
-    /// The format: the row `surface`; `vertices` and their number, then a row x y z for each; `patches` and their
-    /// number, then for each a row with its degrees in u and v, followed by its net: a row for each j with the vertex
-    /// numbers, from 0, of its points Pᵢⱼ.
-    ///
-    /// ```
-    /// use casteljau::{Surface, glam::DVec3};
-    ///
-    /// let square = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.5)];
-    /// let surface = Surface::new(square.to_vec(), vec![0, 1, 2, 3], 1, 1)?;
-    /// let text = surface.to_text();
-    /// assert_eq!(
-    ///     text.lines().collect::<Vec<_>>(),
-    ///     ["surface", "vertices 4", "0 0 0", "1 0 0", "0 1 0", "1 1 0.5", "patches 1", "1 1", "0 1", "2 3"],
-    /// );
-    /// assert_eq!(Surface::parse(&text), Ok(surface));
-    /// # Ok::<(), casteljau::Error>(())
-    /// ```
-    pub fn to_text(&self) -> String {
-        let mut text = format!("surface\nvertices {}\n", self.vertices().len());
-        for vertex in self.vertices() {
-            let [x, y, z] = vertex.to_array().map(written_number);
-            push(&mut text, format_args!("{x} {y} {z}\n"));
-        }
-        push(&mut text, format_args!("patches {}\n", self.patch_count()));
-        for patch in 0..self.patch_count() {
-            let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
-            push(&mut text, format_args!("{degree_u} {degree_v}\n"));
-            let indices = self.patch_indices(patch).unwrap_or_default();
-            for (last_digit, index) in indices.iter().enumerate() {
-                let last = last_digit % (degree_u + 1) == degree_u;
-                push(
-                    &mut text,
-                    format_args!("{index}{}", if last { '\n' } else { ' ' }),
-                );
-            }
-        }
-        text
-    }
-}
 
 /// Appends formatted text; writing to a String cannot fail.
 pub(crate) fn push(text: &mut String, words: Arguments<'_>) {

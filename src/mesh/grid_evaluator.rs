@@ -44,7 +44,7 @@ impl GridEvaluator {
         let missing = if let (GridMethod::Bernstein, Some(net)) = (method, bicubic(net, degree_u)) {
             self.bicubic
                 .get_or_insert_with(|| BicubicGrid::new(grid.segments_u, grid.segments_v))
-                .fill(net, positions, normals)
+                .fill(&net, positions, normals)
         } else {
             self.general
                 .get_or_insert_with(|| GenericGridEvaluator::new(grid, method))
@@ -74,7 +74,7 @@ impl GridEvaluator {
 }
 
 /// The net of a bicubic patch whose coordinates fit into f32; `None` for other patches.
-fn bicubic(net: &[DVec3], degree_u: usize) -> Option<&[[f64; 3]; 16]> {
-    let points = bytemuck::cast_slice(net).try_into().ok()?;
-    (degree_u == 3 && BicubicGrid::fits(points)).then_some(points)
+fn bicubic(net: &[DVec3], degree_u: usize) -> Option<[[f64; 3]; 16]> {
+    let points = <[DVec3; 16]>::try_from(net).ok()?.map(|p| p.to_array());
+    (degree_u == 3 && BicubicGrid::fits(&points)).then_some(points)
 }

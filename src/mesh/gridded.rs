@@ -64,8 +64,7 @@ impl Surface {
         let net_of = |patch: usize, net: &mut Vec<DVec3>| {
             let indices = self.patch_indices(patch).unwrap_or_default();
             net.resize(indices.len(), DVec3::ZERO);
-            let vertices = bytemuck::cast_slice(self.vertices());
-            collect_points(vertices, indices, bytemuck::cast_slice_mut(net));
+            collect_points(self.vertices(), indices, net);
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };

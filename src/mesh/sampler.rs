@@ -5,7 +5,6 @@ use crate::mesh::row_sampler::RowSampler;
 use crate::numeric::list::Net;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
-use bytemuck::cast_slice;
 use glam::DVec3;
 
 /// A patch with precomputed data for repeated evaluation.
@@ -21,9 +20,8 @@ pub(crate) struct Sampler {
 impl Sampler {
     pub(crate) fn new(net: &[DVec3], columns: usize) -> Self {
         let (du, dv) = directions(net, columns);
-        let nets = [cast_slice(net), cast_slice(&du), cast_slice(&dv)];
         Self {
-            samples: RowSampler::new(columns, nets),
+            samples: RowSampler::new(columns, [net, &du, &dv]),
             du,
             dv,
             degree_u: columns - 1,

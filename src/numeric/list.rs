@@ -1,7 +1,5 @@
 //! Short lists: with inline storage, or, without the feature `fast`, plain vectors, which are less code.
 
-use glam::DVec3;
-
 #[cfg(feature = "fast")]
 pub(crate) type List<T, const N: usize> = smallvec::SmallVec<[T; N]>;
 #[cfg(not(feature = "fast"))]
@@ -14,7 +12,8 @@ pub(crate) type Points<P> = List<P, 4>;
 pub(crate) type Scalars = List<f64, 4>;
 
 /// The control points of a patch.
-pub(crate) type Net = List<DVec3, 16>;
+#[cfg(feature = "surfaces")]
+pub(crate) type Net = List<glam::DVec3, 16>;
 
 /// The control points of a slice; with inline storage a copy of bytes, where `From` would copy point by point.
 #[inline]

@@ -6,6 +6,7 @@
 use super::single_thread_cell::SingleThreadCell;
 use crate::geometry::error::{Error, Part};
 use crate::geometry::point::Point;
+use bytemuck::Pod;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -76,7 +77,7 @@ impl Arena {
 
     /// `count` points, starting at number `at`.
     #[inline]
-    pub(crate) fn points<P: Point>(&self, at: usize, count: usize) -> &[P] {
+    pub(crate) fn points<P: Point + Pod>(&self, at: usize, count: usize) -> &[P] {
         bytemuck::cast_slice(self.numbers(at, count * P::DIMENSION))
     }
 
@@ -157,13 +158,13 @@ impl Arena {
 
     /// Writes one point at the start.
     #[inline]
-    pub(crate) fn write_point<P: Point>(&mut self, point: P) {
+    pub(crate) fn write_point<P: Point + Pod>(&mut self, point: P) {
         self.0[..P::DIMENSION].copy_from_slice(bytemuck::cast_slice(&[point]));
     }
 
     /// Writes points, starting at number `at`; returns the end.
     #[inline]
-    pub(crate) fn write<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
+    pub(crate) fn write<P: Point + Pod>(&mut self, at: usize, points: &[P]) -> usize {
         self.write_numbers(at, bytemuck::cast_slice(points))
     }
 
@@ -203,7 +204,7 @@ impl Arena {
     }
 
     /// Space for `count` points at the start, to be written in place.
-    pub(crate) fn reserve<P: Point>(&mut self, count: usize) -> &mut [P] {
+    pub(crate) fn reserve<P: Point + Pod>(&mut self, count: usize) -> &mut [P] {
         self.grow(count * P::DIMENSION);
         bytemuck::cast_slice_mut(&mut self.0[..count * P::DIMENSION])
     }

@@ -11,10 +11,11 @@ use crate::curve::basis::Basis;
 use crate::curve::subdivide::Subdivision;
 use crate::geometry::check::images;
 use crate::geometry::point::Point;
+use bytemuck::Pod;
 use glam::{DAffine3, DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
+fn curve<P: Point + Pod>(arena: &Arena, count: usize) -> Curve<P> {
     Curve::from_slice(arena.points(0, count))
 }
 

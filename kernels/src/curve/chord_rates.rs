@@ -1,6 +1,6 @@
 //! Rates of chords along a cubic, for flattening.
 
-use wide::f32x8;
+use crate::numeric::lanes::{f32x4, if_greater};
 
 /// The number of equal parts of the cubic.
 pub const PARTS: usize = 8;
@@ -44,7 +44,7 @@ pub fn rates_in_space(coefficients: &[[f64; 3]; 3], per_tolerance: f64) -> Chord
     rates(coefficients, per_tolerance)
 }
 
-type Vectors<const D: usize> = [f32x8; D];
+type Vectors<const D: usize> = [f32x4; D];
 
 #[inline(always)]
 #[allow(
@@ -59,46 +59,58 @@ fn rates<const D: usize>(coefficients: &[[f64; D]; 3], per_tolerance: f64) -> Ch
         .fold(f64::MIN_POSITIVE, largest);
     let one = 1.0 / size;
     let lanes = |k: usize, factor: f64| -> Vectors<D> {
-        std::array::from_fn(|i| f32x8::splat((coefficients[k][i] * (one * factor)) as f32))
+        std::array::from_fn(|i| f32x4::splat((coefficients[k][i] * (one * factor)) as f32))
     };
     let (first, second, third) = (lanes(0, 1.0), lanes(1, 2.0), lanes(2, 3.0));
-    let t = f32x8::new(STARTS);
-    let half_of_one = f32x8::splat(0.5);
-    let (half, twice) = (f32x8::splat(0.5 * LENGTH), f32x8::splat(2.0));
-    let g0: Vectors<D> = std::array::from_fn(|i| second[i] + third[i] * (twice * t));
-    let g1: Vectors<D> = std::array::from_fn(|i| g0[i] + third[i] * f32x8::splat(2.0 * LENGTH));
-    let v0: Vectors<D> = std::array::from_fn(|i| first[i] + (second[i] + third[i] * t) * t);
-    let v1: Vectors<D> = std::array::from_fn(|i| v0[i] + g0[i] * half);
-    let v2: Vectors<D> = std::array::from_fn(|i| v1[i] + g1[i] * half);
-    let bend = dot(&g0, &g0).fast_max(dot(&g1, &g1));
-    let turn = cross_squared(&g0, &v0).fast_max(cross_squared(&g1, &v2));
-    let turn = turn.fast_max(cross_squared(&g0, &v2).fast_max(cross_squared(&g1, &v0)));
-    let d: Vectors<D> = std::array::from_fn(|i| v0[i] + v2[i]);
-    let square = dot(&d, &d);
-    let apart = dot(&v0, &v1)
-        .fast_min(dot(&v1, &v2))
-        .fast_min(dot(&v0, &v2));
-    let ahead = dot(&v0, &d).fast_min(dot(&v1, &d)).fast_min(dot(&v2, &d));
-    // |d| ≤ (1 + d²)/2 times the rounding of a vector.
-    let ahead = ahead - (square + f32x8::ONE) * f32x8::splat(ROUNDING);
-    let is_narrow = apart.simd_gt(f32x8::ZERO) & ahead.simd_gt(f32x8::ZERO);
-    let rounding = bend * f32x8::splat(SQUARED_ROUNDING);
-    let across = turn * square / (ahead * ahead) + rounding;
-    let bound = is_narrow.bitselect(across.fast_min(bend), bend) * f32x8::splat(STRETCH);
-    let factor = f32x8::splat((size * per_tolerance) as f32);
-    let twice_g: Vectors<D> = std::array::from_fn(|i| g0[i] + g1[i]);
-    let twice_v: Vectors<D> = std::array::from_fn(|i| v1[i] + d[i] * half_of_one);
-    let square = dot(&twice_v, &twice_v) + f32x8::splat(f32::MIN_POSITIVE);
-    let minimum = cross_squared(&twice_g, &twice_v) / (square * f32x8::splat(4.0));
-    let rate = |squared: f32x8| (squared.sqrt() * factor).sqrt().to_array();
-    ChordRates {
-        enough: rate(bound),
-        minimum: rate(minimum),
+    let factor = f32x4::splat((size * per_tolerance) as f32);
+    let mut rates = ChordRates {
+        enough: [0.0; PARTS],
+        minimum: [0.0; PARTS],
+    };
+    let fours = (STARTS.as_chunks().0.iter())
+        .zip(rates.enough.as_chunks_mut().0)
+        .zip(rates.minimum.as_chunks_mut().0);
+    for ((starts, enough), minimum) in fours {
+        let t = f32x4::new(*starts);
+        let half_of_one = f32x4::splat(0.5);
+        let (half, twice) = (f32x4::splat(0.5 * LENGTH), f32x4::splat(2.0));
+        let g0: Vectors<D> = std::array::from_fn(|i| second[i] + third[i] * (twice * t));
+        let g1: Vectors<D> = std::array::from_fn(|i| g0[i] + third[i] * f32x4::splat(2.0 * LENGTH));
+        let v0: Vectors<D> = std::array::from_fn(|i| first[i] + (second[i] + third[i] * t) * t);
+        let v1: Vectors<D> = std::array::from_fn(|i| v0[i] + g0[i] * half);
+        let v2: Vectors<D> = std::array::from_fn(|i| v1[i] + g1[i] * half);
+        let bend = dot(&g0, &g0).fast_max(dot(&g1, &g1));
+        let turn = cross_squared(&g0, &v0).fast_max(cross_squared(&g1, &v2));
+        let turn = turn.fast_max(cross_squared(&g0, &v2).fast_max(cross_squared(&g1, &v0)));
+        let d: Vectors<D> = std::array::from_fn(|i| v0[i] + v2[i]);
+        let square = dot(&d, &d);
+        let apart = dot(&v0, &v1)
+            .fast_min(dot(&v1, &v2))
+            .fast_min(dot(&v0, &v2));
+        let ahead = dot(&v0, &d).fast_min(dot(&v1, &d)).fast_min(dot(&v2, &d));
+        // |d| ≤ (1 + d²)/2 times the rounding of a vector.
+        let ahead = ahead - (square + f32x4::splat(1.0)) * f32x4::splat(ROUNDING);
+        let rounding = bend * f32x4::splat(SQUARED_ROUNDING);
+        let across = turn * square / (ahead * ahead) + rounding;
+        let bound = if_greater(
+            apart.fast_min(ahead),
+            f32x4::ZERO,
+            across.fast_min(bend),
+            bend,
+        ) * f32x4::splat(STRETCH);
+        let twice_g: Vectors<D> = std::array::from_fn(|i| g0[i] + g1[i]);
+        let twice_v: Vectors<D> = std::array::from_fn(|i| v1[i] + d[i] * half_of_one);
+        let square = dot(&twice_v, &twice_v) + f32x4::splat(f32::MIN_POSITIVE);
+        let least = cross_squared(&twice_g, &twice_v) / (square * f32x4::splat(4.0));
+        let rate = |squared: f32x4| (squared.sqrt() * factor).sqrt().to_array();
+        *enough = rate(bound);
+        *minimum = rate(least);
     }
+    rates
 }
 
 #[inline(always)]
-fn dot<const D: usize>(a: &Vectors<D>, b: &Vectors<D>) -> f32x8 {
+fn dot<const D: usize>(a: &Vectors<D>, b: &Vectors<D>) -> f32x4 {
     let mut sum = a[0] * b[0];
     for k in 1..D {
         sum += a[k] * b[k];
@@ -108,8 +120,8 @@ fn dot<const D: usize>(a: &Vectors<D>, b: &Vectors<D>) -> f32x8 {
 
 /// The square of the length of a × b.
 #[inline(always)]
-fn cross_squared<const D: usize>(a: &Vectors<D>, b: &Vectors<D>) -> f32x8 {
-    let mut sum = f32x8::ZERO;
+fn cross_squared<const D: usize>(a: &Vectors<D>, b: &Vectors<D>) -> f32x4 {
+    let mut sum = f32x4::ZERO;
     for i in 0..D {
         for j in 0..i {
             let part = a[i] * b[j] - a[j] * b[i];

@@ -1,32 +1,32 @@
 //! Sampling of plane cubics.
 
-use wide::f64x2;
+use crate::numeric::lanes::f64x2;
+use glam::DVec2;
 
-/// Points of the plane cubic with the given control points at equal steps of t from 0 to 1; `out` holds x and y
-/// alternately.
+/// Points of the plane cubic with the given control points at equal steps of t from 0 to 1.
 ///
 /// Two points are computed at a time. Every weight and sum is rounded as in the scalar formula, so the numbers are the
 /// same.
-pub fn sample_plane_cubic(points: &[[f64; 2]; 4], out: &mut [f64]) {
-    let last = f64x2::splat((out.len() / 2).saturating_sub(1).max(1) as f64);
-    let x = points.map(|[x, _]| f64x2::splat(x));
-    let y = points.map(|[_, y]| f64x2::splat(y));
+pub fn sample_plane_cubic(points: [DVec2; 4], out: &mut [DVec2]) {
+    let last = f64x2::splat(out.len().saturating_sub(1).max(1) as f64);
+    let x = points.map(|p| f64x2::splat(p.x));
+    let y = points.map(|p| f64x2::splat(p.y));
     let two_points = |i: f64x2| {
         let weights = cubic_weights(i / last);
         let ([x0, x1], [y0, y1]) = (blend(&x, weights).to_array(), blend(&y, weights).to_array());
-        [x0, y0, x1, y1]
+        [DVec2::new(x0, y0), DVec2::new(x1, y1)]
     };
     let (two, four) = (f64x2::splat(2.0), f64x2::splat(4.0));
     let mut i = f64x2::new([0.0, 1.0]);
     // Two pairs per iteration, so that their divisions overlap.
-    let mut quads = out.chunks_exact_mut(8);
+    let mut quads = out.chunks_exact_mut(4);
     for quad in &mut quads {
-        let (near, far) = quad.split_at_mut(4);
+        let (near, far) = quad.split_at_mut(2);
         near.copy_from_slice(&two_points(i));
         far.copy_from_slice(&two_points(i + two));
         i += four;
     }
-    for pair in quads.into_remainder().chunks_mut(4) {
+    for pair in quads.into_remainder().chunks_mut(2) {
         pair.copy_from_slice(&two_points(i)[..pair.len()]);
         i += two;
     }

@@ -1,5 +1,7 @@
 //! Grid data that depend only on the counts: parameters, patch numbers, indices.
 
+use glam::DVec3;
+
 /// The repetitions of an index pattern: each level repeats everything before it `.0` times, with the vertex step `.1`.
 pub type Repeats = [(usize, usize); 3];
 
@@ -62,7 +64,7 @@ fill_indices!(fill_indices_u16, u16);
 fill_indices!(fill_indices_u32, u32);
 
 /// Copies the vertices with the given indices; an index out of range leaves its entry unchanged.
-pub fn collect_points(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3]]) {
+pub fn collect_points(vertices: &[DVec3], indices: &[u32], out: &mut [DVec3]) {
     for (out, &index) in out.iter_mut().zip(indices) {
         if let Some(vertex) = vertices.get(index as usize) {
             *out = *vertex;

@@ -1,6 +1,7 @@
 //! Evaluation of a patch at many parameters: points and normal vectors, row by row.
 
-use wide::f64x2;
+use crate::numeric::lanes::f64x2;
+use glam::DVec3;
 
 /// A point or a vector.
 pub type Vector = [f64; 3];
@@ -27,14 +28,14 @@ pub struct RowSampler {
 
 impl RowSampler {
     /// Expects a net with `columns` points in each row, and its differences along u and v.
-    pub fn new(columns: usize, nets: [&[Vector]; 3]) -> Self {
+    pub fn new(columns: usize, nets: [&[DVec3]; 3]) -> Self {
         Self {
             columns,
             v: f64::NAN,
             row: [columns, columns - 1, columns].map(|length| vec![[0.0; 3]; length]),
             across: Weights::new(nets[0].len() / columns),
             along: Weights::new(columns),
-            nets: nets.map(<[Vector]>::to_vec),
+            nets: nets.map(|net| net.iter().map(DVec3::to_array).collect()),
         }
     }
 

@@ -4,8 +4,8 @@
 //! 60 halvings a length is off by less than 60 · 2 · 2⁻²⁴, which [`BEND_SLACK`] covers.
 
 use crate::bernstein::de_casteljau::{split_net_with, split_with};
+use crate::numeric::lanes::f32x4;
 use crate::numeric::order::larger;
-use wide::f32x4;
 
 /// The relative amount by which lengths may be too small.
 pub const BEND_SLACK: f64 = 1e-5;
@@ -76,7 +76,8 @@ impl SecondDifferences {
                 max = max.fast_max(x * x + y * y + z * z);
             }
             for &v in others {
-                max = max.fast_max(f32x4::splat((v * v).reduce_add()));
+                let [x, y, z, _] = (v * v).to_array();
+                max = max.fast_max(f32x4::splat(x + y + z));
             }
             let [a, b, c, d] = max.to_array();
             let max = larger(larger(a, b), larger(c, d));
@@ -90,10 +91,10 @@ impl SecondDifferences {
         let net = &self.vectors[self.vectors.len() - columns * rows..];
         let low = net
             .iter()
-            .fold(f32x4::splat(f32::MAX), |low, &v| low.min(v));
+            .fold(f32x4::splat(f32::MAX), |low, &v| low.fast_min(v));
         let high = net
             .iter()
-            .fold(f32x4::splat(f32::MIN), |high, &v| high.max(v));
+            .fold(f32x4::splat(f32::MIN), |high, &v| high.fast_max(v));
         [low, high].map(|corner| {
             let [x, y, z, _] = corner.to_array();
             [x, y, z]

@@ -6,6 +6,12 @@ pub fn larger<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }
 }
 
+/// The smaller of two numbers.
+#[inline(always)]
+pub fn smaller<T: PartialOrd>(a: T, b: T) -> T {
+    if a < b { a } else { b }
+}
+
 /// The minimum and the maximum; NaN is ignored.
 #[inline(always)]
 pub fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {

@@ -143,7 +143,7 @@ impl ArcLengthTable {
 
     /// ∫ |B′| from `lo` to `hi`, by one rule.
     fn between(&self, lo: f64, hi: f64) -> f64 {
-        speed_integral(bytemuck::cast_slice(&self.weighted), lo, hi)
+        speed_integral(&self.weighted, lo, hi)
     }
 
     /// Cuts an interval until the integrals over both parts together agree with the integral over the whole; then each

@@ -248,7 +248,7 @@ impl<'a> NormalizedCurve<'a> {
         };
         Self {
             curve,
-            source: Source::new(bytemuck::cast_slice(&points)),
+            source: Source::new(&points),
             distance,
             tolerance,
             // The tolerance is at least the rounding of distances.

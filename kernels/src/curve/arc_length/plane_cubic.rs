@@ -1,9 +1,9 @@
 //! Arc length of plane cubics by integration of the speed.
 
 use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
+use crate::numeric::lanes::f64x2;
 use crate::numeric::order::larger;
 use crate::numeric::zero::newton_in_bracket;
-use wide::f64x2;
 
 type Complex = [f64; 2];
 
@@ -292,7 +292,7 @@ impl Roots {
         });
         let axes = f64x2::splat(0.5) * (before + after);
         let far = f64x2::splat(f64::INFINITY);
-        Axes(axes.is_nan().select(far, axes))
+        Axes(far.fast_min(axes))
     }
 
     /// The closest root that is not at an end, and its axis.

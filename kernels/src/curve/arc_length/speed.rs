@@ -1,13 +1,14 @@
 //! Arc length of a curve of any degree, in space, by one quadrature rule.
 
 use crate::numeric::gauss::GAUSS_16;
-use wide::f64x2;
+use crate::numeric::lanes::f64x2;
+use glam::DVec3;
 
 /// ∫ |q(t)| dt from `lo` to `hi` by the 16-point Gauss–Legendre rule, for 0 ≤ lo ≤ hi ≤ 1.
 ///
 /// q(t) = Σ cᵢ tⁱ (1 − t)ᵈ⁻ⁱ: `coefficients` are Bernstein coefficients, each multiplied by its binomial coefficient.
 /// Every term equals its exact value up to rounding, so no accuracy is lost at high degrees.
-pub fn speed_integral(coefficients: &[[f64; 3]], lo: f64, hi: f64) -> f64 {
+pub fn speed_integral(coefficients: &[DVec3], lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let (t, s) = (
         f64x2::splat(middle),
@@ -30,14 +31,14 @@ pub fn speed_integral(coefficients: &[[f64; 3]], lo: f64, hi: f64) -> f64 {
 
 /// |q| at two parameters t, where s is 1 − t.
 #[inline(always)]
-fn size(coefficients: &[[f64; 3]], t: f64x2, s: f64x2) -> f64x2 {
+fn size(coefficients: &[DVec3], t: f64x2, s: f64x2) -> f64x2 {
     let zero = f64x2::splat(0.0);
     let (mut x, mut y, mut z, mut power) = (zero, zero, zero, f64x2::splat(1.0));
     // Horner's scheme in t, from the last coefficient down, with the powers of s computed alongside.
-    for &[cx, cy, cz] in coefficients.iter().rev() {
-        x = x * t + power * f64x2::splat(cx);
-        y = y * t + power * f64x2::splat(cy);
-        z = z * t + power * f64x2::splat(cz);
+    for c in coefficients.iter().rev() {
+        x = x * t + power * f64x2::splat(c.x);
+        y = y * t + power * f64x2::splat(c.y);
+        z = z * t + power * f64x2::splat(c.z);
         power *= s;
     }
     (x * x + y * y + z * z).sqrt()

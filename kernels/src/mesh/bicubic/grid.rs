@@ -6,7 +6,7 @@
 
 use super::lanes::{LANES, round};
 use crate::bernstein::weights;
-use wide::f32x4;
+use crate::numeric::lanes::f32x4;
 
 /// The samples of a grid, prepared for any number of bicubic patches.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Groups of four samples: rounding to f32 and storing.
 
-use wide::f32x4;
+use crate::numeric::lanes::f32x4;
 
 /// Number of samples that are evaluated together.
 pub(crate) const LANES: usize = 4;

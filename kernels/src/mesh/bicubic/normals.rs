@@ -7,8 +7,8 @@
 use super::grid::{BicubicGrid, Lanes};
 use super::lanes::{LANES, round, store, with_room};
 use crate::bernstein::weights::quintic;
+use crate::numeric::lanes::{f32x4, f64x2, if_greater};
 use crate::numeric::order::larger;
-use wide::{f32x4, f64x2};
 
 /// The value of |N| below which a point is not regular, for differences of size 1. The rounding noise of the
 /// differences is some 2⁻⁵²; a normal accurate to 0.001° (1.7e-5 rad) needs a product that is 10⁵ times as long.
@@ -69,7 +69,10 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 /// Fills one line; normals that are not accurate enough are set to zero. Returns true if all normals are accurate enough.
 #[inline(always)]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
-    let numbers: [f32; 20] = bytemuck::cast(curve);
+    let mut numbers = [0.0; 20];
+    for (four, lanes) in numbers.as_chunks_mut::<4>().0.iter_mut().zip(curve) {
+        *four = lanes.to_array();
+    }
     let enough = MOSTLY_CANCELLED * numbers[LONGEST];
     let min = if enough > MIN_SIZE { enough } else { MIN_SIZE };
     let min_square = min * min;
@@ -97,30 +100,29 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
 /// Fills the line except its ends.
 #[inline(never)]
 fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 3]]) -> bool {
-    let min = f32x4::splat(min);
     let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
-    let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
+    let mut least = f32x4::splat(f32::INFINITY);
+    let limit = f32x4::splat(min);
     for (k, lanes) in lanes.iter().enumerate() {
         let [w, skew] = lanes.normals;
         let even = |axis: usize| w[0] * c[axis] + w[1] * c[3 + axis] + w[2] * c[6 + axis];
         let odd =
             |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
         let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
-        let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), min);
-        let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), min);
-        known &= near.1 & far.1;
+        let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), limit);
+        let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), limit);
+        least = least.fast_min(near.1).fast_min(far.1);
         store(near.0, far.0, 1 + k * LANES, line);
     }
-    known.all()
+    least.to_array().into_iter().all(|square| square > min)
 }
 
-/// Four unit vectors, zero where the squared length is not greater than `min`, and the mask of those where it is.
+/// Four unit vectors, zero where the squared length is not greater than `min`, and the squared lengths.
 #[inline(always)]
 fn units([x, y, z]: [f32x4; 3], min: f32x4) -> ([f32x4; 3], f32x4) {
     let square = x * x + y * y + z * z;
-    let known = square.simd_gt(min);
-    let factor = known & (f32x4::splat(1.0) / square.sqrt());
-    ([x * factor, y * factor, z * factor], known)
+    let factor = if_greater(square, min, f32x4::splat(1.0) / square.sqrt(), f32x4::ZERO);
+    ([x * factor, y * factor, z * factor], square)
 }
 
 /// The unit vector, or zero if its squared length is not greater than `min`.
@@ -158,7 +160,9 @@ impl BicubicNormalNet {
             let [a, b] = max.to_array();
             greatest[l] = larger(a, b);
             numbers[LONGEST] = round(greatest[l].sqrt());
-            rows[l] = bytemuck::cast(numbers);
+            for (lanes, four) in rows[l].iter_mut().zip(numbers.as_chunks().0) {
+                *lanes = f32x4::new(*four);
+            }
         }
         let max = greatest
             .iter()

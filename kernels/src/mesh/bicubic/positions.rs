@@ -2,10 +2,9 @@
 
 use super::grid::BicubicGrid;
 use super::lanes::{LANES, round, store};
-use bytemuck::cast;
-use wide::{f32x4, f64x2};
+use crate::numeric::lanes::{f32x4, f64x2};
 
-/// One row of the net.
+/// The numbers of one row of the net.
 type Row = [f64x2; 6];
 
 /// Fills all positions, line by line.
@@ -14,7 +13,10 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     let columns = grid.u.len();
     let (first, rest) = out.split_at_mut(columns.min(out.len()));
     let (inner, last) = rest.split_at_mut(rest.len().saturating_sub(columns));
-    let rows: [Row; 4] = cast(*net);
+    let numbers = net.as_flattened();
+    let rows: [Row; 4] = std::array::from_fn(|j| {
+        std::array::from_fn(|k| f64x2::new([0, 1].map(|i| numbers[12 * j + 2 * k + i])))
+    });
     for (line, &weights) in inner.chunks_exact_mut(columns).zip(&grid.v[1..]) {
         fill_line(grid, blend_rows(&rows, weights), line);
     }
@@ -25,9 +27,10 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 #[inline(always)]
 fn blend_rows(rows: &[Row; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
     let weights = weights.map(f64x2::splat);
-    cast::<Row, _>(std::array::from_fn(|i| {
-        blend(weights, rows.map(|row| row[i]))
-    }))
+    let pairs: Row = std::array::from_fn(|k| blend(weights, rows.map(|row| row[k])));
+    let numbers = pairs.map(f64x2::to_array);
+    let numbers = numbers.as_flattened();
+    std::array::from_fn(|i| std::array::from_fn(|axis| numbers[3 * i + axis]))
 }
 
 /// Fills one line between the edges v = 0 and v = 1.

@@ -42,11 +42,11 @@ pub struct OffsetSample {
 
 impl Source {
     /// Expects 2 to 65 control points of a size of about 1.
-    pub fn new(control_points: &[[f64; 2]]) -> Self {
+    pub fn new(control_points: &[DVec2]) -> Self {
         let count = control_points.len().clamp(1, MAX_POINTS);
         let mut all = [DVec2::default(); MAX_POINTS];
-        for (p, &[x, y]) in all.iter_mut().zip(control_points) {
-            *p = DVec2 { x, y };
+        for (p, &point) in all.iter_mut().zip(control_points) {
+            *p = point;
         }
         let all = &all[..count];
         let difference = |i: usize| all[i + 1] - all[i];
