@@ -181,7 +181,8 @@ impl SectionEvaluator<'_> {
         self.evaluate(t).0
     }
 
-    /// Regular parameters, and those where the curve is slowest, next to tight turns.
+    /// Regular parameters, those where the curve is slowest, next to tight turns, and parameters that approach an end where the
+    /// speed is 0: r′ and the curvature change without bound there.
     fn samples(&self) -> Vec<f64> {
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();
         let at = |k: usize| as_f64(k) / as_f64(count);
@@ -194,6 +195,13 @@ impl SectionEvaluator<'_> {
             let [before, after] = [k.saturating_sub(1), (k + 1).min(count)];
             if speed(k) <= speed(before).min(speed(after)) {
                 ts.push(slowest_near(&self.with, at(k), [at(before), at(after)]));
+            }
+        }
+        for (k, sign) in [(0, 1.0), (count, -1.0)] {
+            if speed(k) == 0.0 {
+                let steps = std::iter::successors(Some(at(1)), |step| Some(step * 0.25));
+                let steps = steps.take_while(|&step| step > ROUNDING);
+                ts.extend(steps.map(|step| at(k) + sign * step));
             }
         }
         ts.sort_by(f64::total_cmp);
