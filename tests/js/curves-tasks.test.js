@@ -8,7 +8,7 @@ import { pointsOf } from "./reference.js";
 const ARCH = pointsOf("60,400 160,40 480,40 600,400");
 const HILL = pointsOf("70,300 160,40 400,60 610,430");
 /** The places of the site's figure, and the orders that it offers. */
-const PLACES = pointsOf("16,62 30,14 80,24 68,68");
+const PLACES = pointsOf("8,72 37,8 76,24 92,54");
 const ORDERS = Array.from({ length: 256 }, (_, k) => [k >> 6, (k >> 4) & 3, (k >> 2) & 3, k & 3]).filter(
   (order) => new Set(order).size === 4,
 );
@@ -97,10 +97,11 @@ testTasks([
 ]);
 
 test("task enough-pieces", async () => {
-  const { check, reveal } = await load("enough-pieces");
-  const tree = (segments, error) => check({ tree: { segments, error } }).done;
+  const { check, reveal, POINTS: points } = await load("enough-pieces");
+  const tree = (segments, error) => check({ points, tree: { segments, error } }).done;
   assert.deepEqual([tree(16, 1.64), tree(32, 0.41), tree(48, 0.3), tree(49, 0.3)], [false, true, true, false]);
-  assert.equal(check({ tree: null }).done, false);
+  assert.equal(check({ points, tree: null }).done, false);
+  assert.equal(check({ points: points.with(1, [60, 60]), tree: { segments: 32, error: 0.41 } }).done, false);
   const element = { tolerance: "8" };
   reveal(element);
   const pieces = leaves(new Curve([60, 300, 60, 20, 620, 20, 600, 300]).subdivide(Number(element.tolerance)));

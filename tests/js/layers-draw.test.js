@@ -215,3 +215,26 @@ test("colours go by role", () => {
   const paints = drawn({ layers: "all" }).ctx.calls.flatMap((call) => call.slice(-3, -1));
   for (const role of new Set(paints.filter(Boolean))) assert.ok(role in theme, `${role} is no role`);
 });
+
+test("without the layer of names, the point of the construction under the pointer has its name", () => {
+  const points = pointsOf("100,300 100,100 500,100 500,300");
+  const words = (layers, pointer) => drawn({ points, layers, pointer, t: 0.5 }).ctx.of("fillText").map(([text]) => text);
+  const own = ["P0", "P1", "P2", "P3"];
+  assert.deepEqual(words(["construction"], [305, 92]), [...own, "P12"]);
+  assert.deepEqual(words(["construction", "halves"], [202, 150]), [...own, "P0112"]);
+  assert.deepEqual(words(["construction"], [300, 125]), own, "nothing is that near");
+  assert.deepEqual(words(["construction"], null), own);
+  assert.deepEqual(words(["polygon"], [305, 92]), own, "without the construction");
+  assert.ok(words(["construction", "names"], [305, 92]).length > 5);
+});
+
+test("names stand beside the curve, not on it", () => {
+  const points = pointsOf("60,60 600,60 60,420 600,420");
+  const { ctx, state } = drawn({ points, layers: ["construction", "names"], t: 0.3 });
+  const [{ curve }] = figureOf(state).pieces;
+  for (const [text, x, y] of ctx.of("fillText")) {
+    const { point } = curve.nearest([x, y]);
+    const halfWidth = (7.5 * text.length) / 2;
+    assert.ok(Math.abs(point.x - x) > halfWidth || Math.abs(point.y - y) > 8, `${text} at ${x}, ${y} is on the curve`);
+  }
+});

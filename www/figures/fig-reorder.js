@@ -8,10 +8,10 @@ import { short } from "./lib/numbers.js";
 
 /** The places of the figure, in a box of 100 × 80. @type {[number, number][]} */
 const PLACES = [
-  [16, 62],
-  [30, 14],
-  [80, 24],
-  [68, 68],
+  [8, 72],
+  [37, 8],
+  [76, 24],
+  [92, 54],
 ];
 const BOX = /** @type {const} */ ({ min: [4, 4], max: [96, 76] });
 const [WIDTH, HEIGHT] = [100, 80];

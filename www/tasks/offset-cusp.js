@@ -1,4 +1,4 @@
-import { distance, firstCurve, verdict } from "./utils/curves.js";
+import { firstCurve, movedPoints, verdict } from "./utils/curves.js";
 
 export const live = true;
 
@@ -29,8 +29,8 @@ const sharpest = (curve) =>
 
 /** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ offset: number }} element */
 export function check(figure, element) {
-  if (figure.points.length !== 4 || figure.points.some((point, i) => distance(point, POINTS[i]) > 1))
-    return verdict(false, "The control points have moved. Undo this first (Ctrl+Z).");
+  const moved = movedPoints(figure, POINTS);
+  if (moved) return moved;
   const { offset } = element;
   const radius = 1 / sharpest(firstCurve(figure));
   const inner = offset * Math.sign(radius);

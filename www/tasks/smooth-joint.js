@@ -11,7 +11,7 @@ export function check({ surface }) {
   return verdict(
     done,
     done
-      ? `The largest angle is ${angle.toFixed(1)}°. In every row the three points now lie on one line, nearly.`
+      ? `The largest angle is ${angle.toFixed(1)}°. It is 0 if the three points of every row lie on one line with the same ratio.`
       : `The largest angle between normals is ${angle.toFixed(1)}°; at most ${MAX_ANGLE}° is allowed.`,
   );
 }

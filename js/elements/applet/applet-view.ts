@@ -135,8 +135,11 @@ export class AppletView extends AppletActions {
         this.tapping &&
         this.selected >= 0 &&
         this.do((state) => edits.withPointAt(state, this.selected, at), this.places([this.selected])),
-      point: (at) =>
-        this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at?.() ?? null }),
+      point: (at) => {
+        const state = this.host.now();
+        const isFollowed = state.layers.has("nearest") || (state.layers.has("construction") && !state.layers.has("names"));
+        if (isFollowed) this.host.display({ ...state, pointer: at?.() ?? null });
+      },
       look: (factor, from, to) => this.#look(factor, from, to),
       drawn: (messages) => this.show(messages),
     };

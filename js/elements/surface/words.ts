@@ -54,7 +54,7 @@ export const STEP_WORDS = [
   "This curve is evaluated at v: the result is S(u, v).",
 ];
 export const INSTRUCTIONS =
-  "Drag to rotate, with Shift to move the picture; zoom with two fingers. Keys: the arrow keys rotate, with Shift they move the picture; plus and minus zoom; 0 restores the first view.";
+  "Drag to rotate, with Shift to move the picture; zoom with two fingers. Keys: the arrow keys rotate, with Shift they move the picture; plus and minus zoom; 0 restores the first view; Ctrl+Z undoes, Ctrl+Y redoes.";
 
 /** Two figures that count. */
 export function figures(x: number) {

@@ -103,6 +103,28 @@ impl ArcLengthTable {
             .map_or(0.0, |interval| interval.length)
     }
 
+    /// The arc length up to t, for 0 ≤ t ≤ 1.
+    pub(crate) fn length_at(&self, t: f64) -> f64 {
+        let k = self.intervals.partition_point(|interval| interval.t < t);
+        match self.intervals.get(k) {
+            Some(end) if end.t == t => end.length,
+            _ => {
+                let start = self.start(k);
+                start.length + self.between(start.t, t)
+            }
+        }
+    }
+
+    /// The start of an interval.
+    fn start(&self, k: usize) -> Interval {
+        let zero = Interval {
+            t: 0.0,
+            length: 0.0,
+        };
+        k.checked_sub(1)
+            .map_or(zero, |before| self.intervals[before])
+    }
+
     /// The t up to which the arc length is s, for 0 ≤ s ≤ the whole length; `slack` is the allowed error of s.
     ///
     /// Newton's method inside an interval of the table, with bisection where it leaves the bracket that contains t.
@@ -112,13 +134,7 @@ impl ArcLengthTable {
             .intervals
             .partition_point(|interval| interval.length < s)
             .min(last);
-        let start = k.checked_sub(1).map_or(
-            Interval {
-                t: 0.0,
-                length: 0.0,
-            },
-            |before| self.intervals[before],
-        );
+        let start = self.start(k);
         let Interval { t: end, length } = self.intervals[k];
         let (rest, whole) = (s - start.length, length - start.length);
         let guess = self.first_guess(start.t, end, rest / whole, whole);

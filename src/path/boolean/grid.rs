@@ -15,6 +15,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio, unit_scale};
 use crate::numeric::sort::sort_by;
 use glam::DVec2;
+use std::iter::successors;
 
 /// The larger side of the box around all outlines has 2²³ to 2²⁴ cells, or fewer where cells would be smaller than this
 /// part of the largest coordinate: no corners are within ε of each other.
@@ -37,8 +38,8 @@ const MAX_PASSES: usize = 1024;
 struct Line {
     ends: [DVec2; 2],
     segment: usize,
-    /// Whether the last pass made it.
-    is_new: bool,
+    /// The number of the next line of the outlines; after the last one a number that no line has.
+    next: usize,
 }
 
 impl Segments {
@@ -113,7 +114,7 @@ impl Segments {
                     lines.push(Line {
                         ends: [from, to],
                         segment,
-                        is_new: true,
+                        next: lines.len() + 1,
                     });
                 }
                 from = to;
@@ -137,26 +138,39 @@ fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
 }
 
 /// The lines, cut until they meet in common corners only.
+///
+/// A line that is cut keeps its number for its first part; the other parts get new numbers. After the first pass only
+/// lines that were cut are compared, with all. Nearly parallel lines may need hundreds of passes that cut a few lines
+/// each, so the tree of all lines is made anew only when the trees of the lines since then have cost as much.
 fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
+    let tree_of = |lines: &mut dyn Iterator<Item = &Line>| {
+        let boxes: Vec<_> = lines.map(|line| Bounds::from_points(&line.ends)).collect();
+        BoxTree::new(&boxes)
+    };
+    if let Some(last) = lines.last_mut() {
+        last.next = usize::MAX;
+    }
     let mut work = steps_for(lines.len());
-    // After the first pass only lines that were cut are compared, with all.
+    let mut changed: Vec<usize> = (0..lines.len()).collect();
+    // Lines only become shorter, so the boxes of the tree still contain them.
+    let (mut tree, mut in_tree, mut cost) = (tree_of(&mut lines.iter()), lines.len(), 0);
     for _ in 0..MAX_PASSES {
-        let boxes: Vec<Bounds<DVec2>> = lines
-            .iter()
-            .map(|line| Bounds::from_points(&line.ends))
-            .collect();
-        let new: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].is_new).collect();
-        let boxes_of_new: Vec<Bounds<DVec2>> = new.iter().map(|&k| boxes[k]).collect();
+        let later = tree_of(&mut lines[in_tree..].iter());
+        let of_changed = tree_of(&mut changed.iter().map(|&k| &lines[k]));
         let mut cuts = Vec::new();
-        BoxTree::new(&boxes).pairs_with(&BoxTree::new(&boxes_of_new), &mut work, |i, j| {
-            cut_pair(&lines, [i, new[j]], &mut cuts);
-        });
+        for (first, tree) in [(0, &tree), (in_tree, &later)] {
+            tree.pairs_with(&of_changed, &mut work, |i, j| {
+                cut_pair(&lines, [first + i, changed[j]], &mut cuts);
+            });
+        }
         Error::unless_within("steps of the division on a grid", &work)?;
         if cuts.is_empty() {
-            return Ok(lines);
+            let number = |k: usize| (k < lines.len()).then_some(k);
+            let order = successors(number(0), |&k| number(lines[k].next));
+            return Ok(order.map(|k| lines[k]).collect());
         }
         work.raise_limit(STEPS_PER_ITEM, cuts.len());
-        lines = cut(&lines, cuts);
+        changed = cut(&mut lines, cuts);
         if lines.len() > MAX_CHORDS {
             let needed = lines.len();
             return Err(Error::too_many(
@@ -164,6 +178,10 @@ fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
                 MAX_CHORDS,
                 needed,
             ));
+        }
+        cost += lines.len() - in_tree;
+        if cost > in_tree {
+            (tree, in_tree, cost) = (tree_of(&mut lines.iter()), lines.len(), 0);
         }
     }
     let passes = "passes of the division on a grid";
@@ -206,8 +224,8 @@ fn heights(line: [DVec2; 2], points: [DVec2; 2]) -> [f64; 2] {
     points.map(|p| (line[1] - line[0]).perp_dot(p - line[0]))
 }
 
-/// The lines, cut at corners.
-fn cut(lines: &[Line], mut cuts: Vec<(usize, DVec2)>) -> Vec<Line> {
+/// Cuts lines at corners; returns the numbers of all their parts.
+fn cut(lines: &mut Vec<Line>, mut cuts: Vec<(usize, DVec2)>) -> Vec<usize> {
     let along = |&(k, p): &(usize, DVec2)| {
         let [from, to] = lines[k].ends;
         (p - from).dot(to - from)
@@ -215,26 +233,27 @@ fn cut(lines: &[Line], mut cuts: Vec<(usize, DVec2)>) -> Vec<Line> {
     sort_by(&mut cuts, |a, b| {
         a.0.cmp(&b.0).then(along(a).total_cmp(&along(b)))
     });
-    let mut parts = Vec::with_capacity(lines.len() + cuts.len());
-    let mut rest = &cuts[..];
-    for (k, line) in lines.iter().enumerate() {
-        let count = rest.iter().take_while(|cut| cut.0 == k).count();
-        let (own, others) = rest.split_at(count);
-        rest = others;
-        let is_new = !own.is_empty();
-        let [mut from, end] = line.ends;
+    let mut changed = Vec::with_capacity(2 * cuts.len());
+    for own in cuts.chunk_by(|a, b| a.0 == b.0) {
+        let mut number = own[0].0;
+        let line = lines[number];
+        let [start, end] = line.ends;
+        let mut from = start;
         for to in own.iter().map(|cut| cut.1).chain([end]) {
-            if to != from {
-                parts.push(Line {
-                    ends: [from, to],
-                    segment: line.segment,
-                    is_new,
-                });
+            if to == from {
+                continue;
             }
+            if from != start {
+                lines[number].next = lines.len();
+                number = lines.len();
+                lines.push(line);
+            }
+            lines[number].ends = [from, to];
+            changed.push(number);
             from = to;
         }
     }
-    parts
+    changed
 }
 
 #[cfg(test)]

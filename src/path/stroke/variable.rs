@@ -21,7 +21,6 @@ use super::variable_pen::{LEFT, PenAt, RIGHT, ROUNDING, Section, SectionEvaluato
 use super::variable_side::{MAX_HALVINGS, SideFit, push_line};
 use super::{Strokes, has_size};
 use crate::curve::Curve;
-use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
@@ -59,10 +58,7 @@ impl VariableOutline<'_> {
     /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a reversal
     /// of a curve.
     fn add(&mut self, section: &Section, is_corner: bool) {
-        let evaluator = SectionEvaluator {
-            section,
-            with: CurveWithDerivatives::new(section.curve.control_points()),
-        };
+        let evaluator = SectionEvaluator::new(section);
         let breaks = evaluator.breaks();
         let mut from = evaluator.at(0.0);
         match self.ends {

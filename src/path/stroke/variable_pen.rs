@@ -3,6 +3,8 @@
 use super::profile::{Radii, RadiusPolynomial, WidthPosition};
 use super::side::slowest_near;
 use crate::curve::Curve;
+use crate::curve::arc_length::integral::ArcLengthTable;
+use crate::curve::arc_length::length::hodograph;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
@@ -132,10 +134,36 @@ impl Section {
 /// A section with its derivatives.
 pub(super) struct SectionEvaluator<'a> {
     pub(super) section: &'a Section,
-    pub(super) with: CurveWithDerivatives<'a, DVec2>,
+    with: CurveWithDerivatives<'a, DVec2>,
+    /// The arc length of the curve and the unit of this length, if positions follow from it.
+    lengths: Option<(ArcLengthTable, f64)>,
 }
 
-impl SectionEvaluator<'_> {
+impl<'a> SectionEvaluator<'a> {
+    pub(super) fn new(section: &'a Section) -> Self {
+        let points = section.curve.control_points();
+        let needs_lengths = section.by == WidthPosition::Length
+            && section.curve.degree() > 1
+            && !section.radius.is_constant();
+        let lengths = needs_lengths.then(|| {
+            let (slopes, unit) = hodograph(points);
+            (ArcLengthTable::new(&slopes, f64::INFINITY), unit)
+        });
+        Self {
+            section,
+            with: CurveWithDerivatives::new(points),
+            lengths,
+        }
+    }
+
+    fn position(&self, t: f64) -> f64 {
+        let section = self.section;
+        match &self.lengths {
+            Some((table, unit)) => section.start + section.rate * (unit * table.length_at(t)),
+            None => section.position(t),
+        }
+    }
+
     /// The pen, and 1 − r′² and 1 − r′² − r r″ ∓ rκ √(1 − r′²), which are negative where the left or the right side runs
     /// backwards.
     pub(super) fn evaluate(&self, t: f64) -> (PenAt, [f64; 3]) {
@@ -150,7 +178,7 @@ impl SectionEvaluator<'_> {
         let position = if section.radius.is_constant() {
             section.start
         } else {
-            section.position(t)
+            self.position(t)
         };
         let [radius, by_position, bend] = section.radius.at(position);
         let (mut rate, mut rate_change) = (section.rate, 0.0);

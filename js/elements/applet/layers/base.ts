@@ -14,6 +14,10 @@ const POINT_ROOM = 8;
 const JOINT_HALF = 9;
 const ARROW_HEAD = 9;
 const WAITING_OPACITY = 0.55;
+/** Words keep clear of so many places of the curve, on all pieces together. */
+const CURVE_PLACES = 96;
+/** Half the width that is kept clear, in CSS pixels. */
+const CURVE_ROOM = 2;
 
 export const curve = {
   derive: ({ pieces }: Figure) => pieces.map((piece) => piece.curve),
@@ -21,6 +25,10 @@ export const curve = {
   draw(context: DrawContext, curves: import("../../../index.js").Curve[]) {
     along(context, curves);
     pen.stroke(context, context.theme.curve, pen.CURVE_WIDTH);
+    for (const each of curves.slice(0, CURVE_PLACES)) {
+      const flat = each.sample(Math.ceil(CURVE_PLACES / curves.length));
+      for (let i = 0; i < flat.length; i += 2) reserve(context, context.lens.place(flat[i], flat[i + 1]), CURVE_ROOM);
+    }
   },
 };
 

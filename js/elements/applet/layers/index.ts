@@ -3,7 +3,7 @@ import * as base from "./base.js";
 import * as construction from "./construction.js";
 import * as features from "./features.js";
 import * as measures from "./measures.js";
-import { names } from "./names.js";
+import { hoveredName, names } from "./names.js";
 import * as polylines from "./polylines.js";
 import { bounded } from "./bounded.js";
 import { contextOn } from "./draw-context.js";
@@ -61,6 +61,7 @@ const ALL: readonly Layer[] = [
   features.inflections,
   measures.nearest,
   names,
+  hoveredName,
   continuityLabels,
   base.points,
   base.atT,

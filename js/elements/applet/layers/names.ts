@@ -27,6 +27,31 @@ export const names = {
   },
 };
 
+/** A name appears when the pointer is this near to its point, in CSS pixels. */
+const HOVER_RADIUS = 14;
+
+/** Without the layer of names: the name of the construction's point that is under the pointer. */
+export const hoveredName = {
+  costly: true as const,
+
+  derive(figure: Figure, state: State): Name[] {
+    if (!state.pointer || state.layers.has("names")) return [];
+    const layers = new Set([...state.layers].filter((name) => name !== "halves"));
+    return namesOf(figure, { ...state, layers });
+  },
+
+  draw(context: DrawContext, data: Name[], _: Figure, { pointer }: State) {
+    if (!pointer) return;
+    const here = context.lens.place(...pointer);
+    const distances = data.map(({ at }) => {
+      const [x, y] = context.lens.place(at[0], at[1]);
+      return Math.hypot(x - here[0], y - here[1]);
+    });
+    const least = Math.min(...distances);
+    if (least <= HOVER_RADIUS * context.px) names.draw(context, [data[distances.indexOf(least)]]);
+  },
+};
+
 /** With the halves shown, the points of both: q and r, of the selected piece. Else the points of the construction. */
 export function namesOf(figure: Figure, { layers, labels, basis, segment, t }: State): Name[] {
   if (labels === "none") return [];
