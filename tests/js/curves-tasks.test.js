@@ -8,7 +8,7 @@ import { pointsOf } from "./reference.js";
 const ARCH = pointsOf("60,400 160,40 480,40 600,400");
 const HILL = pointsOf("70,300 160,40 400,60 610,430");
 /** The places of the site's figure, and the orders that it offers. */
-const PLACES = pointsOf("8,72 37,8 76,24 92,54");
+const PLACES = pointsOf("8,64 37,16 76,28 92,51");
 const ORDERS = Array.from({ length: 256 }, (_, k) => [k >> 6, (k >> 4) & 3, (k >> 2) & 3, k & 3]).filter(
   (order) => new Set(order).size === 4,
 );

@@ -362,3 +362,14 @@ fn degenerate_input_is_defined_or_refused_by_name() {
         near(outline.area() / area, 1.0, 1e-3);
     }
 }
+
+/// Next to the turns of a straight curve r′ grows from nearly 0 to ±1 within 10⁻⁴ of t.
+#[test]
+fn sides_next_to_reversals_have_few_cubics() {
+    let line = path("M10,0 C0,0 20,0 10,0");
+    let stops = [(0.0, 13.14), (0.915, 13.133), (1.0, 18.894)];
+    let profile = WidthProfile::new(&stops).at(WidthPosition::T);
+    let options = round(3e-3).simple(false);
+    let outline = line.stroke_with(&profile, &options).expect("few segments");
+    assert!(outline.segment_count() < 150, "{}", outline.segment_count());
+}

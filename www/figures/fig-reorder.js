@@ -8,10 +8,10 @@ import { short } from "./lib/numbers.js";
 
 /** The places of the figure, in a box of 100 × 80. @type {[number, number][]} */
 const PLACES = [
-  [8, 72],
-  [37, 8],
-  [76, 24],
-  [92, 54],
+  [8, 64],
+  [37, 16],
+  [76, 28],
+  [92, 51],
 ];
 const BOX = /** @type {const} */ ({ min: [4, 4], max: [96, 76] });
 const [WIDTH, HEIGHT] = [100, 80];
