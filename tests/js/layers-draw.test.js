@@ -218,7 +218,10 @@ test("colours go by role", () => {
 
 test("without the layer of names, the point of the construction under the pointer has its name", () => {
   const points = pointsOf("100,300 100,100 500,100 500,300");
-  const words = (layers, pointer) => drawn({ points, layers, pointer, t: 0.5 }).ctx.of("fillText").map(([text]) => text);
+  const words = (layers, pointer) =>
+    drawn({ points, layers, pointer, t: 0.5 })
+      .ctx.of("fillText")
+      .map(([text]) => text);
   const own = ["P0", "P1", "P2", "P3"];
   assert.deepEqual(words(["construction"], [305, 92]), [...own, "P12"]);
   assert.deepEqual(words(["construction", "halves"], [202, 150]), [...own, "P0112"]);

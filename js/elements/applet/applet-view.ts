@@ -137,7 +137,8 @@ export class AppletView extends AppletActions {
         this.do((state) => edits.withPointAt(state, this.selected, at), this.places([this.selected])),
       point: (at) => {
         const state = this.host.now();
-        const isFollowed = state.layers.has("nearest") || (state.layers.has("construction") && !state.layers.has("names"));
+        const isFollowed =
+          state.layers.has("nearest") || (state.layers.has("construction") && !state.layers.has("names"));
         if (isFollowed) this.host.display({ ...state, pointer: at?.() ?? null });
       },
       look: (factor, from, to) => this.#look(factor, from, to),

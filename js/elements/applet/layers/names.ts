@@ -47,8 +47,8 @@ export const hoveredName = {
       const [x, y] = context.lens.place(at[0], at[1]);
       return Math.hypot(x - here[0], y - here[1]);
     });
-    const least = Math.min(...distances);
-    if (least <= HOVER_RADIUS * context.px) names.draw(context, [data[distances.indexOf(least)]]);
+    const min = Math.min(...distances);
+    if (min <= HOVER_RADIUS * context.px) names.draw(context, [data[distances.indexOf(min)]]);
   },
 };
 
