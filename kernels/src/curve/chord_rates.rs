@@ -101,10 +101,10 @@ fn rates<const D: usize>(coefficients: &[[f64; D]; 3], per_tolerance: f64) -> Ch
         let twice_g: Vectors<D> = std::array::from_fn(|i| g0[i] + g1[i]);
         let twice_v: Vectors<D> = std::array::from_fn(|i| v1[i] + d[i] * half_of_one);
         let square = dot(&twice_v, &twice_v) + f32x4::splat(f32::MIN_POSITIVE);
-        let least = cross_squared(&twice_g, &twice_v) / (square * f32x4::splat(4.0));
+        let lower = cross_squared(&twice_g, &twice_v) / (square * f32x4::splat(4.0));
         let rate = |squared: f32x4| (squared.sqrt() * factor).sqrt().to_array();
         *enough = rate(bound);
-        *minimum = rate(least);
+        *minimum = rate(lower);
     }
     rates
 }

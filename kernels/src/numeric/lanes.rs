@@ -28,7 +28,8 @@ pub fn if_greater(a: f32x4, b: f32x4, yes: f32x4, no: f32x4) -> f32x4 {
 }
 
 /// What is used of `wide`, for arrays.
-#[cfg(not(feature = "surfaces"))]
+#[cfg(any(test, not(feature = "surfaces")))]
+#[allow(unreachable_pub, reason = "with surfaces only a test uses it")]
 mod array {
     use crate::numeric::order::{larger, smaller};
     use std::array::from_fn;
@@ -76,16 +77,16 @@ mod array {
                     self.0
                 }
 
-                /// The larger numbers; those of `self` where `other` is NaN.
+                /// The larger numbers, if none is NaN.
                 #[inline(always)]
                 pub fn fast_max(self, other: Self) -> Self {
-                    Self(from_fn(|i| larger(other.0[i], self.0[i])))
+                    Self(from_fn(|i| larger(self.0[i], other.0[i])))
                 }
 
-                /// The smaller numbers; those of `self` where `other` is NaN.
+                /// The smaller numbers, if none is NaN.
                 #[inline(always)]
                 pub fn fast_min(self, other: Self) -> Self {
-                    Self(from_fn(|i| smaller(other.0[i], self.0[i])))
+                    Self(from_fn(|i| smaller(self.0[i], other.0[i])))
                 }
 
                 /// The square roots.
@@ -131,5 +132,56 @@ mod array {
         pub fn transpose(rows: [Self; 4]) -> [Self; 4] {
             from_fn(|i| Self(rows.map(|row| row.0[i])))
         }
+    }
+}
+
+#[cfg(all(test, feature = "surfaces"))]
+mod tests {
+    use super::array;
+
+    /// Every operation on these numbers, by both implementations, bit for bit.
+    macro_rules! compare {
+        ($Lanes:ident, $T:ty, $numbers:expr) => {
+            let (a, b): ([$T; _], [$T; _]) = $numbers;
+            let (x, y) = (wide::$Lanes::new(a), wide::$Lanes::new(b));
+            let (u, v) = (array::$Lanes::new(a), array::$Lanes::new(b));
+            let bits = |numbers: [$T; _]| numbers.map(<$T>::to_bits);
+            let same = |wide: wide::$Lanes, array: array::$Lanes| {
+                assert_eq!(bits(wide.to_array()), bits(array.to_array()), "{a:?} {b:?}");
+            };
+            same(x + y, u + v);
+            same(x - y, u - v);
+            same(x * y, u * v);
+            same(x / y, u / v);
+            same(x.fast_max(y), u.fast_max(v));
+            same(x.fast_min(y), u.fast_min(v));
+            same(x.abs(), u.abs());
+            same(x.abs().sqrt(), u.abs().sqrt());
+            same(wide::$Lanes::splat(a[0]), array::$Lanes::splat(a[0]));
+            same(wide::$Lanes::ZERO, array::$Lanes::ZERO);
+        };
+    }
+
+    #[test]
+    fn arrays_give_the_numbers_of_wide() {
+        compare!(f64x2, f64, ([1.0 / 3.0, -7e200], [-0.3, 1e-150]));
+        compare!(f64x2, f64, ([5e-324, 0.1], [3.0, 0.7]));
+        compare!(
+            f32x4,
+            f32,
+            ([0.1, -2.5, 1e-40, 7e30], [0.3, 1e-3, -4.0, 1e20])
+        );
+        let rows = [
+            [1.0, 2.0, 3.0, 4.0],
+            [5.0, 6.0, 7.0, 8.0],
+            [0.1; 4],
+            [-1.0; 4],
+        ];
+        let columns = wide::f32x4::transpose(rows.map(wide::f32x4::new));
+        let same = array::f32x4::transpose(rows.map(array::f32x4::new));
+        assert_eq!(
+            columns.map(wide::f32x4::to_array),
+            same.map(array::f32x4::to_array)
+        );
     }
 }

@@ -6,7 +6,7 @@ pub fn larger<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }
 }
 
-/// The smaller of two numbers.
+/// The smaller of two numbers; the second one if one is NaN.
 #[inline(always)]
 pub fn smaller<T: PartialOrd>(a: T, b: T) -> T {
     if a < b { a } else { b }

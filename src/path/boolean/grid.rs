@@ -141,22 +141,18 @@ fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
 ///
 /// A line that is cut keeps its number for its first part; the other parts get new numbers. After the first pass only
 /// lines that were cut are compared, with all. Nearly parallel lines may need hundreds of passes that cut a few lines
-/// each, so the tree of all lines is made anew only when the trees of the lines since then have cost as much.
+/// each, so the tree of all lines is built again only when the trees of added lines together have had as many leaves.
 fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
-    let tree_of = |lines: &mut dyn Iterator<Item = &Line>| {
-        let boxes: Vec<_> = lines.map(|line| Bounds::from_points(&line.ends)).collect();
-        BoxTree::new(&boxes)
-    };
     if let Some(last) = lines.last_mut() {
         last.next = usize::MAX;
     }
     let mut work = steps_for(lines.len());
     let mut changed: Vec<usize> = (0..lines.len()).collect();
-    // Lines only become shorter, so the boxes of the tree still contain them.
-    let (mut tree, mut in_tree, mut cost) = (tree_of(&mut lines.iter()), lines.len(), 0);
+    // Lines only get shorter, so the boxes of the tree still contain them.
+    let (mut tree, mut in_tree, mut leaves) = (tree_of(lines.iter()), lines.len(), 0);
     for _ in 0..MAX_PASSES {
-        let later = tree_of(&mut lines[in_tree..].iter());
-        let of_changed = tree_of(&mut changed.iter().map(|&k| &lines[k]));
+        let later = tree_of(lines[in_tree..].iter());
+        let of_changed = tree_of(changed.iter().map(|&k| &lines[k]));
         let mut cuts = Vec::new();
         for (first, tree) in [(0, &tree), (in_tree, &later)] {
             tree.pairs_with(&of_changed, &mut work, |i, j| {
@@ -179,13 +175,18 @@ fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
                 needed,
             ));
         }
-        cost += lines.len() - in_tree;
-        if cost > in_tree {
-            (tree, in_tree, cost) = (tree_of(&mut lines.iter()), lines.len(), 0);
+        leaves += lines.len() - in_tree;
+        if leaves > in_tree {
+            (tree, in_tree, leaves) = (tree_of(lines.iter()), lines.len(), 0);
         }
     }
     let passes = "passes of the division on a grid";
     Err(Error::too_many(passes, MAX_PASSES, MAX_PASSES + 1))
+}
+
+fn tree_of<'a>(lines: impl Iterator<Item = &'a Line>) -> BoxTree {
+    let boxes: Vec<_> = lines.map(|line| Bounds::from_points(&line.ends)).collect();
+    BoxTree::new(&boxes)
 }
 
 /// Adds the corners at which two lines are cut: ends of the other one in whose cell a line runs, and their crossing.

@@ -3,6 +3,7 @@
 use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
 use crate::numeric::lanes::f64x2;
 use crate::numeric::order::larger;
+use crate::numeric::order::smaller;
 use crate::numeric::zero::newton_in_bracket;
 
 type Complex = [f64; 2];
@@ -291,8 +292,8 @@ impl Roots {
             (x * x + square).sqrt()
         });
         let axes = f64x2::splat(0.5) * (before + after);
-        let far = f64x2::splat(f64::INFINITY);
-        Axes(far.fast_min(axes))
+        let far = |axis: f64| smaller(axis, f64::INFINITY);
+        Axes(f64x2::new(axes.to_array().map(far)))
     }
 
     /// The closest root that is not at an end, and its axis.

@@ -101,7 +101,7 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
 #[inline(never)]
 fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 3]]) -> bool {
     let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
-    let mut least = f32x4::splat(f32::INFINITY);
+    let mut smallest = f32x4::splat(f32::INFINITY);
     let limit = f32x4::splat(min);
     for (k, lanes) in lanes.iter().enumerate() {
         let [w, skew] = lanes.normals;
@@ -111,10 +111,10 @@ fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 
         let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
         let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), limit);
         let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), limit);
-        least = least.fast_min(near.1).fast_min(far.1);
+        smallest = smallest.fast_min(near.1).fast_min(far.1);
         store(near.0, far.0, 1 + k * LANES, line);
     }
-    least.to_array().into_iter().all(|square| square > min)
+    smallest.to_array().into_iter().all(|square| square > min)
 }
 
 /// Four unit vectors, zero where the squared length is not greater than `min`, and the squared lengths.
