@@ -14,7 +14,7 @@ const COMMITTED_KB = {
   "{ Curve }": 154.5,
   "{ Surface }": 260.1,
   "{ Path } of paths": 163.6,
-  everything: 419.4,
+  everything: 431,
   "{ Curve, Spline } of core": 48.4,
   "{ Surface } of surfaces": 122.2,
   "only types": 0,

@@ -14,7 +14,7 @@ export const IMPORTS = [
   ["{ Curve }", "Curve", "index"],
   ["{ Path } of paths", "Path", "paths"],
   ["{ Surface }", "Surface", "index"],
-  ["everything", "Curve, Spline, Path, Patch, Surface, Mesh, easing, init", "index"],
+  ["everything", "Curve, Spline, Path, InkStroke, Patch, Surface, Mesh, easing, init", "index"],
   ["{ Curve, Spline } of core", "Curve, Spline", "core"],
   ["{ Surface } of surfaces", "Surface", "surfaces"],
   ["only types", "type Curve, type Mesh", "index"],

@@ -13,6 +13,7 @@ pub(crate) mod builder;
 mod convert;
 mod elements;
 mod evaluate;
+mod ink;
 pub(crate) mod intersect;
 pub(crate) mod length;
 mod moments;
@@ -30,6 +31,7 @@ pub use arcs::CircularArc;
 pub use boolean::{BooleanOperation, Face};
 pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
+pub use ink::{InkChanges, InkOptions, InkPressure, InkSample, InkStroke};
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
 pub use stroke::{

@@ -331,7 +331,7 @@ fn assemble<P: Point>(
 }
 
 /// Whether a cubic is straight and does not pass its ends.
-fn is_line<P: Point>([a, b, c, d]: [P; 4]) -> bool {
+pub(crate) fn is_line<P: Point>([a, b, c, d]: [P; 4]) -> bool {
     let chord = d - a;
     let square = chord.dot(chord);
     square > 0.0

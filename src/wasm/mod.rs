@@ -22,6 +22,7 @@ mod curve;
 mod curve_shape;
 mod decode_surface;
 mod frames;
+mod ink;
 mod interpolate;
 mod intersect;
 mod mesh;

@@ -35,7 +35,7 @@ fn paths(a: &Arena, count: usize) -> (Vec<Path>, usize) {
 }
 
 /// Writes a path in the form in which paths are passed; returns the end.
-fn write_path(a: &mut Arena, at: usize, path: &Path) -> usize {
+pub(super) fn write_path(a: &mut Arena, at: usize, path: &Path) -> usize {
     let mut at = a.write_numbers(at, &[path.subpath_count() as f64]);
     for part in path.parts() {
         let closed = usize::from(part.closed);

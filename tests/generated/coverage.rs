@@ -3,8 +3,16 @@
 use std::path::{Path, PathBuf};
 
 /// The types whose functions are called with generated arguments.
-const TYPES: [&str; 8] = [
-    "Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "Grid", "Easing",
+const TYPES: [&str; 9] = [
+    "Curve",
+    "Spline",
+    "Path",
+    "InkStroke",
+    "Patch",
+    "Surface",
+    "Mesh",
+    "Grid",
+    "Easing",
 ];
 
 /// Endings of functions that take options or a tolerance; the checks of the plain functions call them with those of the
@@ -12,7 +20,12 @@ const TYPES: [&str; 8] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 44] = [
+const WITHIN_OTHERS: [&str; 49] = [
+    "InkStroke::new", // InkStroke::outline, and those that follow
+    "InkStroke::append",
+    "InkStroke::changes",
+    "InkStroke::spline",
+    "InkStroke::widths",
     "Grid::vertex_count",          // Patch::grid
     "Grid::triangle_count",        // Patch::grid
     "Grid::vertex",                // Grid::quads

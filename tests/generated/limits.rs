@@ -31,6 +31,7 @@ const LIMITS: &[(&str, usize)] = &[
     ("Surface::intersect_ray", RAY),
     ("Surface::bounds", 6 * SEARCH),
     ("Surface::area", 1 << 22),
+    ("InkStroke::outline", REGION),
     ("Curve::chain", FLATTEN),
     ("Spline::chain", FLATTEN),
     ("Path::chain", CHAIN),

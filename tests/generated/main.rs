@@ -11,6 +11,7 @@ mod coverage;
 mod curves;
 mod drawing;
 mod geometry;
+mod ink;
 mod limits;
 mod lines;
 mod meshes;
@@ -148,6 +149,9 @@ groups! {
     }
     paths_strokes {
         Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners to_arcs;
+    }
+    ink_strokes {
+        InkStroke one (ink): outline;
     }
     patches {
         Patch one (patches new): new degree_u degree_v control_points;

@@ -6,7 +6,9 @@ use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::mesh::*;
 use casteljau::patch::*;
-use casteljau::path::{CircularArc, Face, PathElement, PathIntersection, PathPoint, PathTime};
+use casteljau::path::{
+    CircularArc, Face, InkChanges, InkStroke, PathElement, PathIntersection, PathPoint, PathTime,
+};
 use casteljau::spline::*;
 use casteljau::surface::*;
 use casteljau::{Curve, Error, Path, Point, Spline};
@@ -113,6 +115,8 @@ by_fields! {
     [] Continuity {gap angle};
     [] Face {path};
     [] Found {1};
+    [] InkStroke {};
+    [] InkChanges {settled open};
     [] PathTime {t};
     [] PathPoint {t point distance};
     [] CircularArc {start end center start_angle end_angle}; // the radius of a line is infinite

@@ -262,7 +262,7 @@ fn is_region(region: &Path, paths: &[&Path]) -> Checked {
     is_within(region, paths)
 }
 
-fn is_closed(region: &Path) -> Checked {
+pub(crate) fn is_closed(region: &Path) -> Checked {
     let closed = region.subpaths().all(|spline| spline.is_closed());
     holds!(closed, "a contour is open")
 }
@@ -342,7 +342,7 @@ pub(crate) fn filled_moments(path: Path, rule: FillRule) -> Checked {
 }
 
 /// What errors of strokes may name: negative widths, and results that are too large or cannot be resolved.
-const REFUSALS: &str = "width|widths|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
+pub(crate) const REFUSALS: &str = "width|widths|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
 
 /// The options of a stroke; caps follow the joins, so that all kinds occur.
 fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {

@@ -23,7 +23,7 @@ const ROOTS = [(3 - Math.sqrt(3)) / 6, (3 + Math.sqrt(3)) / 6];
 const WITH_CURVES = { complete, core: coreEntry, slim };
 
 test("entries: what each one exports", () => {
-  const all = ["Curve", "Mesh", "Patch", "Path", "Spline", "Surface", "easing", "init"];
+  const all = ["Curve", "InkStroke", "Mesh", "Patch", "Path", "Spline", "Surface", "easing", "init"];
   assert.deepEqual(Object.keys(complete).sort(), all);
   assert.deepEqual(Object.keys(slim).sort(), all);
   assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Spline", "init"]);

@@ -14,8 +14,8 @@ import { isWanted, range, seed } from "./generated/settings.js";
 const HANG_MS = 300_000;
 const LOOK_MS = 1_000;
 
-const { Curve, Spline, Path, Patch, Surface, Mesh } = casteljau;
-const CLASSES = { Curve, Spline, Path, Patch, Surface, Mesh };
+const { Curve, Spline, Path, InkStroke, Patch, Surface, Mesh } = casteljau;
+const CLASSES = { Curve, Spline, Path, InkStroke, Patch, Surface, Mesh };
 const [first, count] = range;
 const path = generatorPath();
 

@@ -55,7 +55,7 @@ test("declarations do not show the parameters that refuse surplus arguments", as
  * The grid of Boolean operations, rates of chords and `simplify` of paths added 30 kB.
  * Strokes of varying width added 40 kB: 13 kB of wasm in each of two bundles and in casteljau.wasm.
  */
-const MAX_TARBALL_KB = 3100;
+const MAX_TARBALL_KB = 3200;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);

@@ -4,7 +4,12 @@ import { openPage } from "./browser.js";
 
 export const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 /** The applications and their elements. @type {Record<string, string>} */
-export const TAGS = { "/easing/": "easing-lab", "/camera/": "camera-path", "/glyph/": "glyph-editor" };
+export const TAGS = {
+  "/easing/": "easing-lab",
+  "/camera/": "camera-path",
+  "/glyph/": "glyph-editor",
+  "/ink/": "ink-pad",
+};
 
 /** Opens an application, and waits until it has drawn. */
 export async function open(t, path, options = {}) {

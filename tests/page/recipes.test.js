@@ -87,10 +87,21 @@ test("a brush stroke follows the pointer; a click makes a dot; the download is t
     const { x, width } = /** @type {SVGPathElement} */ (path).getBBox();
     return [x, width];
   });
-  assert.ok(Math.abs(width - 11) < 0.5 && Math.abs(left + width / 2 - 320) < 1, `${width} at ${left}`);
+  assert.ok(Math.abs(width - 14) < 0.5 && Math.abs(left + width / 2 - 320) < 1, `${width} at ${left}`);
   const { name, bytes } = await downloadBy(figure.getByRole("button"));
   assert.equal(name, "stroke.svg");
   assert.match(bytes.toString(), /<path d="M/);
+});
+
+test("ink: the canvas keeps what was drawn, and the preview is empty afterwards", async (t) => {
+  const { page, figure, output } = await openRecipe(t, "ink");
+  const layers = await figure.locator("canvas").all();
+  const inked = () => Promise.all(layers.map((layer) => layer.evaluate(inkedAfterInput)));
+  assert.deepEqual(await inked(), [0, 0]);
+  await dragBy(page, figure.locator("canvas").first(), 120, 60);
+  const [drawing, preview] = await inked();
+  assert.ok(drawing > 500 && preview === 0, `${drawing} ${preview}`);
+  assert.match(await output.innerText(), /^A stroke of \d+ curves$/);
 });
 
 test("two icons: as many marks as intersections, none where they are apart", async (t) => {

@@ -3,6 +3,7 @@
 mod cases;
 mod contains;
 mod dashes;
+mod ink;
 mod resvg;
 mod round;
 mod round_corners;

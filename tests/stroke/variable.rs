@@ -7,18 +7,18 @@ use casteljau::glam::DVec2;
 use casteljau::path::{
     FillRule, OffsetJoin, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
 };
-use casteljau::{Error, Path};
+use casteljau::{Curve, Error, Path};
 use std::f64::consts::{PI, TAU};
 
 const POINTS: usize = 60;
 
 /// The centres and radii of the discs of an open path of one subpath, at dense parameters.
-struct Discs(Vec<(DVec2, f64)>);
+pub(super) struct Discs(pub(super) Vec<(DVec2, f64)>);
 
 const STEPS: usize = 4_000;
 
 /// The width of a profile, written again from its documentation.
-fn width(profile: &WidthProfile, position: f64) -> f64 {
+pub(super) fn width(profile: &WidthProfile, position: f64) -> f64 {
     let stops = &profile.stops;
     let next = stops.iter().position(|stop| stop.0 > position);
     let k = match next {
@@ -27,11 +27,36 @@ fn width(profile: &WidthProfile, position: f64) -> f64 {
         Some(k) => k,
     };
     let ((a, from), (b, to)) = (stops[k - 1], stops[k]);
-    from + (to - from) * (position - a) / (b - a)
+    let t = (position - a) / (b - a);
+    if profile.interpolation == WidthInterpolation::Linear {
+        return from + (to - from) * t;
+    }
+    let [before, after] = [k - 1, k].map(|k| slope(stops, k) * (b - a) / 3.0);
+    let cubic = Curve::new(&[from, from + before, to - after, to].map(|y| DVec2::new(0.0, y)));
+    cubic.expect("finite numbers").eval(t).y
+}
+
+/// The slope of a smooth profile at a stop: the weighted harmonic mean of Fritsch and Butland.
+fn slope(stops: &[(f64, f64)], k: usize) -> f64 {
+    let secant = |pair: &[(f64, f64)]| {
+        let h = pair[1].0 - pair[0].0;
+        (h, (pair[1].1 - pair[0].1) / h)
+    };
+    let is_end = [0.0, 1.0].contains(&stops[k].0);
+    match (k.checked_sub(1), stops.get(k + 1)) {
+        (None, None) => 0.0,
+        (None, _) => f64::from(u8::from(is_end)) * secant(&stops[..2]).1,
+        (Some(before), None) => f64::from(u8::from(is_end)) * secant(&stops[before..]).1,
+        (Some(before), Some(_)) => {
+            let ((g, p), (h, q)) = (secant(&stops[before..]), secant(&stops[k..]));
+            let mean = 3.0 * (g + h) / ((2.0 * g + h) / q + (g + 2.0 * h) / p);
+            if p * q > 0.0 { mean } else { 0.0 }
+        }
+    }
 }
 
 impl Discs {
-    fn new(path: &Path, profile: &WidthProfile) -> Self {
+    pub(super) fn new(path: &Path, profile: &WidthProfile) -> Self {
         let spline = path.subpath(0).expect("a subpath");
         let count = real(spline.segment_count());
         let mut ts: Vec<f64> = (0..=STEPS).map(|k| count * real(k) / real(STEPS)).collect();
@@ -57,7 +82,7 @@ impl Discs {
     }
 
     /// The distance of a point from the union of the discs and of the disks between neighbours; negative inside.
-    fn distance(&self, p: DVec2) -> f64 {
+    pub(super) fn distance(&self, p: DVec2) -> f64 {
         let between = |pair: &[(DVec2, f64)]| {
             let [(a, r), (b, s)] = [pair[0], pair[1]];
             let chord = b - a;

@@ -29,10 +29,11 @@ function packedList(paths: unknown): Float64Array[] {
 }
 
 /**
+ * @internal
  * @param start of a packed path
  * @returns the index after it
  */
-function endOfPath(numbers: Float64Array, start: number): number {
+export function endOfPath(numbers: Float64Array, start: number): number {
   let at = start + 1;
   for (let k = 0; k < numbers[start]; k++) at = extentAt(numbers, at).end;
   return at;

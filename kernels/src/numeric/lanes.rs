@@ -29,8 +29,7 @@ pub fn if_greater(a: f32x4, b: f32x4, yes: f32x4, no: f32x4) -> f32x4 {
 
 /// What is used of `wide`, for arrays.
 #[cfg(any(test, not(feature = "surfaces")))]
-#[allow(unreachable_pub, reason = "with surfaces only a test uses it")]
-mod array {
+pub mod array {
     use crate::numeric::order::{larger, smaller};
     use std::array::from_fn;
     use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};

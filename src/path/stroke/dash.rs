@@ -35,6 +35,14 @@ impl Dash {
         }
     }
 
+    /// A part that begins at an arc length, which the stroke does not ask for its parameters on the subpath.
+    pub(super) fn from_length(spline: Spline<DVec2>, length: f64) -> Self {
+        Self {
+            from: (0.0, length),
+            ..Self::whole(spline)
+        }
+    }
+
     /// The parameters on the subpath at the ends of the segments of the dash.
     pub(super) fn parameters(&self) -> Vec<f64> {
         let count = self.spline.segment_count();

@@ -121,6 +121,22 @@ impl Path {
         }
     }
 
+    /// The contours of the stroke of an open part of a subpath of some length; the part begins at the length `from` of it.
+    pub(in crate::path) fn stroke_part(
+        part: Spline<DVec2>,
+        from: f64,
+        length: f64,
+        profile: &WidthProfile,
+        options: &StrokeOptions,
+    ) -> Result<Self, Error> {
+        match Self::from(part.clone()).pen(profile.max(), options)? {
+            Some(pen) => {
+                Strokes::of_part(part, from, length, profile, &pen)?.finish(&pen, options.simple)
+            }
+            None => Ok(Self::default()),
+        }
+    }
+
     /// Whether a point is in a stroke of varying width, as [`stroke_with`](Self::stroke_with) describes it; within the
     /// tolerance of the boundary the answer may be either.
     ///

@@ -16,7 +16,7 @@ use super::contours::{push_disk, push_dot};
 use super::dash::Dash;
 use super::options::{Pen, StrokeCap};
 use super::outline::push_closed;
-use super::profile::{Radii, WidthPosition};
+use super::profile::{Radii, WidthPosition, WidthProfile};
 use super::variable_pen::{LEFT, PenAt, RIGHT, ROUNDING, Section, SectionEvaluator, between_ends};
 use super::variable_side::{MAX_HALVINGS, SideFit, push_line};
 use super::{Strokes, has_size};
@@ -238,6 +238,32 @@ pub(super) struct Subpath {
     length: f64,
 }
 
+impl Subpath {
+    /// A subpath of a length, and the pen in its scale.
+    fn new(
+        spline: &Spline<DVec2>,
+        length: f64,
+        radii_of: impl Fn(f64) -> Radii,
+        pen: &Pen,
+    ) -> (Self, Pen) {
+        let points = spline.control_points();
+        let size = 1.0 / Normalized::around(points[0], points).scale;
+        let normalized = Normalized::new(points[0], size.max(pen.radius));
+        let whole = Self {
+            radii: radii_of(normalized.scale),
+            normalized,
+            steps: as_f64(spline.segment_count()),
+            length: length * normalized.scale,
+        };
+        let scaled = Pen {
+            radius: pen.radius * normalized.scale,
+            tolerance: pen.tolerance * normalized.scale,
+            ..*pen
+        };
+        (whole, scaled)
+    }
+}
+
 impl Strokes {
     /// Adds the stroke of a subpath or of one of its dashes; `whole` is the subpath.
     pub(super) fn add_variable(
@@ -411,21 +437,7 @@ impl Path {
         let mut strokes = Strokes::default();
         let mut count = 0;
         for spline in self.subpaths() {
-            let points = spline.control_points();
-            let around = Normalized::around(points[0], points);
-            let size = 1.0 / around.scale;
-            let normalized = Normalized::new(points[0], size.max(pen.radius));
-            let whole = Subpath {
-                radii: radii_of(normalized.scale),
-                normalized,
-                steps: as_f64(spline.segment_count()),
-                length: spline.length() * normalized.scale,
-            };
-            let scaled = Pen {
-                radius: pen.radius * normalized.scale,
-                tolerance: pen.tolerance * normalized.scale,
-                ..*pen
-            };
+            let (whole, scaled) = Subpath::new(&spline, spline.length(), &radii_of, pen);
             let [from, to] = whole.radii.ends();
             // Dashes do not pass a step of the width at the start of a closed subpath.
             let opened = (spline.is_closed() && from != to).then(|| opened(&spline));
@@ -437,6 +449,22 @@ impl Path {
                 strokes.add_variable(dash, &whole, &scaled)?;
             }
         }
+        Ok(strokes)
+    }
+}
+
+impl Strokes {
+    /// The contours of an open part of a longer subpath, which begins at a length of it.
+    pub(super) fn of_part(
+        part: Spline<DVec2>,
+        from: f64,
+        length: f64,
+        profile: &WidthProfile,
+        pen: &Pen,
+    ) -> Result<Self, Error> {
+        let (whole, scaled) = Subpath::new(&part, length, |scale| Radii::new(profile, scale), pen);
+        let mut strokes = Self::default();
+        strokes.add_variable(&Dash::from_length(part, from), &whole, &scaled)?;
         Ok(strokes)
     }
 }

@@ -102,6 +102,7 @@ const TABLE: &[&str] = &[
     "Path: rect (self, p: point, width: length, height: length, radius: length)",
     "Path: polygon (self, closed)",
     "Path: chain (self, map: extreme map, other: path, width: length)",
+    "InkStroke: outline (points: plane stroke, width: length, part: unit, pressure: flag)",
     "Patch: from_basis (basis, points: sixteen points)",
     "Patch: degree_u degree_v flatness (self)",
     "Patch: eval partials normal curvature de_casteljau split (self, u: t, v: t)",

@@ -19,6 +19,7 @@ impl Maker<'_> {
             "few points" => self.some_points(any, 2, 8),
             "many points" => self.some_points(any, 2, 24),
             "stroke" => self.some_points(any, 2, 60),
+            "plane stroke" => self.some_points(2, 1, 60),
             "parameters" => Value::Numbers(self.parameters(1.0)),
             "spline parameters" => Value::Numbers(self.parameters(self.segments())),
             "distinct parameters" => self.distinct_parameters(),

@@ -1,6 +1,6 @@
 // For each public function the call that a generated case means.
 import assert from "node:assert/strict";
-import { Curve, easing, Mesh, Patch, Path, Spline, Surface } from "casteljau";
+import { Curve, easing, InkStroke, Mesh, Patch, Path, Spline, Surface } from "casteljau";
 import * as THREE from "three";
 import { recorder, withPath2D } from "../reference.js";
 
@@ -257,4 +257,20 @@ const SURFACE = {
 };
 
 /** Calls by the names of functions, in pieces of about equal work. */
-export const GROUPS = [{ ...CURVE }, { ...SPLINE }, { ...PATH, ...PATCH }, { ...SURFACE }];
+/** A stroke of the samples of a case. */
+const ink = (a) => {
+  const options = { size: Math.abs(a.width), thinning: 2 * a.part - 1, smoothing: a.part, streamline: 1 - a.part };
+  const stroke = new InkStroke({ ...options, pressure: a.pressure ? "device" : "simulated" });
+  for (const [x, y] of a.points) stroke.append(x, y, { pressure: a.part });
+  return stroke;
+};
+const INK = {
+  "InkStroke.constructor": (a) => ink(a).widths(),
+  "InkStroke.append": (a) => ink(a).append(0, 0).spline(),
+  "InkStroke.changes": (a) => ink(a).changes(a.points.slice(0, 1)),
+  "InkStroke.outline": (a) => ink(a).outline(),
+  "InkStroke.spline": (a) => ink(a).spline(),
+  "InkStroke.widths": (a) => ink(a).widths(),
+};
+
+export const GROUPS = [{ ...CURVE }, { ...SPLINE }, { ...PATH, ...INK, ...PATCH }, { ...SURFACE }];

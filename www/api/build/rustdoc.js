@@ -4,6 +4,7 @@
 const PAGES = {
   Basis: "curve/enum.Basis.html",
   Easing: "struct.Easing.html",
+  InkStroke: "path/struct.InkStroke.html",
   Grid: "mesh/struct.Grid.html",
   PathBuilder: "path/struct.PathBuilder.html",
   TessellationOptions: "mesh/struct.TessellationOptions.html",

@@ -2,7 +2,7 @@
 // the code that runs.
 
 /** What samples use without importing it; the import is added where a sample is shown. */
-export const NAMES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "easing", "init"];
+export const NAMES = ["Curve", "Spline", "Path", "InkStroke", "Patch", "Surface", "Mesh", "easing", "init"];
 
 /**
  * @typedef {{ name: string, kind: "point" | "points" | "number" | "choice", value: any, start: number, end: number, min?: number, max?: number, step?: number, options?: any[] }} Input

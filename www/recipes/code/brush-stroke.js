@@ -1,4 +1,4 @@
-import { Path, Spline } from "casteljau";
+import { InkStroke } from "casteljau";
 import { positionIn } from "./draggable.js";
 
 const svg = document.querySelector("#brush-stroke-picture");
@@ -6,45 +6,24 @@ const [area, line] = svg.children;
 const form = svg.nextElementSibling;
 const output = form.nextElementSibling;
 
-/** What is there before you draw: a wave, with a pressure between 0 and 1. */
-let samples = Array.from({ length: 61 }, (_, i) => ({
-  x: 50 + 5 * i,
-  y: 100 + 55 * Math.sin(i / 9),
-  pressure: 0.55 + 0.45 * Math.cos(i / 5),
-}));
+/** What is there before you draw: a wave. */
+let samples = Array.from({ length: 61 }, (_, i) => [50 + 5 * i, 100 + 55 * Math.sin(i / 9), {}]);
 
 function draw() {
-  let length = 0;
-  const lengths = samples.map(({ x, y }, i) => {
-    if (i > 0) length += Math.hypot(x - samples[i - 1].x, y - samples[i - 1].y);
-    return length;
-  });
-  const { width, taper } = form.elements;
-  const stops = samples.map(({ pressure }, i) => {
-    const position = length > 0 ? lengths[i] / length : 0;
-    const end = taper.checked ? Math.min(1, 5 * position, 5 * (1 - position)) : 1;
-    return [position, width.value * pressure * end];
-  });
-  const points = samples.map(({ x, y }) => [x, y]);
-  const spline =
-    length > 0 ? Spline.fit(points, { tolerance: 0.5 }) : new Spline([points[0], points[0]], { degree: 1 });
-  const brush = { stops: length > 0 ? stops : [[0, width.value / 2]], interpolation: "smooth" };
-  const outline = Path.from(spline).stroke(brush, { join: "round", cap: "round", tolerance: 0.1 }).simplify(0.15);
-  area.setAttribute("d", outline.toSVG());
-  line.setAttribute("d", spline.toSVG());
+  const { size, taper } = form.elements;
+  const ends = taper.checked ? { start: 40, end: 60 } : {};
+  const ink = new InkStroke({ size: Number(size.value), taper: ends, thinning: 0.7 });
+  for (const [x, y, sample] of samples) ink.append(x, y, sample);
+  const outline = ink.outline();
+  area.setAttribute("d", outline.toSVG({ precision: 2 }));
+  line.setAttribute("d", ink.spline().toSVG());
   const segments = outline.subpaths.reduce((sum, subpath) => sum + subpath.segmentCount, 0);
   output.textContent = `${samples.length} points, an outline of ${segments} segments`;
 }
 
-/** Pens report their pressure; for a mouse or a finger, slow is thick. */
 function add(event) {
   const { x, y } = positionIn(svg, event);
-  const last = samples.at(-1);
-  const step = last ? Math.hypot(x - last.x, y - last.y) : 0;
-  if (last && step < 1) return;
-  const slow = Math.max(0.15, 1 - step / 16);
-  const pressure = event.pointerType === "pen" ? event.pressure : last ? 0.7 * last.pressure + 0.3 * slow : 0.6;
-  samples.push({ x, y, pressure });
+  samples.push([x, y, { time: event.timeStamp }]);
 }
 
 svg.addEventListener("pointerdown", (event) => {

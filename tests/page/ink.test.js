@@ -1,0 +1,100 @@
+// The drawing surface: strokes by mouse and pen, undo and redo, settings, the file.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { open, slide, state } from "./application-page.js";
+import { boxOf, frames } from "./browser.js";
+import { downloadBy } from "./gestures.js";
+
+/** Moves along a wave with the button pressed. */
+async function pull(page, from, to, release = true) {
+  const { x, y, width, height } = await boxOf(page.locator("ink-pad .pad"));
+  const at = (part) => [x + width * (from + (to - from) * part), y + height * (0.75 + 0.15 * Math.sin(8 * part))];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let k = 1; k <= 40; k++) await page.mouse.move(...at(k / 40));
+  if (release) await page.mouse.up();
+  await frames(page, 2);
+}
+
+const strokes = (page) => page.locator("ink-pad .pad .ink").count();
+const counts = async (page, row) =>
+  (await page.locator("ink-pad tr").nth(row).locator("td").allInnerTexts()).map(parseFloat);
+
+test("ink: a stroke by the mouse, undo and redo by buttons and keys", async (t) => {
+  const page = await open(t, "/ink/");
+  assert.equal(await strokes(page), 1);
+  await pull(page, 0.1, 0.6);
+  assert.equal(await strokes(page), 2);
+  assert.match(await page.locator("ink-pad [role=status]").innerText(), /^2 strokes, 30\d samples/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await strokes(page), 1);
+  await page.getByRole("button", { name: "Redo" }).click();
+  assert.equal(await strokes(page), 2);
+  await page.locator("ink-pad .pad").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await strokes(page), 1);
+  await page.keyboard.press("Control+Shift+z");
+  assert.equal(await strokes(page), 2);
+  await page.getByRole("button", { name: "Clear" }).click();
+  assert.equal(await strokes(page), 0);
+  await page.keyboard.press("Control+z");
+  assert.equal(await strokes(page), 2);
+});
+
+test("ink: Escape gives up the stroke; it is drawn while the pointer moves", async (t) => {
+  const page = await open(t, "/ink/");
+  await pull(page, 0.2, 0.8, false);
+  assert.ok((await strokes(page)) >= 2);
+  assert.equal(await page.locator("ink-pad .view").nth(1).locator(".ink").count(), 2);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  assert.equal(await strokes(page), 1);
+  assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
+});
+
+test("ink: a pen's pressure is the width, and settings change all strokes", async (t) => {
+  const page = await open(t, "/ink/");
+  await page.getByRole("button", { name: "Clear" }).click();
+  await slide(page, "Thinning", 1);
+  await page.locator("ink-pad .pad").evaluate((pad) => {
+    const { left, top, width, height } = pad.getBoundingClientRect();
+    const fire = (type, part) =>
+      pad.dispatchEvent(
+        new PointerEvent(type, {
+          ...{ pointerId: 7, pointerType: "pen", bubbles: true, composed: true, button: 0 },
+          ...{ clientX: left + width * (0.1 + 0.8 * part), clientY: top + height / 2, pressure: 0.1 + 0.8 * part },
+        }),
+      );
+    pad.setPointerCapture = () => {};
+    fire("pointerdown", 0);
+    for (let k = 1; k <= 50; k++) fire("pointermove", k / 50);
+    fire("pointerup", 1);
+  });
+  const heights = () =>
+    page.locator("ink-pad .pad .ink").evaluate((element) => {
+      const path = /** @type {SVGPathElement} */ (element);
+      const point = (x, y) => new DOMPoint(x, y);
+      const extent = (x) =>
+        Array.from({ length: 300 }, (_, y) => path.isPointInFill(point(x, y))).filter(Boolean).length;
+      return [extent(100), extent(500)];
+    });
+  const [thin, thick] = await heights();
+  assert.ok(thin <= 6 && thick >= 16, `${thin} ${thick}`);
+  await slide(page, "Size", 24);
+  assert.ok((await heights())[1] >= 32);
+  assert.equal((await state(page)).size, 24);
+});
+
+test("ink: fewer curves and a smaller distance than perfect-freehand; the file has the same outlines", async (t) => {
+  const page = await open(t, "/ink/");
+  const [ours, theirs] = await counts(page, 1);
+  assert.ok(ours < theirs, `${ours} ${theirs}`);
+  const [near, far] = await counts(page, 3);
+  assert.ok(near <= 0.3 && near < far, `${near} ${far}`);
+  await page.getByRole("checkbox", { name: "Show the points" }).check();
+  assert.equal(await page.locator("ink-pad .nodes").count(), 2);
+  const { name, bytes } = await downloadBy(page.getByRole("button", { name: "Download SVG" }));
+  assert.equal(name, "ink.svg");
+  const drawn = await page.locator("ink-pad .pad .ink").getAttribute("d");
+  assert.ok(bytes.toString().includes(`<path d="${drawn}"/>`));
+});
