@@ -283,7 +283,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// Widths that are interpolated linearly within the tolerance become no stops.
+    /// Widths that are interpolated linearly within twice the tolerance, the radii within the tolerance, become no stops.
     fn new(run: &[InkPoint], handles: [DVec2; 2], tolerance: f64) -> Self {
         let [first, last] = [run[0], run[run.len() - 1]];
         let points = [first.position, handles[0], handles[1], last.position];
@@ -306,8 +306,8 @@ impl Piece {
                 from = before;
                 [min, max] = [f64::NEG_INFINITY, f64::INFINITY];
             }
-            min = min.max(slope(from, here.1 - tolerance));
-            max = max.min(slope(from, here.1 + tolerance));
+            min = min.max(slope(from, here.1 - 2.0 * tolerance));
+            max = max.min(slope(from, here.1 + 2.0 * tolerance));
             before = here;
         }
         stops.push((length, last.width));
@@ -675,19 +675,25 @@ impl InkStroke {
 
     /// The centre line; `None` without samples. A single point is a line of length 0.
     pub fn spline(&self) -> Option<Spline<DVec2>> {
-        let open = self.open_pieces(&[]);
+        self.spline_with(&self.open_pieces(&[]))
+    }
+
+    fn spline_with(&self, open: &[Piece]) -> Option<Spline<DVec2>> {
         let start = self.samples.first()?.position;
-        Some(chain(start, self.pieces.iter().chain(&open)))
+        Some(chain(start, self.pieces.iter().chain(open)))
     }
 
     /// The widths along the centre line, which has the outline as its stroke.
     pub fn widths(&self) -> WidthProfile {
-        let open = self.open_pieces(&[]);
+        self.widths_with(&self.open_pieces(&[]))
+    }
+
+    fn widths_with(&self, open: &[Piece]) -> WidthProfile {
         let length = open
             .iter()
             .fold(self.length, |sum, piece| sum + piece.length);
         if length > 0.0 {
-            self.profile(self.pieces.iter().chain(&open), 0.0, length)
+            self.profile(self.pieces.iter().chain(open), 0.0, length)
         } else {
             WidthProfile::constant(self.tip.map_or(self.options.size, |tip| tip.width))
         }
@@ -698,10 +704,11 @@ impl InkStroke {
     /// # Errors
     /// As [`Path::stroke_with`].
     pub fn outline(&self) -> Result<Path, Error> {
-        let Some(spline) = self.spline() else {
+        let open = self.open_pieces(&[]);
+        let Some(spline) = self.spline_with(&open) else {
             return Ok(Path::default());
         };
-        Path::from(spline).stroke_with(&self.widths(), &self.stroke_options())
+        Path::from(spline).stroke_with(&self.widths_with(&open), &self.stroke_options())
     }
 
     /// The contours that are new since the last call, for drawing while the pointer moves.

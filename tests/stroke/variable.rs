@@ -7,7 +7,7 @@ use casteljau::glam::DVec2;
 use casteljau::path::{
     FillRule, OffsetJoin, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
 };
-use casteljau::{Curve, Error, Path};
+use casteljau::{Curve, Error, Path, Spline};
 use std::f64::consts::{PI, TAU};
 
 const POINTS: usize = 60;
@@ -325,6 +325,26 @@ fn dashes_have_the_widths_of_their_subpath() {
     assert_eq!(dashed.subpath_count(), 1);
     assert!(dashed.contains(DVec2::new(11.9, 0.0), FillRule::NonZero));
     assert!(!dashed.contains(DVec2::new(-10.0, 0.0), FillRule::NonZero));
+}
+
+/// The position of the end exceeds 1 by rounding; in a short last curve that is a part of its own.
+#[test]
+fn open_subpaths_end_with_their_last_width() {
+    let mut rng = Rng(17);
+    for _ in 0..400 {
+        let mut points: Vec<DVec2> = (0..31)
+            .map(|k| DVec2::new(10.0 * real(k), 40.0 * rng.signed()))
+            .collect();
+        let end = points[30];
+        points.extend([1.0, 2.0, 3.0].map(|k| end + DVec2::new(k, 0.1 * k * k) * 1e-2));
+        let path = Path::from(Spline::new(&points, 3, false).unwrap());
+        let profile = WidthProfile::new(&[(0.0, 50.0), (0.5, 1.0), (1.0, 1.0)]);
+        let outline = path
+            .stroke_with(&profile, &round(0.01).simple(false))
+            .unwrap();
+        let ahead = end + DVec2::new(5.0, 0.0);
+        assert!(!outline.contains(ahead, FillRule::NonZero), "{points:?}");
+    }
 }
 
 #[test]

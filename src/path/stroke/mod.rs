@@ -170,7 +170,7 @@ impl Path {
         let Some(pen) = pen else {
             return Ok(None);
         };
-        let radii = |scale| Radii::new(profile, scale);
+        let radii = |scale, closed| Radii::new(profile, scale, closed);
         let strokes = self.variable_strokes(radii, &pen, pattern.as_ref())?;
         Ok(Some((strokes, pen)))
     }

@@ -130,6 +130,8 @@ impl WidthProfile {
 /// The radius, half the width, as a piecewise polynomial of the position.
 pub(super) struct Radii {
     pub(super) at: WidthPosition,
+    /// Whether positions above 1 continue at the start; those of an open subpath exceed 1 by rounding only.
+    closed: bool,
     /// Position, radius and slope at each stop.
     stops: Vec<[f64; 3]>,
     interpolation: WidthInterpolation,
@@ -153,6 +155,17 @@ impl RadiusPolynomial {
         ]
     }
 
+    /// Bounds of the sizes of the radius and its first two derivatives between two positions.
+    pub(super) fn bounds(&self, ends: [f64; 2]) -> [f64; 3] {
+        let x = ends.map(|end| (end - self.from).abs());
+        let (x, [a, b, c, d]) = (x[0].max(x[1]), self.coefficients.map(f64::abs));
+        [
+            a + x * (b + x * (c + x * d)),
+            b + x * (2.0 * c + x * 3.0 * d),
+            2.0 * c + x * 6.0 * d,
+        ]
+    }
+
     pub(super) fn is_linear(&self) -> bool {
         self.coefficients[2..] == [0.0; 2]
     }
@@ -168,7 +181,7 @@ impl RadiusPolynomial {
 
 impl Radii {
     /// Expects a checked profile; the widths are multiplied by a scale.
-    pub(super) fn new(profile: &WidthProfile, scale: f64) -> Self {
+    pub(super) fn new(profile: &WidthProfile, scale: f64, closed: bool) -> Self {
         let radius = |&(position, width): &(f64, f64)| [position, 0.5 * width * scale, 0.0];
         let mut stops: Vec<[f64; 3]> = profile.stops.iter().map(radius).collect();
         if profile.interpolation == WidthInterpolation::Smooth {
@@ -176,6 +189,7 @@ impl Radii {
         }
         Self {
             at: profile.at,
+            closed,
             stops,
             interpolation: profile.interpolation,
         }
@@ -193,9 +207,18 @@ impl Radii {
         [0.0, 1.0].map(|position| self.polynomial(position).at(position)[0])
     }
 
-    /// The polynomial around a position. Positions above 1 continue at the start of a closed subpath.
+    /// How often positions pass the start: not at all, and once for a closed subpath.
+    pub(super) fn rounds(&self) -> &'static [f64] {
+        if self.closed { &[0.0, 1.0] } else { &[0.0] }
+    }
+
+    /// The polynomial around a position.
     pub(super) fn polynomial(&self, position: f64) -> RadiusPolynomial {
-        let round = if position > 1.0 { 1.0 } else { 0.0 };
+        let round = if self.closed && position > 1.0 {
+            1.0
+        } else {
+            0.0
+        };
         let next = self
             .stops
             .partition_point(|stop| stop[0] <= position - round);

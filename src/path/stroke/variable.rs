@@ -17,7 +17,9 @@ use super::dash::Dash;
 use super::options::{Pen, StrokeCap};
 use super::outline::push_closed;
 use super::profile::{Radii, WidthPosition, WidthProfile};
-use super::variable_pen::{LEFT, PenAt, RIGHT, ROUNDING, Section, SectionEvaluator, between_ends};
+use super::variable_pen::{
+    Along, LEFT, PenAt, RIGHT, ROUNDING, Section, SectionEvaluator, between_ends,
+};
 use super::variable_side::{MAX_HALVINGS, SideFit, push_line};
 use super::{Strokes, has_size};
 use crate::curve::Curve;
@@ -75,16 +77,18 @@ impl VariableOutline<'_> {
             let to = evaluator.at(b);
             let [square, left, right] = evaluator.evaluate(0.5 * (a + b)).1;
             let is_inside = square <= 0.0 || square.is_nan() || section.radius.is_zero();
+            let is_line = is_inside || section.is_straight();
+            let inside = (!is_line).then(|| evaluator.inside([a, b]));
             for (side, ahead) in [(LEFT, left), (RIGHT, right)] {
                 let chain = if side == LEFT {
                     &mut self.left
                 } else {
                     &mut self.right
                 };
-                if is_inside || section.is_straight() {
+                let Some(inside) = &inside else {
                     push_line(chain, to.point(side));
                     continue;
-                }
+                };
                 let start = (chain.points.len() - 1, chain.degrees.len());
                 let sign = if ahead < -ROUNDING { -1.0 } else { 1.0 };
                 let fit = SideFit {
@@ -93,7 +97,14 @@ impl VariableOutline<'_> {
                     sign,
                     tolerance: self.pen.tolerance * (1.0 - SMOOTH_PART),
                 };
-                fit.add([a, b], [from, to], MAX_HALVINGS, chain, &mut self.work);
+                fit.add(
+                    [a, b],
+                    [from, to],
+                    inside,
+                    MAX_HALVINGS,
+                    chain,
+                    &mut self.work,
+                );
                 if sign < 0.0 {
                     let mut fold = SplineBuilder {
                         points: chain.points[start.0..].to_vec(),
@@ -243,14 +254,14 @@ impl Subpath {
     fn new(
         spline: &Spline<DVec2>,
         length: f64,
-        radii_of: impl Fn(f64) -> Radii,
+        radii_of: impl Fn(f64, bool) -> Radii,
         pen: &Pen,
     ) -> (Self, Pen) {
         let points = spline.control_points();
         let size = 1.0 / Normalized::around(points[0], points).scale;
         let normalized = Normalized::new(points[0], size.max(pen.radius));
         let whole = Self {
-            radii: radii_of(normalized.scale),
+            radii: radii_of(normalized.scale, spline.is_closed()),
             normalized,
             steps: as_f64(spline.segment_count()),
             length: length * normalized.scale,
@@ -343,18 +354,12 @@ impl Strokes {
                 }
                 WidthPosition::Length => 1.0 / length,
             };
-            let section = Section {
-                radius: radii.polynomial(position),
-                curve,
-                by: radii.at,
-                start: position,
-                rate,
-            };
-            position = section.position(1.0);
-            let breaks = breaks_of(&section, position, radii);
+            let along = Along::new(curve, radii.at, position, rate);
+            position = along.position(1.0);
+            let breaks = breaks_of(&along, position, radii);
             self.curve_count += breaks.len();
             for (k, pair) in breaks.windows(2).enumerate() {
-                let part = section.part(pair[0], pair[1], radii);
+                let part = along.part([pair[0], pair[1]], radii);
                 if has_size(&part.curve) {
                     outline.add(&part, k == 0);
                 }
@@ -412,15 +417,15 @@ fn has_corners(curves: &[(usize, Curve<DVec2>)], closed: bool) -> bool {
         || closed && is_corner(&curves[curves.len() - 1].1, &curves[0].1)
 }
 
-/// The parameters at which a section is divided, with both ends: at stops of the profile, and where the curve reverses.
-fn breaks_of(section: &Section, end: f64, radii: &Radii) -> Vec<f64> {
-    let mut breaks = section.reversals();
-    for round in [0.0, 1.0] {
-        let inside = radii.stops_between(section.start - round, end - round);
-        breaks.extend(inside.map(|position| section.time(position + round)));
+/// The parameters at which a curve is divided, with both ends: at stops of the profile, and where the curve reverses.
+fn breaks_of(along: &Along, end: f64, radii: &Radii) -> Vec<f64> {
+    let mut breaks = along.reversals.clone();
+    for &round in radii.rounds() {
+        let inside = radii.stops_between(along.start - round, end - round);
+        breaks.extend(inside.map(|position| along.time(position + round)));
     }
-    if section.start < 1.0 && end > 1.0 {
-        breaks.push(section.time(1.0));
+    if radii.rounds().len() > 1 && along.start < 1.0 && end > 1.0 {
+        breaks.push(along.time(1.0));
     }
     between_ends(&mut breaks);
     breaks
@@ -430,7 +435,7 @@ impl Path {
     /// The union of the discs of all subpaths, as contours.
     pub(super) fn variable_strokes(
         &self,
-        radii_of: impl Fn(f64) -> Radii,
+        radii_of: impl Fn(f64, bool) -> Radii,
         pen: &Pen,
         pattern: Option<&super::dash::Pattern>,
     ) -> Result<Strokes, Error> {
@@ -462,7 +467,12 @@ impl Strokes {
         profile: &WidthProfile,
         pen: &Pen,
     ) -> Result<Self, Error> {
-        let (whole, scaled) = Subpath::new(&part, length, |scale| Radii::new(profile, scale), pen);
+        let (whole, scaled) = Subpath::new(
+            &part,
+            length,
+            |scale, closed| Radii::new(profile, scale, closed),
+            pen,
+        );
         let mut strokes = Self::default();
         strokes.add_variable(&Dash::from_length(part, from), &whole, &scaled)?;
         Ok(strokes)

@@ -11,6 +11,7 @@ use crate::numeric::float::as_f64;
 use crate::numeric::zero::regula_falsi;
 use crate::spline::offset::{end_tangent, start_tangent};
 use glam::DVec2;
+use std::cell::OnceCell;
 
 /// The parameters at which signs are evaluated, for each degree.
 const SAMPLES_PER_DEGREE: usize = 8;
@@ -20,6 +21,9 @@ const ROOT_WIDTH: f64 = 1e-13;
 
 /// Values below this are rounding errors, at size 1.
 pub(super) const ROUNDING: f64 = 1e-12;
+
+/// The bound of the sum of what turns a side backwards, below which it does not; it would at 1.
+const GENTLE: f64 = 0.9;
 
 /// The two sides, as the signs of their normals.
 pub(super) const LEFT: f64 = 1.0;
@@ -57,63 +61,58 @@ impl PenAt {
     }
 }
 
-/// A part of a curve without a reversal, with a radius that is one polynomial of the position.
-pub(super) struct Section {
-    pub(super) curve: Curve<DVec2>,
-    pub(super) radius: RadiusPolynomial,
-    pub(super) by: WidthPosition,
+/// The positions along a curve of a subpath, by arc length or by t.
+pub(super) struct Along {
+    curve: Curve<DVec2>,
+    by: WidthPosition,
     /// The position at the start, and its rate by arc length or by t.
     pub(super) start: f64,
-    pub(super) rate: f64,
+    rate: f64,
+    /// The length of the curve, if positions follow from it.
+    length: f64,
+    /// The parameters at which the curve reverses: its cusps, and the turns of a straight curve.
+    pub(super) reversals: Vec<f64>,
+    /// The arc length by t and its unit, made when they are needed.
+    table: OnceCell<(ArcLengthTable, f64)>,
 }
 
-impl Section {
+impl Along {
+    pub(super) fn new(curve: Curve<DVec2>, by: WidthPosition, start: f64, rate: f64) -> Self {
+        let reversals = match curve.straight_direction() {
+            _ if curve.degree() == 1 => Vec::new(),
+            Some(direction) => curve.turns_along(direction).to_vec(),
+            None => curve.cusps(),
+        };
+        let length = match by {
+            WidthPosition::Length => curve.length(),
+            WidthPosition::T => 0.0,
+        };
+        Self {
+            curve,
+            by,
+            start,
+            rate,
+            length,
+            reversals,
+            table: OnceCell::new(),
+        }
+    }
+
     pub(super) fn position(&self, t: f64) -> f64 {
         let along = match self.by {
             WidthPosition::T => t,
-            _ if self.curve.degree() == 1 => t * self.curve.length(),
             WidthPosition::Length if t == 0.0 => 0.0,
-            WidthPosition::Length if t == 1.0 => self.curve.length(),
-            WidthPosition::Length => self.curve.part(0.0, t).length(),
+            WidthPosition::Length if t == 1.0 => self.length,
+            _ if self.curve.degree() == 1 => t * self.length,
+            WidthPosition::Length => {
+                let (table, unit) = self.table.get_or_init(|| {
+                    let (slopes, unit) = hodograph(self.curve.control_points());
+                    (ArcLengthTable::new(&slopes, f64::INFINITY), unit)
+                });
+                unit * table.length_at(t)
+            }
         };
         self.start + self.rate * along
-    }
-
-    /// The part between two parameters.
-    pub(super) fn part(&self, from: f64, to: f64, radii: &Radii) -> Self {
-        let start = self.position(from);
-        let rate = match self.by {
-            WidthPosition::T => self.rate * (to - from),
-            WidthPosition::Length => self.rate,
-        };
-        let mut points = self.curve.part(from, to).control_points().to_vec();
-        // The derivative is 0 at a reversal; its rounding has any direction.
-        let reversals = self.reversals();
-        let last = points.len() - 1;
-        if reversals.contains(&from) {
-            points[1] = points[0];
-        }
-        if reversals.contains(&to) {
-            points[last - 1] = points[last];
-        }
-        let curve = Curve::from_slice(&points);
-        let middle = 0.5 * (start + self.position(to));
-        Self {
-            curve,
-            radius: radii.polynomial(middle),
-            by: self.by,
-            start,
-            rate,
-        }
-    }
-
-    /// The parameters at which the curve reverses: its cusps, and the turns of a straight curve.
-    pub(super) fn reversals(&self) -> Vec<f64> {
-        match self.curve.straight_direction() {
-            _ if self.curve.degree() == 1 => Vec::new(),
-            Some(direction) => self.curve.turns_along(direction).to_vec(),
-            None => self.curve.cusps(),
-        }
     }
 
     /// The parameter at a position inside.
@@ -125,42 +124,89 @@ impl Section {
         }
     }
 
+    /// The part between two parameters, on which the radius is one polynomial.
+    pub(super) fn part(&self, span: [f64; 2], radii: &Radii) -> Section<'_> {
+        let mut points = self.curve.part(span[0], span[1]).control_points().to_vec();
+        // The derivative is 0 at a reversal; its rounding has any direction.
+        let last = points.len() - 1;
+        if self.reversals.contains(&span[0]) {
+            points[1] = points[0];
+        }
+        if self.reversals.contains(&span[1]) {
+            points[last - 1] = points[last];
+        }
+        let [start, end] = span.map(|t| self.position(t));
+        Section {
+            curve: Curve::from_slice(&points),
+            radius: radii.polynomial(0.5 * (start + end)),
+            ends: [start, end],
+            rate: match self.by {
+                WidthPosition::T => self.rate * (span[1] - span[0]),
+                WidthPosition::Length => self.rate,
+            },
+            along: self,
+            span,
+        }
+    }
+}
+
+/// A part of a curve without a reversal, with a radius that is one polynomial of the position.
+pub(super) struct Section<'a> {
+    pub(super) curve: Curve<DVec2>,
+    pub(super) radius: RadiusPolynomial,
+    /// The positions at both ends.
+    ends: [f64; 2],
+    /// The rate of the position by arc length or by t.
+    rate: f64,
+    along: &'a Along,
+    /// The parameters of the ends on the whole curve.
+    span: [f64; 2],
+}
+
+impl Section<'_> {
+    fn position(&self, t: f64) -> f64 {
+        if t == 0.0 || t == 1.0 {
+            return self.ends[usize::from(t == 1.0)];
+        }
+        let [from, to] = self.span;
+        self.along.position(from + (to - from) * t)
+    }
+
     /// Whether both sides are straight.
     pub(super) fn is_straight(&self) -> bool {
         self.curve.degree() == 1 && self.radius.is_linear()
+    }
+
+    /// Whether bounds show that no disc contains another and that no side runs backwards.
+    fn is_gentle(&self) -> bool {
+        if self.along.by != WidthPosition::Length {
+            return false;
+        }
+        let points = self.curve.control_points();
+        let degree = as_f64(points.len() - 1);
+        let direction = Point::unit(points[points.len() - 1] - points[0]);
+        let slopes: Vec<DVec2> = points.windows(2).map(|p| (p[1] - p[0]) * degree).collect();
+        let along = slopes.iter().map(|slope| slope.dot(direction));
+        let speed = along.fold(f64::INFINITY, f64::min);
+        let bends = slopes.windows(2).map(|d| Point::norm(d[1] - d[0]));
+        let bend = bends.fold(0.0, f64::max) * (degree - 1.0);
+        let [radius, slope, change] = self.radius.bounds(self.ends);
+        let (slope, change) = (slope * self.rate, change * self.rate * self.rate);
+        speed > 0.0 && radius * bend / (speed * speed) + slope * slope + radius * change < GENTLE
     }
 }
 
 /// A section with its derivatives.
 pub(super) struct SectionEvaluator<'a> {
-    pub(super) section: &'a Section,
+    pub(super) section: &'a Section<'a>,
     with: CurveWithDerivatives<'a, DVec2>,
-    /// The arc length of the curve and the unit of this length, if positions follow from it.
-    lengths: Option<(ArcLengthTable, f64)>,
 }
 
 impl<'a> SectionEvaluator<'a> {
-    pub(super) fn new(section: &'a Section) -> Self {
-        let points = section.curve.control_points();
-        let needs_lengths = section.by == WidthPosition::Length
-            && section.curve.degree() > 1
-            && !section.radius.is_constant();
-        let lengths = needs_lengths.then(|| {
-            let (slopes, unit) = hodograph(points);
-            (ArcLengthTable::new(&slopes, f64::INFINITY), unit)
-        });
+    pub(super) fn new(section: &'a Section<'a>) -> Self {
         Self {
             section,
-            with: CurveWithDerivatives::new(points),
-            lengths,
-        }
-    }
-
-    fn position(&self, t: f64) -> f64 {
-        let section = self.section;
-        match &self.lengths {
-            Some((table, unit)) => section.start + section.rate * (unit * table.length_at(t)),
-            None => section.position(t),
+            with: CurveWithDerivatives::new(section.curve.control_points()),
         }
     }
 
@@ -176,13 +222,13 @@ impl<'a> SectionEvaluator<'a> {
             _ => Point::unit(first),
         };
         let position = if section.radius.is_constant() {
-            section.start
+            section.ends[0]
         } else {
-            self.position(t)
+            section.position(t)
         };
         let [radius, by_position, bend] = section.radius.at(position);
         let (mut rate, mut rate_change) = (section.rate, 0.0);
-        if section.by == WidthPosition::T {
+        if section.along.by == WidthPosition::T {
             rate /= speed;
             rate_change = -rate * first.dot(second) / (speed * speed * speed);
         }
@@ -240,7 +286,7 @@ impl<'a> SectionEvaluator<'a> {
     pub(super) fn breaks(&self) -> Vec<f64> {
         let mut breaks = Vec::new();
         let section = self.section;
-        if !section.is_straight() {
+        if !section.is_straight() && !section.is_gentle() {
             let samples: Vec<(f64, [f64; 3])> = self
                 .samples()
                 .into_iter()

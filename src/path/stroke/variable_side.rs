@@ -38,6 +38,13 @@ pub(super) fn push_line(chain: &mut SplineBuilder, to: DVec2) {
     }
 }
 
+impl SectionEvaluator<'_> {
+    /// The pens with which a cubic is compared in an interval.
+    pub(super) fn inside(&self, [a, b]: [f64; 2]) -> [PenAt; COMPARED.len()] {
+        COMPARED.map(|part| self.at(a + (b - a) * part))
+    }
+}
+
 /// One side of a section, for its approximation by cubics.
 pub(super) struct SideFit<'a> {
     pub(super) evaluator: &'a SectionEvaluator<'a>,
@@ -48,22 +55,22 @@ pub(super) struct SideFit<'a> {
 }
 
 impl SideFit<'_> {
-    /// Appends cubics for an interval, from the point of the side at its start.
+    /// Appends cubics for an interval, from the point of the side at its start; `inside` are the pens to compare with.
     pub(super) fn add(
         &self,
         [a, b]: [f64; 2],
         ends: [PenAt; 2],
+        inside: &[PenAt; COMPARED.len()],
         halvings: usize,
         chain: &mut SplineBuilder,
         work: &mut WorkLimit,
     ) {
         let end = ends[1].point(self.side);
-        let inside = COMPARED.map(|part| self.evaluator.at(a + (b - a) * part));
-        if self.is_sampled(&ends, &inside) {
-            if self.is_straight(&ends, &inside) {
+        if self.is_sampled(&ends, inside) {
+            if self.is_straight(&ends, inside) {
                 return push_line(chain, end);
             }
-            if let Some([b, c]) = self.handles(&ends, &inside) {
+            if let Some([b, c]) = self.handles(&ends, inside) {
                 chain.points.extend([b, c, end]);
                 chain.degrees.push(3);
                 return;
@@ -74,8 +81,14 @@ impl SideFit<'_> {
         }
         let middle = 0.5 * (a + b);
         let between = self.evaluator.at(middle);
-        self.add([a, middle], [ends[0], between], halvings - 1, chain, work);
-        self.add([middle, b], [between, ends[1]], halvings - 1, chain, work);
+        let halves = [
+            ([a, middle], [ends[0], between]),
+            ([middle, b], [between, ends[1]]),
+        ];
+        for (interval, ends) in halves {
+            let inside = self.evaluator.inside(interval);
+            self.add(interval, ends, &inside, halvings - 1, chain, work);
+        }
     }
 
     /// Whether the normal turns little between the compared points, so that they show all of the side.
