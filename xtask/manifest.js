@@ -20,13 +20,14 @@ const textOf = (path) => texts.get(path) ?? texts.set(path, readFile(path, "utf8
 /** The source of what a file imports. */
 const sourceOf = (file, path) => resolve(dirname(file), path).replace(/\.js$/, ".ts");
 
-/** A file and all files of the elements and the applet that it imports. */
+/** A file and all files of the elements, the applet and what they share that it imports. */
 async function importedFiles(path, known = new Set()) {
   if (known.has(path)) return known;
   known.add(path);
   for (const [, target] of (await textOf(path)).matchAll(/(?:from |^import |import\()"(\.[^"]+)"/gm)) {
     const file = sourceOf(path, target);
-    if (/[\\/]js[\\/](elements|applet)[\\/]/.test(file) && file !== INDEX) await importedFiles(file, known);
+    const isView = /[\\/]js[\\/](elements|applet|editor|layers|ui)[\\/]/.test(file);
+    if (isView && file !== INDEX) await importedFiles(file, known);
   }
   return known;
 }

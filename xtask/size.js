@@ -79,7 +79,10 @@ async function staticImports(name, known = new Set()) {
 /** Whether a file has code of the classes or of their modules, and none of the elements. */
 async function isKernel(name) {
   const { sources } = JSON.parse(await readFile(`dist/${name}.map`, "utf8"));
-  const [kernel, views] = [/^(\.\.\/)+js\/(geometry|wasm|io|glue)\//, /^(\.\.\/)+js\/(editor|elements|applet)\//];
+  const [kernel, views] = [
+    /^(\.\.\/)+js\/(geometry|wasm|io|glue)\//,
+    /^(\.\.\/)+js\/(editor|layers|ui|elements|applet)\//,
+  ];
   return sources.some((source) => kernel.test(source)) && !sources.some((source) => views.test(source));
 }
 

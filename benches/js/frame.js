@@ -3,7 +3,7 @@
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { LAYER_NAMES } from "#js/elements/applet/state.js";
+import { LAYER_NAMES } from "#js/editor/state.js";
 import { chromePath, FLAGS } from "../../tests/page/chrome.js";
 import { serve } from "../../tests/page/server.js";
 import { median, spread } from "./harness.js";

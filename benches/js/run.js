@@ -20,7 +20,19 @@ import { comparisons, growths } from "./table.js";
 import { withVerdict } from "./targets.js";
 
 /** The files whose rows compare this package with a peer. */
-const FILES = ["again", "curve", "easing", "intersect", "length", "nearest", "offset", "path", "regions", "teapot"];
+const FILES = [
+  "again",
+  "curve",
+  "easing",
+  "ink",
+  "intersect",
+  "length",
+  "nearest",
+  "offset",
+  "path",
+  "regions",
+  "teapot",
+];
 
 const args = process.argv.slice(2);
 const quick = args.includes("--quick");
@@ -53,9 +65,16 @@ function conditions() {
       [name]: version,
       node: process.versions.node,
       ...Object.fromEntries(
-        ["bezier-easing", "bezier-js", "paper", "pathkit-wasm", "svg-path-properties", "three", "verb-nurbs"].map(
-          (peer) => [peer, npm(peer)],
-        ),
+        [
+          "bezier-easing",
+          "bezier-js",
+          "paper",
+          "pathkit-wasm",
+          "perfect-freehand",
+          "svg-path-properties",
+          "three",
+          "verb-nurbs",
+        ].map((peer) => [peer, npm(peer)]),
       ),
       ...Object.fromEntries(["kurbo", "lyon_geom", "linesweeper", "i_curve"].map((peer) => [peer, crate(peer)])),
     },

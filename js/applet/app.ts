@@ -1,7 +1,7 @@
-import { finiteNumber, pointPair } from "./check.js";
+import { finiteNumber, pointPair } from "../editor/check.js";
 import { continuityAtP3 } from "./derive.js";
 import { Engine } from "./engine.js";
-import { generator, randomized } from "./random.js";
+import { generator } from "../editor/random.js";
 import * as states from "./state.js";
 import type { JointMode } from "./state.js";
 import type { Layers } from "./state.js";
@@ -26,7 +26,7 @@ export class BezierApp extends EventTarget {
   constructor(
     canvas: HTMLCanvasElement,
     context: CanvasRenderingContext2D,
-    box: import("./state.js").Box,
+    box: import("../editor/plane.js").Box,
     forget: () => void,
   ) {
     super();
@@ -104,7 +104,7 @@ export class BezierApp extends EventTarget {
   randomize(seed?: number) {
     const integer = finiteNumber(seed ?? Math.floor(Math.random() * 2 ** 32), "seed", "an integer");
     if (!Number.isInteger(integer)) throw new RangeError(`seed: expected an integer, got ${integer}`);
-    this.#engine.command((state) => randomized(state, generator(integer)));
+    this.#engine.command((state) => states.randomized(state, generator(integer)));
   }
 
   /** Shows four points only; called again, all of them. Nothing is deleted. */

@@ -1,5 +1,5 @@
 // The bar below the picture: native form controls that call the applet and are set from its state.
-import { element } from "./dom.js";
+import { element } from "../ui/dom.js";
 import { FEWEST_POINTS, JOINT_MODES, pointCount } from "./state.js";
 import type { State } from "./state.js";
 import type { JointMode } from "./state.js";

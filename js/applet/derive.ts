@@ -1,5 +1,6 @@
 // Everything that is shown and is not in the state: asked of the core, once a frame.
-import { cubics, FEWEST_POINTS, pairs } from "./state.js";
+import { FEWEST_POINTS } from "./state.js";
+import { cubics, pairs } from "../editor/plane.js";
 import type { State } from "./state.js";
 import type { Curve } from "../index.js";
 import type { Spline } from "../index.js";

@@ -1,10 +1,10 @@
 // The picture: a function of its arguments only. Lengths are in CSS pixels, turned into the view box's units by `px`.
-import * as pen from "./pen.js";
-import { clamped, isInside, POINTS_PER_SEGMENT } from "./state.js";
+import * as pen from "../ui/pen.js";
+import { clamped, isInside, POINTS_PER_SEGMENT } from "../editor/plane.js";
 import { isOnCurve } from "./words.js";
 import type { State } from "./state.js";
 import type { Derived } from "./derive.js";
-import type { Paper } from "./pen.js";
+import type { Paper } from "../ui/pen.js";
 
 export type Point2 = [number, number];
 

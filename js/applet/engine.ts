@@ -1,33 +1,39 @@
 // The middle of the applet: holds the state, lets the user change it, shows it at most once a frame.
-import { History } from "../editor/history.js";
+import { Editor } from "../editor/editor.js";
+import { clamped } from "../editor/plane.js";
 import { createControls } from "./controls.js";
 import { derive } from "./derive.js";
-import { Drags } from "./drag.js";
+import { Drags } from "../ui/drag.js";
 import { draw } from "./draw.js";
-import { Handles } from "./handles.js";
+import { Handles } from "../ui/handles.js";
 import { arrowStep } from "../ui/keys.js";
 import { listenToKeys } from "./keys.js";
-import { generator, randomized, roomiestPlace } from "./random.js";
+import { generator } from "../editor/random.js";
 import * as states from "./state.js";
-import { onDoubleTap } from "./taps.js";
-import { followTheme, readTheme } from "./theme.js";
-import { createView, followSize } from "./view.js";
+import { onDoubleTap } from "../ui/taps.js";
+import { followTheme, readTheme } from "../ui/theme.js";
+import { createView } from "./view.js";
+import { followSize } from "../ui/canvas-size.js";
 import { Voice } from "./voice.js";
-import { place, shownWords } from "./words.js";
+import { isOnCurve, place, shownWords } from "./words.js";
+import type { Nature } from "../ui/handles.js";
 import type { State } from "./state.js";
-import type { Box } from "./state.js";
+import type { Box } from "../editor/plane.js";
 
 export type Point2 = [number, number];
+
+/** What the handles are called, and whether their points lie on the curve. */
+const NATURE: Nature = {
+  nameOf: (index) => `P${index}`,
+  kindOf: (index) => (isOnCurve(index) ? "on" : "off"),
+};
 
 export class Engine {
   /** Undo what was done to the page, in this order. */
   endings: (() => void)[] = [];
-  #state: State;
+  #editor: Editor<State>;
   /** What Esc returns to. */
   #before: State;
-  #history = new History<State>();
-  /** Whether the user has changed something; what the page sets before makes no undo step. */
-  #isTouched = false;
   /** The length of a CSS pixel in the view box. */
   #px = 1;
   #frame = 0;
@@ -53,7 +59,9 @@ export class Engine {
     this.#canvas = canvas;
     this.#context = context;
     this.#fire = fire;
-    this.#state = this.#before = states.firstState(box);
+    this.#before = states.firstState(box);
+    this.#editor = new Editor(this.#before);
+    this.#editor.subscribe((event) => event === "state" && this.#schedule());
     this.#view = createView(canvas, box);
     this.#handles = new Handles(this.#view.overlay, box);
     this.#drags = new Drags(this.#view.overlay, this.#dragPort());
@@ -65,33 +73,28 @@ export class Engine {
   }
 
   get state() {
-    return this.#state;
+    return this.#editor.state;
   }
 
   set(state: State) {
-    this.#state = state;
-    this.#schedule();
+    this.#editor.show(state);
   }
 
   /** A change of which points there are: fingers let go first. What is refused changes nothing. */
-  command(change: (state: State) => State) {
-    const next = change(this.#state);
-    const dragging = this.#drags.active;
+  command(change: (state: State) => State, origin: "page" | "user" = "page") {
+    change(this.state);
     this.#drags.end();
-    this.#history.close(this.#state);
-    if (this.#isTouched) this.#history.touch(this.#state);
-    this.set(dragging ? change(this.#state) : next);
-    this.#history.close(this.#state);
+    this.#editor.dispatch(change, { origin, initial: true });
   }
 
   undo() {
     this.#drags.end();
-    this.set(this.#history.undo(this.#state));
+    this.#editor.undo();
   }
 
   redo() {
     this.#drags.end();
-    this.set(this.#history.redo(this.#state));
+    this.#editor.redo();
   }
 
   end() {
@@ -110,7 +113,7 @@ export class Engine {
         this.#theme = theme;
         this.#schedule();
       }),
-      followSize(this.#canvas, this.#view, (width) => this.#resized(width)),
+      followSize(this.#canvas, this.#view.overlay, (width) => this.#resized(width)),
       listenToKeys(this.#keyPort()),
       () => this.#voice.end(),
       () => cancelAnimationFrame(this.#frame),
@@ -130,34 +133,39 @@ export class Engine {
 
   /** @param width in CSS pixels */
   #resized(width: number) {
-    this.#px = width > 0 ? this.#state.box.width / width : 1;
+    this.#px = width > 0 ? this.state.box.width / width : 1;
     this.#render(); // at once: a canvas of a new size is empty
   }
 
   #render() {
-    const state = this.#state;
+    const state = this.state;
     const derived = derive(state);
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
     draw({ ctx: this.#context, theme: this.#theme, px: this.#px }, state, derived);
-    this.#handles.update(derived.points);
-    this.#controls.update(state, { undo: this.#history.canUndo, redo: this.#history.canRedo });
+    this.#handles.update(derived.points, state.box, NATURE);
+    this.#controls.update(state, { undo: this.#editor.canUndo, redo: this.#editor.canRedo });
     this.#voice.show(state, derived);
+  }
+
+  /** A part of what the user is doing; `#closeStep` completes the undo step. */
+  #change(change: (state: State) => State) {
+    this.#editor.dispatch(change, { origin: "user", merge: true });
   }
 
   /** Moves a point as far as the picture goes. */
   #move(index: number, to: Point2) {
-    this.set(states.withPointAt(this.#state, index, states.clamped(this.#state.box, to)));
+    this.#change((state) => states.withPointAt(state, index, clamped(state.box, to)));
   }
 
   /** Where a point stands on the screen: at the edge if it is outside. */
   #placeOf(index: number): Point2 {
-    return states.clamped(this.#state.box, states.pointsOf(this.#state)[index]);
+    return clamped(this.state.box, states.pointsOf(this.state)[index]);
   }
 
   #toBox({ clientX, clientY }: MouseEvent): Point2 {
     const { left, top, width, height } = this.#view.overlay.getBoundingClientRect();
-    const { box } = this.#state;
+    const { box } = this.state;
     return [((clientX - left) / width) * box.width, ((clientY - top) / height) * box.height];
   }
 
@@ -175,21 +183,14 @@ export class Engine {
     const index = this.#handles.indexOf(input);
     const [x, y] = this.#placeOf(index);
     const value = Number(input.value);
-    this.#moveByKey(index, input.dataset.axis === "x" ? [value, y] : [x, this.#state.box.height - value]);
-  }
-
-  /** The user is about to change something; `#closeStep` completes the undo step. */
-  #openStep() {
-    this.#isTouched = true;
-    this.#history.touch(this.#state);
+    this.#moveByKey(index, input.dataset.axis === "x" ? [value, y] : [x, this.state.box.height - value]);
   }
 
   #closeStep() {
-    if (!this.#drags.active && this.#history.close(this.#state)) this.#schedule();
+    if (!this.#drags.active) this.#editor.commit();
   }
 
   #moveByKey(index: number, to: Point2) {
-    this.#openStep();
     this.#move(index, to);
     this.#voice.say(place(this.#placeOf(index), index));
     this.#fire("input");
@@ -197,9 +198,8 @@ export class Engine {
   }
 
   #updateByUser(change: (state: State) => State, words: (state: State) => string) {
-    this.#isTouched = true;
-    this.command(change);
-    this.#voice.say(words(this.#state));
+    this.command(change, "user");
+    this.#voice.say(words(this.state));
     this.#fire("input");
     this.#fire("change");
   }
@@ -210,7 +210,7 @@ export class Engine {
   }
 
   #appendByPointer(event: MouseEvent) {
-    this.#append(states.clamped(this.#state.box, this.#toBox(event)));
+    this.#append(clamped(this.state.box, this.#toBox(event)));
     this.#render(); // so that the new point's handle is there to be focused
     this.#handles.focus(this.#handles.count - 1);
   }
@@ -218,18 +218,18 @@ export class Engine {
   #randomize() {
     const seed = Math.floor(Math.random() * 2 ** 32);
     this.#updateByUser(
-      (state) => randomized(state, generator(seed)),
+      (state) => states.randomized(state, generator(seed)),
       () => "Points randomized",
     );
   }
 
   #toggle() {
-    if (states.pointCount(this.#state) > states.FEWEST_POINTS) this.#updateByUser(states.allPointsToggled, shownWords);
+    if (states.pointCount(this.state) > states.FEWEST_POINTS) this.#updateByUser(states.allPointsToggled, shownWords);
   }
 
   #stepByUser(name: "undo" | "redo") {
-    const { canUndo, canRedo } = this.#history;
-    if (!(name === "undo" ? canUndo || this.#history.open : canRedo)) return;
+    const { canUndo, canRedo, isOpen } = this.#editor;
+    if (!(name === "undo" ? canUndo || isOpen : canRedo)) return;
     this[name]();
     this.#voice.say(name === "undo" ? "Undone" : "Redone");
     this.#fire("input");
@@ -248,7 +248,7 @@ export class Engine {
     };
   }
 
-  #dragPort(): import("./drag.js").DragPort {
+  #dragPort(): import("../ui/drag.js").DragPort {
     return {
       placeOf: (index) => this.#placeOf(index),
       toBox: (event) => this.#toBox(event),
@@ -256,17 +256,15 @@ export class Engine {
       count: () => this.#handles.count,
       grabbed: (index) => this.#handles.focus(index),
       schedule: () => this.#schedule(),
-      move: (index, to) => {
-        this.#openStep();
-        this.#move(index, to);
-      },
+      move: (index, to) => this.#move(index, to),
       begun: () => {
-        this.#history.close(this.#state);
-        this.#before = this.#state;
+        this.#editor.commit();
+        this.#before = this.state;
       },
       restored: () => {
-        this.#history.abandon();
-        this.set({ ...this.#state, spline: this.#before.spline });
+        const { state } = this;
+        this.#editor.revert();
+        this.set({ ...state, spline: this.#before.spline });
         this.#fire("input");
       },
       ended: (moved) => {
@@ -283,7 +281,7 @@ export class Engine {
     return {
       randomize: () => this.#randomize(),
       toggle: () => this.#toggle(),
-      append: () => this.#append(roomiestPlace(this.#state)),
+      append: () => this.#append(states.roomiestPlace(this.state)),
       undo: () => this.#stepByUser("undo"),
       redo: () => this.#stepByUser("redo"),
       setJoint: (mode) =>
@@ -297,8 +295,7 @@ export class Engine {
           () => "",
         ),
       setT: (t, done) => {
-        this.#openStep();
-        this.set(states.withT(this.#state, t));
+        this.#change((state) => states.withT(state, t));
         if (done) this.#closeStep();
         this.#fire(done ? "change" : "input");
       },

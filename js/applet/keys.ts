@@ -1,6 +1,6 @@
 // The keyboard: letters on the whole page, arrows on the points.
 import { historyStep, isForText, isPlain, keyOf } from "../ui/keys.js";
-import { addKeyTarget, keyTarget } from "./key-targets.js";
+import { addKeyTarget, keyTarget } from "../ui/key-targets.js";
 
 /** What the letters do. */
 export interface KeyPort {

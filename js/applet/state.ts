@@ -1,12 +1,12 @@
 // What the applet shows, as one immutable value. Every change goes through a function here and returns a new state;
 // where curves are concerned the core does the work.
-import { Spline } from "../paths.js";
-import { finiteNumber, kindOf, pointsArray } from "./check.js";
+import { finiteNumber, kindOf, pointsArray } from "../editor/check.js";
+import { cubics, firstPoints, pairs, POINTS_PER_SEGMENT } from "../editor/plane.js";
+import { randomChain, roomiestAmong } from "../editor/random.js";
+import type { Spline } from "../paths.js";
+import type { Box } from "../editor/plane.js";
 
 export type JointMode = "free" | "g1" | "c1";
-
-/** The view box; coordinates are in its units, y down */
-export type Box = { width: number; height: number };
 
 /** What is drawn besides curve and points. */
 export interface Layers {
@@ -35,43 +35,19 @@ export interface State {
 
 /** One cubic: what `m` leaves. */
 export const FEWEST_POINTS = 4;
-/** A further cubic shares its first point with the last one before it. */
-export const POINTS_PER_SEGMENT = 3;
-
 /** The joint modes in the order of the switch. */
 export const JOINT_MODES: readonly JointMode[] = ["free", "g1", "c1"];
 
-/** The canvas of the web lesson; used where the canvas states no size of its own. */
-export const DEFAULT_BOX: Box = { width: 670, height: 480 };
-
-/** Two cubics. P2, P3 and P4 lie on one line, but P3 is not half-way: G1 and not C1. */
-const DEFAULT_POINTS = [
-  [70, 330],
-  [110, 90],
-  [235, 120],
-  [325, 230],
-  [433, 362],
-  [590, 400],
-  [600, 130],
-];
-
 export function firstState(box: Box): State {
-  const [sx, sy] = [box.width / DEFAULT_BOX.width, box.height / DEFAULT_BOX.height];
+  const points = firstPoints(box);
   return {
-    spline: cubics(DEFAULT_POINTS.map(([x, y]) => [x * sx, y * sy])),
-    shown: DEFAULT_POINTS.length,
+    spline: cubics(points),
+    shown: points.length,
     joint: "free",
     t: 0.5,
     layers: Object.freeze({ polygon: true, hull: false, construction: false, halves: false }),
     box,
   };
-}
-
-export function cubics(points: ArrayLike<number>[]): Spline {
-  return new Spline(
-    points.map((point) => Array.from(point)),
-    { degree: 3, dimension: 2 },
-  );
 }
 
 export function pointCount(state: State): number {
@@ -81,10 +57,6 @@ export function pointCount(state: State): number {
 /** All points, as fresh arrays. */
 export function pointsOf(state: State): [number, number][] {
   return pairs(state.spline.controlPoints());
-}
-
-export function pairs(flat: ArrayLike<number>): [number, number][] {
-  return Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
 }
 
 /** The same state with other points, taken as they are; a lock holds from the next move on. */
@@ -160,14 +132,13 @@ export function appended(state: State, point: [number, number]): State {
   return { ...state, spline, shown: spline.controlPoints().length / 2 };
 }
 
-/** The nearest place inside the view box. */
-export function clamped(
-  { x = 0, y = 0, width, height }: Box & { x?: number; y?: number },
-  point: ArrayLike<number>,
-): [number, number] {
-  return [Math.min(Math.max(point[0], x), x + width), Math.min(Math.max(point[1], y), y + height)];
+/** All points at random places inside the box, the lock held, by which no point leaves the box either. */
+export function randomized(state: State, random: () => number): State {
+  const segments = (pointCount(state) - 1) / POINTS_PER_SEGMENT;
+  return { ...state, spline: randomChain(state.box, segments, () => state.joint, random) };
 }
 
-export function isInside({ width, height }: Box, point: ArrayLike<number>): boolean {
-  return point[0] >= 0 && point[0] <= width && point[1] >= 0 && point[1] <= height;
+/** The place of a coarse grid that is farthest from all points: where there is room for a new one. */
+export function roomiestPlace(state: State): [number, number] {
+  return roomiestAmong(state.box, pointsOf(state));
 }

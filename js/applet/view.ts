@@ -1,8 +1,8 @@
 // The frame around the canvas: a host element with a shadow root, in which the canvas is slotted.
-import { element } from "./dom.js";
+import { element } from "../ui/dom.js";
 import { adoptStyle } from "./style.js";
 import { INSTRUCTIONS, TITLE } from "./words.js";
-import type { Box } from "./state.js";
+import type { Box } from "../editor/plane.js";
 
 export interface View {
   /** Stands where the canvas stood */
@@ -87,49 +87,4 @@ function wrap(canvas: HTMLCanvasElement, host: HTMLElement): () => void {
     }
     host.replaceWith(canvas);
   };
-}
-
-/**
- * Keeps the canvas as sharp as the display, and the overlay over it.
- *
- * @param resized called with the width in CSS pixels after every change of size, and once at the start
- * @returns ends it
- */
-export function followSize(canvas: HTMLCanvasElement, view: View, resized: (width: number) => void): () => void {
-  const observer = new ResizeObserver((entries) => {
-    const { width, height } = devicePixels(canvas, entries[entries.length - 1]);
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
-    coverCanvas(canvas, view.overlay);
-    resized(canvas.clientWidth);
-  });
-  try {
-    observer.observe(canvas, { box: "device-pixel-content-box" });
-  } catch {
-    observer.observe(canvas); // Safari before 26 does not know device pixels
-  }
-  return () => observer.disconnect();
-}
-
-/**
- * The exact number of device pixels where the browser tells it. The tools that pretend to be another display do not
- * (Chromium then reports CSS pixels): what differs from the ratio by more than rounding is not believed.
- */
-function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
-  const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
-  const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
-  const reported = entry.devicePixelContentBoxSize?.[0];
-  const exact = reported && Math.abs(reported.inlineSize - width) <= 1 && Math.abs(reported.blockSize - height) <= 1;
-  return {
-    width: Math.max(1, exact ? reported.inlineSize : Math.round(width)),
-    height: Math.max(1, exact ? reported.blockSize : Math.round(height)),
-  };
-}
-
-/** The canvas lies at the stage's upper left corner; the overlay leaves a border of it free. */
-function coverCanvas({ clientLeft, clientTop, clientWidth, clientHeight }: HTMLCanvasElement, overlay: HTMLElement) {
-  overlay.style.left = `${clientLeft}px`;
-  overlay.style.top = `${clientTop}px`;
-  overlay.style.width = `${clientWidth}px`;
-  overlay.style.height = `${clientHeight}px`;
 }

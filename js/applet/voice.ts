@@ -1,43 +1,9 @@
 // Words on the page: the label at P3 at once; for screen readers, a little later, what has changed.
+import { setText, Speaker } from "../ui/announcer.js";
 import { description, jointLabel } from "./words.js";
 import type { State } from "./state.js";
 import type { Derived } from "./derive.js";
 import type { View } from "./view.js";
-
-/** So long after the last change something is said: a drag is told once. */
-const PAUSE_MS = 500;
-
-/** Announces what has changed, once nothing has changed for a while. */
-export class Speaker {
-  #live;
-  #news;
-  #words = "";
-  #timer = 0;
-
-  /**
-   * @param news asked for just before something is said: what else there is to say
-   */
-  constructor(live: HTMLElement, news: () => string) {
-    this.#live = live;
-    this.#news = news;
-  }
-
-  say(words: string = this.#words) {
-    this.#words = words;
-    clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => this.#speak(), PAUSE_MS);
-  }
-
-  end() {
-    clearTimeout(this.#timer);
-  }
-
-  #speak() {
-    const words = [this.#words, this.#news()].filter(Boolean).join(". ");
-    if (words) this.#live.textContent = words;
-    this.#words = "";
-  }
-}
 
 export class Voice {
   #view;
@@ -81,9 +47,4 @@ export class Voice {
     this.#announced = verdict;
     return news;
   }
-}
-
-/** Only where it differs: a text node that is replaced for nothing costs a layout. */
-export function setText(element: HTMLElement, text: string) {
-  if (element.textContent !== text) element.textContent = text;
 }

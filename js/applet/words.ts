@@ -1,5 +1,6 @@
 // What the applet says: the label at P3, the description of the figure, the announcements.
-import { FEWEST_POINTS, POINTS_PER_SEGMENT } from "./state.js";
+import { FEWEST_POINTS } from "./state.js";
+import { POINTS_PER_SEGMENT } from "../editor/plane.js";
 import type { State } from "./state.js";
 import type { Derived } from "./derive.js";
 

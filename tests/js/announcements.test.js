@@ -1,7 +1,7 @@
 // What screen readers are told: one text after the last of several changes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Speaker } from "#js/applet/voice.js";
+import { Speaker } from "#js/ui/announcer.js";
 
 test("several changes in a row are announced once, with what else there is to say; after the end nothing is", (t) => {
   t.mock.timers.enable({ apis: ["setTimeout"] });

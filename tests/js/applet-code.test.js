@@ -1,10 +1,10 @@
 // The code that <bezier-applet> gives along: it runs, and finds the point that is shown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { codeOf } from "#js/elements/applet/export.js";
-import { FIELDS, stateOf } from "#js/elements/applet/fields.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { BASES, firstState } from "#js/elements/applet/state.js";
+import { codeOf } from "#js/editor/code.js";
+import { FIELDS, stateOf } from "#js/editor/schema.js";
+import { figureOf } from "#js/editor/figure.js";
+import { BASES, firstState } from "#js/editor/state.js";
 import { Curve, Spline } from "#js/index.js";
 
 const { points } = firstState();

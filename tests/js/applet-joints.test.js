@@ -2,12 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as small from "#js/applet/state.js";
-import * as edits from "#js/elements/applet/edits.js";
-import { FIELDS } from "#js/elements/applet/fields.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { jointsOf } from "#js/elements/applet/joints.js";
+import { DEFAULT_BOX } from "#js/editor/plane.js";
+import * as commands from "#js/editor/commands.js";
+import { FIELDS } from "#js/editor/schema.js";
+import { figureOf } from "#js/editor/figure.js";
+import { jointsOf } from "#js/editor/joints.js";
 import { continuityOf } from "#js/elements/applet/report.js";
-import { BASES, firstState, withPoints } from "#js/elements/applet/state.js";
+import { BASES, firstState, withPoints } from "#js/editor/state.js";
 import { near, pointsOf } from "./reference.js";
 
 const stateWith = (points, changes = {}) => ({ ...withPoints(firstState(), points), ...changes });
@@ -21,11 +22,11 @@ const MOVES = pointsOf("2,30,20 4,-20,35 3,25,25 0,10,10 9,-20,15");
 
 for (const mode of /** @type {const} */ (["g1", "c1", "c2", "g2"])) {
   test(`${mode} holds at every joint after each move`, () => {
-    let state = edits.withJoints(stateWith(ROUND), [mode]);
+    let state = commands.withJoints(stateWith(ROUND), [mode]);
     for (const [index, dx, dy] of MOVES) {
       const [x, y] = state.points[index];
       for (const part of [0.5, 1]) {
-        const moved = edits.withPointAt(state, index, [x + part * dx, y + part * dy]);
+        const moved = commands.withPointAt(state, index, [x + part * dx, y + part * dy]);
         near(moved.points[index], [x + part * dx, y + part * dy], 0, `P${index}`);
         for (const continuity of continuityOf(figureOf(moved)))
           assert.ok(continuity[mode], `${mode} with P${index} moved`);
@@ -37,7 +38,7 @@ for (const mode of /** @type {const} */ (["g1", "c1", "c2", "g2"])) {
 
 for (const mode of ["g1", "c1"]) {
   test(`the small applet: ${mode} moves the partner of a handle and nothing beyond it`, () => {
-    const first = small.withJoint(small.firstState(small.DEFAULT_BOX), mode);
+    const first = small.withJoint(small.firstState(DEFAULT_BOX), mode);
     const before = small.pointsOf(first);
     for (const [index, dx, dy] of pointsOf("2,30,-70 3,45,25 4,-60,40")) {
       const [x, y] = before[index];
@@ -55,19 +56,19 @@ for (const mode of ["g1", "c1"]) {
 }
 
 test("automatic handles follow their neighbours", () => {
-  const state = edits.withJoints(stateWith(THREE), ["auto"]);
-  const moved = edits.withPointAt(state, 6, [state.points[6][0], state.points[6][1] - 60]);
+  const state = commands.withJoints(stateWith(THREE), ["auto"]);
+  const moved = commands.withPointAt(state, 6, [state.points[6][0], state.points[6][1] - 60]);
   assert.notDeepEqual(moved.points[2], state.points[2], "the handles of P3 depend on P6");
   assert.deepEqual(moved.points[3], state.points[3]);
   assert.ok(continuityOf(figureOf(moved)).every(({ g1 }) => g1));
 });
 
 test("one joint can be held and another be free", () => {
-  const state = edits.withJoint(stateWith(THREE), 2, "c1");
+  const state = commands.withJoint(stateWith(THREE), 2, "c1");
   assert.deepEqual(state.joints, ["free", "c1"]);
   const before = continuityOf(figureOf(state)).map(({ c1 }) => c1);
   assert.deepEqual(before, [false, true]);
-  const moved = edits.withPointAt(state, 4, [320, 450]);
+  const moved = commands.withPointAt(state, 4, [320, 450]);
   const after = continuityOf(figureOf(moved)).map(({ g1, c1 }) => g1 && c1);
   assert.deepEqual(after, [false, true]);
 });
@@ -118,7 +119,7 @@ test("Hermite: the tangents are P1 − P0 and P3 − P2, and a cut leaves the cu
   const state = stateWith(pointsOf("100,300 200,100 400,200 500,300"), { basis: "hermite" });
   const figure = figureOf(state);
   near(flat(figure.pieces[0].curve), [100, 300, 100 + 100 / 3, 300 - 200 / 3, 500 - 100 / 3, 300 - 100 / 3, 500, 300]);
-  const cut = edits.inserted(state, 0.4);
+  const cut = commands.inserted(state, 0.4);
   assert.equal(cut.points.length, 7);
   near([figureOf(cut).spline?.length()], [figure.spline?.length()], 1e-8);
 });
@@ -132,27 +133,27 @@ test("other degrees: points that do not fill a curve wait; of degree n there is 
   assert.deepEqual(of(2), [3, 2, "on off on off on off on"]);
   assert.deepEqual(of(5), [1, 5, "on off off off off on wait"]);
   assert.deepEqual(of("n"), [1, 6, "on off off off off off on"]);
-  const longer = edits.appended({ ...firstState(), degree: "n" }, [300, 300]);
+  const longer = commands.appended({ ...firstState(), degree: "n" }, [300, 300]);
   assert.deepEqual([figureOf(longer).degree, longer.points.length], [7, 8]);
-  const quadratics = edits.withJoints({ ...firstState(), degree: 2 }, ["c1"]);
-  assert.ok(continuityOf(figureOf(edits.withPointAt(quadratics, 1, [120, 70]))).every(({ c1 }) => c1));
+  const quadratics = commands.withJoints({ ...firstState(), degree: 2 }, ["c1"]);
+  assert.ok(continuityOf(figureOf(commands.withPointAt(quadratics, 1, [120, 70]))).every(({ c1 }) => c1));
 });
 
 test("without an end goes its segment; without a handle, it lies on the chord; bare, the point alone", () => {
   const state = stateWith(THREE);
-  const shorter = edits.removed(state, 9);
+  const shorter = commands.removed(state, 9);
   assert.deepEqual(shorter.points, THREE.slice(0, 7));
-  near(edits.removed(shorter, 1).points[1], [60 + 190 / 3, 300 - 50 / 3]);
-  const bare = edits.removed(shorter, 1, true);
+  near(commands.removed(shorter, 1).points[1], [60 + 190 / 3, 300 - 50 / 3]);
+  const bare = commands.removed(shorter, 1, true);
   assert.deepEqual(bare.points, THREE.slice(0, 7).toSpliced(1, 1));
   assert.deepEqual(figureOf(bare).kinds, ["on", "off", "off", "on", "wait", "wait"]);
 });
 
 test("what cannot be removed or cut is refused", () => {
   const state = stateWith(THREE.slice(0, 4));
-  assert.throws(() => edits.removed(state, 0), /^RangeError: remove: expected .* only segment/);
+  assert.throws(() => commands.removed(state, 0), /^RangeError: remove: expected .* only segment/);
   const spline = { ...state, basis: /** @type {const} */ ("b-spline") };
-  assert.throws(() => edits.inserted(spline), /^RangeError: insert: expected the basis bezier or hermite/);
+  assert.throws(() => commands.inserted(spline), /^RangeError: insert: expected the basis bezier or hermite/);
 });
 
 /** Attributes that cannot be used. */

@@ -1,13 +1,14 @@
 // The rules of the small applet without a page: the joint, random points, the edge of the picture, refusals, texts.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pointPair } from "#js/applet/check.js";
+import { pointPair } from "#js/editor/check.js";
 import { continuityAtP3, derive } from "#js/applet/derive.js";
-import { generator, randomized, roomiestPlace } from "#js/applet/random.js";
+import { clamped, DEFAULT_BOX } from "#js/editor/plane.js";
+import { generator } from "#js/editor/random.js";
 import * as states from "#js/applet/state.js";
 import { description, jointLabel, place, shownWords } from "#js/applet/words.js";
 
-const first = states.firstState(states.DEFAULT_BOX);
+const first = states.firstState(DEFAULT_BOX);
 const { pointsOf, withJoint, withPointAt, withPoints } = states;
 /** The first state with some points moved, without a joint mode. */
 const moved = (/** @type {[number, [number, number]][]} */ ...moves) =>
@@ -63,14 +64,17 @@ test("random points are inside the box, differ from those before, keep the joint
   for (const mode of ["free", "g1", "c1"]) {
     const state = withJoint(first, mode);
     for (let seed = 0; seed < 60; seed++) {
-      const points = pointsOf(randomized(state, generator(seed)));
-      assert.deepEqual(pointsOf(randomized(state, generator(seed))), points);
+      const points = pointsOf(states.randomized(state, generator(seed)));
+      assert.deepEqual(pointsOf(states.randomized(state, generator(seed))), points);
       assert.ok(points.every(([x, y], i) => x >= 0 && x <= 670 && y >= 0 && y <= 480 && x !== pointsOf(state)[i][0]));
       if (mode !== "free") aligned(points);
       if (mode === "c1") near(joint(points).before, joint(points).after);
     }
   }
-  assert.notDeepEqual(pointsOf(randomized(first, generator(7))), pointsOf(randomized(first, generator(8))));
+  assert.notDeepEqual(
+    pointsOf(states.randomized(first, generator(7))),
+    pointsOf(states.randomized(first, generator(8))),
+  );
 });
 
 test("the joint mode holds at a hidden joint and at a joint that is added later", () => {
@@ -89,16 +93,16 @@ test("the joint mode holds at a hidden joint and at a joint that is added later"
 });
 
 test("a place outside the picture becomes the nearest one inside", () => {
-  assert.deepEqual(states.clamped(first.box, [-330, 730]), [0, 480]);
-  assert.deepEqual(states.clamped(first.box, [100, 730]), [100, 480]);
-  assert.deepEqual(states.clamped({ x: 10, y: 20, width: 5, height: 5 }, [99, 0]), [15, 20]);
+  assert.deepEqual(clamped(first.box, [-330, 730]), [0, 480]);
+  assert.deepEqual(clamped(first.box, [100, 730]), [100, 480]);
+  assert.deepEqual(clamped({ x: 10, y: 20, width: 5, height: 5 }, [99, 0]), [15, 20]);
 });
 
 test("a new point is placed where there is room", () => {
   let state = first;
   for (let k = 0; k < 2; k++) {
     const others = pointsOf(state);
-    const [x, y] = roomiestPlace(state);
+    const [x, y] = states.roomiestPlace(state);
     const room = Math.min(...others.map(([px, py]) => Math.hypot(x - px, y - py)));
     assert.ok(room > 60, `${room} pixels`);
     state = states.appended(state, [x, y]);

@@ -1,12 +1,12 @@
 // The state behind <bezier-applet>, without a page: fields, edits, figures, undo.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as edits from "#js/elements/applet/edits.js";
-import { FIELDS, jsonOf, stateOf } from "#js/elements/applet/fields.js";
-import { figureOf, nameOf } from "#js/elements/applet/figure.js";
-import { withText } from "#js/elements/applet/files.js";
+import * as commands from "#js/editor/commands.js";
+import { FIELDS, jsonOf, stateOf } from "#js/editor/schema.js";
+import { figureOf, nameOf } from "#js/editor/figure.js";
+import { withText } from "#js/editor/import.js";
 import { History } from "#js/editor/history.js";
-import { snapped, turnedBy15 } from "#js/elements/applet/snap.js";
+import { snapped, turnedBy15 } from "#js/editor/snapping.js";
 import {
   BASES,
   firstState,
@@ -18,14 +18,14 @@ import {
   withPoints,
   withView,
   zoomed,
-} from "#js/elements/applet/state.js";
-import { generator } from "#js/applet/random.js";
+} from "#js/editor/state.js";
+import { generator } from "#js/editor/random.js";
 import { near, pointsOf } from "./reference.js";
 
 /** A chain of so many random cubics, some points waiting. */
 function randomState(seed, segments, rest = 0) {
   const points = Array.from({ length: 3 * segments + 1 + rest }, () => [0, 0]);
-  return edits.randomized(withPoints(firstState(), points), seed);
+  return commands.randomized(withPoints(firstState(), points), seed);
 }
 
 test("every field: written, parsed and put it is the same, through attributes and through JSON", () => {
@@ -92,7 +92,7 @@ test("a cut leaves the curve and healing it gives the points back, in every chai
     const count = segments * degree + 1 + (seed % degree);
     const points = Array.from({ length: count }, () => [600 * random(), 400 * random()]);
     const state = { ...withPoints(firstState(), points), degree, segment: seed % segments, t: 0.1 + 0.8 * random() };
-    const cut = edits.inserted(state);
+    const cut = commands.inserted(state);
     assert.equal(cut.points.length, points.length + degree);
     const whole = figureOf(state).pieces[state.segment].curve;
     const [a, b] = [0, 1].map((k) => figureOf(cut).pieces[state.segment + k].curve);
@@ -100,28 +100,28 @@ test("a cut leaves the curve and healing it gives the points back, in every chai
       near(a.eval(t), whole.eval(t * state.t));
       near(b.eval(t), whole.eval(state.t + t * (1 - state.t)));
     }
-    const healed = edits.removed(cut, (state.segment + 1) * degree);
+    const healed = commands.removed(cut, (state.segment + 1) * degree);
     near(healed.points.flat(), points.flat(), 1e-6);
   }
 });
 
 test("waiting points stay behind the chain, hidden ones are held and stay hidden", () => {
-  const state = edits.withJoints(randomState(5, 2, 2), ["c1"]);
-  const moved = edits.withPointAt(state, 3, [100, 100]);
+  const state = commands.withJoints(randomState(5, 2, 2), ["c1"]);
+  const moved = commands.withPointAt(state, 3, [100, 100]);
   assert.deepEqual(moved.points.slice(7), state.points.slice(7));
-  assert.deepEqual(edits.withPointAt(state, 8, [1, 2]).points[8], [1, 2]);
+  assert.deepEqual(commands.withPointAt(state, 8, [1, 2]).points[8], [1, 2]);
   const few = { ...state, shown: 4 };
-  assert.equal(edits.withPointAt(few, 2, [5, 5]).shown, 4);
-  assert.deepEqual(edits.modesOf(few), []);
+  assert.equal(commands.withPointAt(few, 2, [5, 5]).shown, 4);
+  assert.deepEqual(commands.modesOf(few), []);
   assert.equal(allPointsToggled(few).shown, 9);
-  assert.equal(edits.appended(few, [1, 1]).shown, 10, "a new point is to be seen");
+  assert.equal(commands.appended(few, [1, 1]).shown, 10, "a new point is to be seen");
 });
 
 test("joints broken by hand are those beside the point", () => {
-  const state = edits.withJoints(randomState(1, 4), ["c1"]);
-  assert.deepEqual(edits.broken(state, 4).joints, ["free", "c1", "c1"]);
-  assert.deepEqual(edits.broken(state, 6).joints, ["c1", "free", "c1"]);
-  assert.equal(edits.broken(state, 0), state);
+  const state = commands.withJoints(randomState(1, 4), ["c1"]);
+  assert.deepEqual(commands.broken(state, 4).joints, ["free", "c1", "c1"]);
+  assert.deepEqual(commands.broken(state, 6).joints, ["c1", "free", "c1"]);
+  assert.equal(commands.broken(state, 0), state);
 });
 
 test("undo and redo: a gesture is one step, what passes is none, a new step ends what could be done again", () => {
@@ -188,7 +188,7 @@ test("no edit makes more points than can be read back", () => {
   const points = Array.from({ length: MAX_POINTS }, (_, i) => [i, i]);
   const full = withPoints(firstState(), points);
   const refusal = { name: "RangeError", message: /^points: expected at most 500, got 50[13]$/ };
-  assert.throws(() => edits.appended(full, [1, 2]), refusal);
-  assert.throws(() => edits.inserted(full, 0.5), refusal);
-  assert.equal(edits.removed(full, 3).points.length, MAX_POINTS - 3);
+  assert.throws(() => commands.appended(full, [1, 2]), refusal);
+  assert.throws(() => commands.inserted(full, 0.5), refusal);
+  assert.equal(commands.removed(full, 3).points.length, MAX_POINTS - 3);
 });

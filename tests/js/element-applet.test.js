@@ -4,14 +4,14 @@ import { test } from "node:test";
 import { AppletActions } from "#js/elements/applet/actions.js";
 import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
-import * as edits from "#js/elements/applet/edits.js";
-import { FIELDS } from "#js/elements/applet/fields.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { withText } from "#js/elements/applet/files.js";
-import { jointsOf } from "#js/elements/applet/joints.js";
-import { turnedBy15 } from "#js/elements/applet/snap.js";
-import { BASES, firstState, MODES, withPoints } from "#js/elements/applet/state.js";
-import { description, jointWords } from "#js/elements/applet/words.js";
+import * as commands from "#js/editor/commands.js";
+import { FIELDS } from "#js/editor/schema.js";
+import { figureOf } from "#js/editor/figure.js";
+import { withText } from "#js/editor/import.js";
+import { jointsOf } from "#js/editor/joints.js";
+import { turnedBy15 } from "#js/editor/snapping.js";
+import { BASES, firstState, MODES, withPoints } from "#js/editor/state.js";
+import { description, jointWords } from "#js/editor/descriptions.js";
 
 /** An element with these attributes, and the events that it has fired. */
 function element(attributes = {}) {
@@ -200,7 +200,7 @@ test("reset restores what the page has set before the first action of the user",
   assert.deepEqual([text(applet.points), applet.t], [CUBIC, 0.25], "before anything has changed, too");
   applet.points = FIELDS.points.parse("100,300 150,100 400,120 500,310");
   applet.steer({ index: 1, point: [149, 100] });
-  applet.updateByUser((state) => edits.appended(state, [600, 30]));
+  applet.editor.dispatch((state) => commands.appended(state, [600, 30]), { origin: "user" });
   assert.equal(applet.points.length, 7);
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], ["100,300 150,100 400,120 500,310", 0.25]);
@@ -238,9 +238,9 @@ test("Enter at a joint goes through its modes, by turns, and nowhere else", () =
 
 test("each action is announced and is one undo step; a refusal is announced and changes nothing", () => {
   for (const [act, words, count] of /** @type {[(acting: any) => unknown, string, number][]} */ ([
-    [({ actions }) => actions.append(), "Point added", 10],
-    [({ actions }) => actions.insert(), "Split at t", 10],
-    [({ actions }) => actions.randomize(), "Points randomized", 7],
+    [(acting) => acting.run("append"), "Point added", 10],
+    [(acting) => acting.run("insert"), "Split at t", 10],
+    [(acting) => acting.run("randomize"), "Points randomized", 7],
     [(acting) => acting.removeAt(6), "P6 removed", 4],
     [(acting) => acting.removeAt(1, true), "P1 removed", 6],
     [(acting) => acting.take("1,2 3,4"), "Opened", 2],
@@ -249,17 +249,17 @@ test("each action is announced and is one undo step; a refusal is announced and 
     const { applet, events, acting, said } = actions();
     act(acting);
     assert.deepEqual([said.at(-1), applet.points.length, events], [words, count, ["input", "change"]]);
-    acting.actions.undo();
+    acting.run("undo");
     assert.equal(text(applet.points), FIRST, words);
     assert.equal(said.at(-1), "Undone");
-    acting.actions.redo();
+    acting.run("redo");
     assert.deepEqual([said.at(-1), applet.points.length], ["Done again", count]);
   }
   const { applet, acting, said } = actions({ points: CUBIC });
   acting.removeAt(0);
   assert.match(applet.message, /^remove: .*only segment/);
   applet.setAttribute("basis", "b-spline");
-  acting.actions.insert();
+  acting.run("insert");
   assert.match(applet.message, /^insert: expected the basis bezier or hermite/);
   assert.deepEqual([text(applet.points), said], [CUBIC, ["", ""]]);
   acting.take("no figure");
@@ -286,16 +286,16 @@ test("in every basis a point is moved, and undone it is back", () => {
 
 test("a matrix of one's own begins with the basis before", () => {
   const before = /** @type {any} */ ({ ...firstState(), basis: "b-spline" });
-  const { matrix } = edits.withOwnMatrix({ ...before, basis: "matrix" }, before);
+  const { matrix } = commands.withOwnMatrix({ ...before, basis: "matrix" }, before);
   [-1 / 6, 0.5, -0.5, 1 / 6].forEach((x, i) => assert.ok(Math.abs(matrix[i] - x) < 1e-12));
 });
 
 test("of degree n a removed point lowers the degree; a cut holds its joint by G1, a healed one is gone", () => {
   const whole = /** @type {any} */ ({ ...firstState(), degree: "n" });
-  assert.equal(figureOf(edits.removed(whole, 2)).degree, 5);
-  const cut = edits.inserted(firstState(), 0.3);
-  assert.deepEqual([cut.joints, edits.removed(cut, 3).joints], [["g1", "free"], ["free"]]);
-  const { joints } = edits.inserted({ ...firstState(), segment: 1 }, 0.3);
+  assert.equal(figureOf(commands.removed(whole, 2)).degree, 5);
+  const cut = commands.inserted(firstState(), 0.3);
+  assert.deepEqual([cut.joints, commands.removed(cut, 3).joints], [["g1", "free"], ["free"]]);
+  const { joints } = commands.inserted({ ...firstState(), segment: 1 }, 0.3);
   assert.deepEqual(joints, ["free", "g1"]);
 });
 
@@ -342,7 +342,7 @@ test("text is taken as points, an SVG path or JSON; what is none of these is ref
 
 test("the description names points, joints and t; many points are counted", () => {
   const words = (state) => description(state, figureOf(state), jointsOf(figureOf(state)), ["The hull is shown"]);
-  const held = edits.withJoints(firstState(), ["c1"]);
+  const held = commands.withJoints(firstState(), ["c1"]);
   assert.match(
     words(held),
     /^2 Bézier curves of degree 3\. P0 at 70, 330; P1 at 110, 90, off the curve;.* At P3: C1, turns by 0°, tangents 1 : 1, held C1\. t is 0\.50\. The hull is shown/,

@@ -2,11 +2,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "#js/index.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { Lens } from "#js/elements/applet/layers/lens.js";
-import { LAYERS } from "#js/elements/applet/layers/index.js";
-import { svgFigure } from "#js/elements/applet/layers/svg.js";
-import { BASES, LAYER_NAMES, withView } from "#js/elements/applet/state.js";
+import { figureOf } from "#js/editor/figure.js";
+import { Lens } from "#js/layers/lens.js";
+import { LAYERS } from "#js/layers/index.js";
+import { svgFigure } from "#js/layers/svg.js";
+import { BASES, LAYER_NAMES, withView } from "#js/editor/state.js";
 import { drawn, stateWith, Tape, theme } from "./layers-page.js";
 import { pointsOf } from "./reference.js";
 

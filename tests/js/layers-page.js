@@ -1,7 +1,7 @@
 // What the tests of the layers share: states, figures, and a canvas that writes down what is drawn.
-import { drawFigure, LAYERS, ROLES } from "#js/elements/applet/layers/index.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { firstState, LAYER_NAMES } from "#js/elements/applet/state.js";
+import { drawFigure, LAYERS, ROLES } from "#js/layers/index.js";
+import { figureOf } from "#js/editor/figure.js";
+import { firstState, LAYER_NAMES } from "#js/editor/state.js";
 
 /** A theme whose colours are the names of their roles. @type {any} */
 export const theme = Object.fromEntries(ROLES.map((role) => [role, role]));

@@ -2,13 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "#js/index.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { nameAt, namesOf } from "#js/elements/applet/layers/names.js";
-import { deviation, treeOf } from "#js/elements/applet/layers/halving.js";
-import { envelopeLines } from "#js/elements/applet/layers/envelope.js";
-import { combOf, pointsAndDirections } from "#js/elements/applet/layers/directions.js";
-import { weightsAt } from "#js/elements/applet/layers/weights.js";
-import { BASES } from "#js/elements/applet/state.js";
+import { figureOf } from "#js/editor/figure.js";
+import { nameAt, namesOf } from "#js/layers/names.js";
+import { deviation, treeOf } from "#js/layers/halving.js";
+import { envelopeLines } from "#js/layers/envelope.js";
+import { combOf, pointsAndDirections } from "#js/layers/directions.js";
+import { weightsAt } from "#js/layers/weights.js";
+import { BASES } from "#js/editor/state.js";
 import { derived, stateWith } from "./layers-page.js";
 import { near, pointsOf } from "./reference.js";
 

@@ -14,10 +14,7 @@ const WORDS = [
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
   [/\b(told|tells|heard|attended|dusted)\b/g, "messages, announced, focusedPoint, roundedToPixels"],
   [/\b(least|most)\b/g, "min, max"],
-  [
-    /\b(chosen|during|byUser|byPage|settle|giveUp)\b/g,
-    "selected, updateInStep, updateByUser, updateByPage, commit, revert",
-  ],
+  [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch with an origin, commit, revert"],
   [/\b(knob|hollow|truth|fewest)\b/g, "controlPoint, ring, continuityLabels, minPoints"],
 ];
 

@@ -1,9 +1,9 @@
 // Draws every <bezier-applet …></bezier-applet> into the page while the site is built: the picture that is there before the
 // element starts, without JavaScript, and on paper. By the same layers that draw it later.
-import { FIELDS } from "#js/elements/applet/fields.js";
-import { figureOf } from "#js/elements/applet/figure.js";
-import { svgFigure } from "#js/elements/applet/layers/svg.js";
-import { firstState } from "#js/elements/applet/state.js";
+import { FIELDS } from "#js/editor/schema.js";
+import { figureOf } from "#js/editor/figure.js";
+import { svgFigure } from "#js/layers/svg.js";
+import { firstState } from "#js/editor/state.js";
 
 /** The page's own colours where it has them: they follow dark and light. */
 const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--ground)" };

@@ -6,7 +6,7 @@ import { codeBox } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
 import { short } from "../figures/lib/numbers.js";
 import { EM, GLYPHS } from "./glyphs.js";
-import { History } from "./history.js";
+import { Editor } from "#js/editor/editor.js";
 import {
   addRound,
   bendOrStraighten,
@@ -73,9 +73,9 @@ export class GlyphEditor extends Figure {
 
   constructor() {
     super();
-    /** @type {Outline} what is shown; while a point is dragged, ahead of the history */
+    /** @type {Outline} what is shown; while a point is dragged, ahead of the editor */
     this.outline = fromSvg(GLYPHS.a);
-    this.history = new History(this.outline);
+    this.editor = new Editor({ outline: this.outline });
     this.path = pathOf(this.outline);
     /** Which outline the quadratics are of. @type {Outline | null} */
     this.measured = null;
@@ -107,8 +107,8 @@ export class GlyphEditor extends Figure {
         this.chosen = { c: this.chosen.c, index: 0 };
     }
     // Measuring is for finished drags: it takes longer than a frame may.
-    if (this.history.now !== this.measured || changed.has("tolerance")) {
-      this.measured = this.history.now;
+    if (this.editor.state.outline !== this.measured || changed.has("tolerance")) {
+      this.measured = this.editor.state.outline;
       this.quadratic = toQuadratics(this.measured, this.tolerance);
     }
   }
@@ -117,12 +117,15 @@ export class GlyphEditor extends Figure {
   take(outline) {
     if (outline.length === 0) {
       this.problem = "The last contour cannot be deleted.";
-      this.outline = this.history.now;
+      this.outline = this.editor.state.outline;
       return;
     }
     this.problem = "";
     this.outline = outline;
-    if (this.history.push(outline)) this.notifyChange();
+    if (outline !== this.editor.state.outline) {
+      this.editor.dispatch(() => ({ outline }), { origin: "page" });
+      this.notifyChange();
+    }
     this.requestUpdate();
   }
 
@@ -149,12 +152,14 @@ export class GlyphEditor extends Figure {
   }
 
   undo() {
-    this.outline = this.history.undo();
+    this.editor.undo();
+    this.outline = this.editor.state.outline;
     this.notifyChange();
   }
 
   redo() {
-    this.outline = this.history.redo();
+    this.editor.redo();
+    this.outline = this.editor.state.outline;
     this.notifyChange();
   }
 

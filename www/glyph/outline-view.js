@@ -97,9 +97,9 @@ export function outlineView(editor) {
         box: /** @type {any} */ (box),
         step: editor.seen.units < CLOSE_UNITS ? 0.1 : 1,
         say: (value) => short(value, 1),
-        move: (to) => (editor.outline = movePoint(editor.history.now, c, index, to)),
+        move: (to) => (editor.outline = movePoint(editor.editor.state.outline, c, index, to)),
         done: () => editor.take(editor.outline),
-        cancel: () => (editor.outline = editor.history.now),
+        cancel: () => (editor.outline = editor.editor.state.outline),
         focus: () => (editor.chosen = { c, index }),
       }),
     )}

@@ -28,7 +28,7 @@ export function tools(editor) {
     <div class="controls first">
       <div class="row" role="group" aria-label="Letters">${Object.entries(GLYPHS).map(([name, d]) => html`<button @click=${() => editor.import(d)}>${name}</button>`)}</div>
       <div class="row">
-        <button ?disabled=${!editor.history.canUndo} @click=${() => editor.undo()}>Undo</button><button ?disabled=${!editor.history.canRedo} @click=${() => editor.redo()}>Redo</button>
+        <button ?disabled=${!editor.editor.canUndo} @click=${() => editor.undo()}>Undo</button><button ?disabled=${!editor.editor.canRedo} @click=${() => editor.redo()}>Redo</button>
       </div>
       <div class="row" role="group" aria-label="Zoom">
         <button aria-label="Zoom out" @click=${() => editor.zoom(1 / ZOOM_STEP)}>−</button><button aria-label="Zoom in" @click=${() => editor.zoom(ZOOM_STEP)}>+</button>
@@ -111,7 +111,7 @@ export function proof(editor) {
 /** @param {GlyphEditor} editor */
 export function conversion(editor) {
   const { outline, error } = editor.quadratic;
-  const [mine, theirs] = [countPoints(editor.history.now), countPoints(outline)];
+  const [mine, theirs] = [countPoints(editor.editor.state.outline), countPoints(outline)];
   return html`
     <div class="frame">
       <div class="table first" tabindex="0" role="region" aria-label="Points of both outlines">

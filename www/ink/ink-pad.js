@@ -1,6 +1,7 @@
 // <ink-pad>: a drawing surface, and perfect-freehand with the same samples below or beside it.
-import { History } from "#js/editor/history.js";
+import { Editor } from "#js/editor/editor.js";
 import { capture } from "#js/ui/capture.js";
+import { save } from "#js/ui/files.js";
 import { InkStroke } from "casteljau";
 import { css, html, svg } from "lit";
 import { getStroke } from "perfect-freehand";
@@ -51,7 +52,6 @@ export function checkedSettings(json) {
 export class InkPad extends Figure {
   static properties = {
     settings: { state: true },
-    drawing: { state: true },
     live: { state: true },
     marked: { state: true },
   };
@@ -65,6 +65,7 @@ export class InkPad extends Figure {
     .pad { cursor: crosshair; touch-action: none; user-select: none; -webkit-user-select: none; }
     .ink { fill: var(--ink); }
     .outlined .ink { fill: var(--grid); stroke: var(--quiet); stroke-width: 0.75; }
+    thead td { border-block-start: 0; }
     .nodes { fill: var(--handle); stroke: none; }
     .settings { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); }
   `,
@@ -73,10 +74,8 @@ export class InkPad extends Figure {
   constructor() {
     super();
     this.settings = SETTINGS;
-    /** @type {Drawing} */
-    this.drawing = { strokes: [{ device: false, samples: hand(260, 2) }] };
-    /** @type {History<Drawing>} */
-    this.history = new History();
+    this.editor = new Editor(/** @type {Drawing} */ ({ strokes: [{ device: false, samples: hand(260, 2) }] }));
+    this.editor.subscribe(() => this.requestUpdate());
     this.marked = false;
     /** What is being drawn. @type {{ stroke: Stroke, settled: string[], open: string, peer: string } | null} */
     this.live = null;
@@ -144,28 +143,25 @@ export class InkPad extends Figure {
     return made;
   }
 
-  /** @param {(drawing: Drawing) => Drawing} edit */
-  edit(edit) {
-    const next = edit(this.drawing);
-    if (next === this.drawing) return;
-    this.history.touch(this.drawing);
-    this.drawing = next;
-    this.history.close(next);
+  /** @param {(drawing: Drawing) => Drawing} change */
+  change(change) {
+    this.editor.dispatch(change, { origin: "user" });
     this.notifyChange();
   }
 
   /** @param {Stroke} stroke */
   add(stroke) {
-    this.edit(({ strokes }) => ({ strokes: [...strokes, stroke] }));
+    this.change(({ strokes }) => ({ strokes: [...strokes, stroke] }));
   }
 
   undo() {
     this.cancel();
-    this.drawing = this.history.undo(this.drawing);
+    this.editor.undo();
   }
 
   redo() {
-    this.drawing = this.history.redo(this.drawing);
+    this.cancel();
+    this.editor.redo();
   }
 
   /** Gives up the stroke that is being drawn. */
@@ -241,16 +237,12 @@ export class InkPad extends Figure {
 
   /** The drawing as an SVG file. */
   get svg() {
-    const paths = this.drawing.strokes.map((stroke) => `<path d="${this.outlinesOf(stroke).ours.d}"/>`);
+    const paths = this.editor.state.strokes.map((stroke) => `<path d="${this.outlinesOf(stroke).ours.d}"/>`);
     return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}">${paths.join("")}</svg>\n`;
   }
 
   download() {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([this.svg], { type: "image/svg+xml" }));
-    link.download = "ink.svg";
-    link.click();
-    URL.revokeObjectURL(link.href);
+    save(document, "ink.svg", new Blob([this.svg], { type: "image/svg+xml" }));
   }
 
   /** @param {Outline[]} outlines @param {unknown} live */
@@ -281,7 +273,7 @@ export class InkPad extends Figure {
   }
 
   render() {
-    const { strokes } = this.drawing;
+    const { strokes } = this.editor.state;
     const outlines = strokes.map((stroke) => this.outlinesOf(stroke));
     const [ours, theirs] = [outlines.map(({ ours }) => ours), outlines.map(({ theirs }) => theirs)];
     const samples = strokes.reduce((sum, stroke) => sum + stroke.samples.length, 0);
@@ -302,9 +294,9 @@ export class InkPad extends Figure {
         </div>
         <div class="controls">
           <div class="row">
-            <button ?disabled=${!this.history.canUndo} @click=${this.undo}>Undo</button>
-            <button ?disabled=${!this.history.canRedo} @click=${this.redo}>Redo</button>
-            <button ?disabled=${!strokes.length} @click=${() => this.edit(() => ({ strokes: [] }))}>Clear</button>
+            <button ?disabled=${!this.editor.canUndo} @click=${this.undo}>Undo</button>
+            <button ?disabled=${!this.editor.canRedo} @click=${this.redo}>Redo</button>
+            <button ?disabled=${!strokes.length} @click=${() => this.change(() => ({ strokes: [] }))}>Clear</button>
             <button @click=${() => this.add({ device: false, samples: hand(260, 1 + strokes.length) })}>Add a sample stroke</button>
             <button ?disabled=${!strokes.length} @click=${this.download}>Download SVG</button>
           </div>

@@ -1,18 +1,20 @@
-// What the user can do besides dragging: every action once, for its button and its key.
+// What the user can do besides dragging: the actions of the editor, and those that need the page.
 import { controlGroups } from "../attribute-text.js";
-import { roomiestAmong } from "../../applet/random.js";
-import { save } from "../page-files.js";
-import * as edits from "./edits.js";
-import { blobOf, codeOf } from "./export.js";
-import { svgFigure } from "./layers/svg.js";
-import { FIELDS } from "./fields.js";
-import { textIn, withText } from "./files.js";
-import { Player } from "./player.js";
-import { jointsOf } from "./joints.js";
-import * as states from "./state.js";
-import { MODE_NAMES, placeWords } from "./words.js";
-import type { State } from "./state.js";
-import type { Point2 } from "./state.js";
+import { save } from "../../ui/files.js";
+import { actionOf } from "../../editor/actions.js";
+import * as commands from "../../editor/commands.js";
+import { codeOf } from "../../editor/code.js";
+import { blobOf } from "./export.js";
+import { svgFigure } from "../../layers/svg.js";
+import { FIELDS } from "../../editor/schema.js";
+import { textIn, withText } from "../../editor/import.js";
+import { Player } from "../../ui/playback.js";
+import { jointsOf } from "../../editor/joints.js";
+import * as states from "../../editor/state.js";
+import { MODE_NAMES, placeWords } from "../../editor/descriptions.js";
+import type { ActionName } from "../../editor/actions.js";
+import type { State } from "../../editor/state.js";
+import type { Point2 } from "../../editor/state.js";
 
 export type Actions = AppletActions["actions"];
 
@@ -20,13 +22,6 @@ export class AppletActions {
   host: import("./editing.js").AppletEditing;
   actions: {
     play: () => void;
-    undo: () => void;
-    redo: () => void;
-    reset: () => undefined;
-    randomize: () => undefined;
-    toggle: () => undefined;
-    append: () => void;
-    insert: () => undefined;
     removeSelected: () => undefined;
     tapping: () => void;
     help: () => void;
@@ -41,7 +36,7 @@ export class AppletActions {
   };
 
   stage: import("./stage.js").Stage | null = null;
-  speaker: import("../../applet/voice.js").Speaker | null = null;
+  speaker: import("../../ui/announcer.js").Speaker | null = null;
   /** The messages of the layers. */
   messages: { name: string; words: string }[] = [];
   /** The point that was touched last. */
@@ -51,14 +46,14 @@ export class AppletActions {
   /** Whether taps move it. */
   tapping = false;
   player = new Player((by) => this.#advance(by));
-  #language: import("./export.js").Language = "js";
+  #language: import("../../editor/code.js").Language = "js";
 
   constructor(host: import("./editing.js").AppletEditing) {
     this.host = host;
     this.actions = this.#actions();
   }
 
-  begin(stage: import("./stage.js").Stage, speaker: import("../../applet/voice.js").Speaker) {
+  begin(stage: import("./stage.js").Stage, speaker: import("../../ui/announcer.js").Speaker) {
     this.stage = stage;
     this.speaker = speaker;
   }
@@ -83,53 +78,77 @@ export class AppletActions {
 
   /** The picture with all its layers. */
   toSVG() {
-    return svgFigure(this.host.now(), this.host.made(), {
+    return svgFigure(this.host.editor.state, this.host.currentFigure(), {
       theme: this.stage?.theme,
       label: this.host.name,
       opaque: true,
     });
   }
 
-  toCode(language: import("./export.js").Language) {
-    return codeOf(this.host.now(), this.host.made(), language);
+  toCode(language: import("../../editor/code.js").Language) {
+    return codeOf(this.host.editor.state, this.host.currentFigure(), language);
   }
 
   /** The picture as a PNG. */
   toBlob() {
-    return this.stage ? blobOf(this.host.now(), this.host.made(), this.stage.theme) : null;
+    return this.stage ? blobOf(this.host.editor.state, this.host.currentFigure(), this.stage.theme) : null;
   }
 
-  /** Something the user does at once, and what is announced of it. */
-  do(change: (state: State) => State, words: string) {
+  /** Something the user does at once, and what is announced of it; undefined: what the layers and joints say. */
+  do(act: () => void, words: () => string = () => "") {
     this.stage?.release();
-    const done = this.host.updateByUser(change);
+    this.host.editor.commit();
+    const done = this.host.attempt(act);
     if (!done) this.announced = this.announced.slice(1); // the same refusal is announced again
-    this.speaker?.say(done ? words : "");
+    this.speaker?.say(done ? words() : "");
     return done;
   }
 
+  /** A change by the user that is complete. */
+  change(change: (state: State) => State, words = "") {
+    return this.do(
+      () => this.host.editor.dispatch(change, { origin: "user" }),
+      () => words,
+    );
+  }
+
+  /** An action of the table. */
+  run(name: ActionName) {
+    const { run, done } = actionOf(name);
+    const { editor } = this.host;
+    const before = editor.state;
+    if (name === "undo" || name === "redo") this.stage?.cancel();
+    const words = () => (typeof done === "string" ? done : done(editor.state));
+    this.do(
+      () => run(editor),
+      () => (editor.state === before ? "" : words()),
+    );
+    if (name === "append" && editor.state !== before) this.focusPoint(editor.state.shown - 1);
+  }
+
   appendAt(at: Point2) {
-    if (this.do((state) => edits.appended(state, at), "Point added")) this.focusPoint(this.host.now().shown - 1);
+    if (this.change((state) => commands.appended(state, at), "Point added"))
+      this.focusPoint(this.host.editor.state.shown - 1);
   }
 
   /**
    * @param bare without healing
    */
   removeAt(index: number, bare = false) {
-    const name = this.host.made().names[index];
-    return this.do((state) => edits.removed(state, index, bare), `${name} removed`);
+    const name = this.host.currentFigure().names[index];
+    return this.change((state) => commands.removed(state, index, bare), `${name} removed`);
   }
 
   /** The keyboard goes to a point, also to one that has just come. */
   focusPoint(index: number) {
     this.stage?.place();
-    this.stage?.handles.focus(Math.min(index, this.host.now().shown - 1));
+    this.stage?.handles.focus(Math.min(index, this.host.editor.state.shown - 1));
   }
 
   hold(joint: number, mode: string) {
-    const { names, degree } = this.host.made();
-    this.do(
-      (state) => edits.withJoint(state, joint, mode),
+    const { names, degree } = this.host.currentFigure();
+    this.change(
+      (state) => commands.withJoint(state, joint, mode),
       `${names[joint * degree]} held: ${MODE_NAMES[mode as states.JointMode]}`,
     );
   }
@@ -140,7 +159,7 @@ export class AppletActions {
    * @returns false where there is no joint
    */
   cycle(index: number): boolean {
-    const joint = index / (edits.chainOf(this.host.now())?.degree ?? NaN);
+    const joint = index / (commands.chainOf(this.host.editor.state)?.degree ?? NaN);
     const mode = this.host.joints[joint - 1];
     if (!mode || this.host.readonly) return false;
     this.hold(joint, states.MODES[(states.MODES.indexOf(mode) + 1) % states.MODES.length]);
@@ -149,19 +168,19 @@ export class AppletActions {
 
   /** What came by drop or paste. */
   take(text: string) {
-    if (!this.host.readonly) this.do((state) => withText(state, text), "Opened");
+    if (!this.host.readonly) this.change((state) => withText(state, text), "Opened");
   }
 
   /** The words for some points and where they are. */
   places(indices: number[]) {
-    const { names, points } = this.host.made();
+    const { names, points } = this.host.currentFigure();
     const there = indices.filter((index) => index < points.length); // the page may have taken some away meanwhile
     return there.map((index) => `${names[index]} at ${placeWords(points[index])}`).join(". ");
   }
 
   zoom(factor: number) {
-    const { x, y, width, height } = this.host.now().view;
-    this.host.display(states.zoomed(this.host.now(), factor, [x + width / 2, y + height / 2]));
+    const { x, y, width, height } = this.host.editor.state.view;
+    this.host.editor.show(states.zoomed(this.host.editor.state, factor, [x + width / 2, y + height / 2]));
   }
 
   #actions() {
@@ -173,15 +192,6 @@ export class AppletActions {
       );
     return {
       play: () => this.#play(),
-      undo: () => this.#goBack(() => this.host.undo(), "Undone"),
-      redo: () => this.#goBack(() => this.host.redo(), "Done again"),
-      reset: () => void this.do(() => this.host.origin, "As at first"),
-      randomize: () =>
-        void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
-      toggle: () =>
-        void (this.do(states.allPointsToggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
-      append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
-      insert: () => void this.do((state) => edits.inserted(state), "Split at t"),
       removeSelected: () => void this.removeAt(this.selected),
       tapping: () => {
         this.tapping = !this.tapping;
@@ -189,7 +199,7 @@ export class AppletActions {
         this.host.requestUpdate();
       },
       help: () => this.host.renderRoot.querySelector("dialog")?.showModal(),
-      home: () => this.host.display(states.withHome(this.host.now())),
+      home: () => this.host.editor.show(states.withHome(this.host.editor.state)),
       saveSvg: () => download("svg", this.toSVG(), "image/svg+xml"),
       savePng: async () => {
         const blob = await this.toBlob();
@@ -199,7 +209,7 @@ export class AppletActions {
       open: async (file: File) => this.take(await textIn(file)),
       refresh: () => this.host.requestUpdate(),
       language: (language: string) => {
-        this.#language = language as import("./export.js").Language;
+        this.#language = language as import("../../editor/code.js").Language;
         this.host.requestUpdate();
       },
       copy: () => this.#copy(),
@@ -207,8 +217,8 @@ export class AppletActions {
   }
 
   panelPort(): import("./panel.js").PanelPort {
-    const figure = this.host.made();
-    const state = this.host.now();
+    const figure = this.host.currentFigure();
+    const state = this.host.editor.state;
     const wanted = controlGroups(this.host.controls);
     const codeShown = (this.host.renderRoot.querySelector("details.save") as HTMLDetailsElement | null)?.open;
     return {
@@ -223,25 +233,28 @@ export class AppletActions {
       playing: this.player.playing,
       tapping: this.tapping,
       selected: this.selected < state.shown ? this.selected : -1,
-      can: { undo: this.host.history.canUndo, redo: this.host.history.canRedo, insert: edits.canInsert(state) },
-      set: (change) => void this.do(change, ""),
+      can: (name) => actionOf(name).enabled?.(this.host.editor) ?? true,
+      run: (name) => this.run(name),
+      set: (change) => void this.change(change),
       put: (name, value, done = true) => {
-        this.host.attempt(() => this.host.updateOpenStep((now) => put(now, name, value)));
-        if (done) this.host.commit();
+        this.host.attempt(() =>
+          this.host.editor.dispatch((now) => put(now, name, value), { origin: "user", merge: true }),
+        );
+        if (done) this.host.editor.commit();
       },
       act: this.actions,
       hold: (joint, mode) => this.hold(joint, mode),
       zoom: (factor) => this.zoom(factor),
-      code: codeShown ? codeOf(this.host.now(), this.host.made(), this.#language) : "",
+      code: codeShown ? codeOf(this.host.editor.state, this.host.currentFigure(), this.#language) : "",
       language: this.#language,
     };
   }
 
   #advance(by: number) {
-    const state = this.host.now();
+    const state = this.host.editor.state;
     const [min, max] = states.rangeOfT(state);
     const t = Math.min(Math.max(state.t + by, min), max);
-    this.host.display({ ...state, t });
+    this.host.editor.show({ ...state, t });
     this.host.fire("input");
     return t === (by > 0 ? max : min);
   }
@@ -254,19 +267,9 @@ export class AppletActions {
     this.host.requestUpdate();
   }
 
-  #goBack(act: () => void, words: string) {
-    const before = this.host.now();
-    this.stage?.cancel();
-    act();
-    if (this.host.now() === before) return;
-    this.speaker?.say(words);
-    this.host.fire("input");
-    this.host.fire("change");
-  }
-
   async #copy() {
     try {
-      await navigator.clipboard.writeText(codeOf(this.host.now(), this.host.made(), this.#language));
+      await navigator.clipboard.writeText(codeOf(this.host.editor.state, this.host.currentFigure(), this.#language));
       this.host.say("Copied.", true);
     } catch {
       this.host.say("The page may not write to the clipboard: mark the code and copy it.");
@@ -278,5 +281,5 @@ export class AppletActions {
 /** A field of the state by the user's hand. A matrix of their own begins with what the curve has. */
 function put(state: State, name: string, value: unknown): State {
   const next = FIELDS[name].put(state, value);
-  return name === "basis" && value === "matrix" ? edits.withOwnMatrix(next, state) : next;
+  return name === "basis" && value === "matrix" ? commands.withOwnMatrix(next, state) : next;
 }

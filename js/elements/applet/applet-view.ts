@@ -1,17 +1,18 @@
 // The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
 import { isForText } from "../../ui/keys.js";
-import { Speaker, setText } from "../../applet/voice.js";
+import { Speaker, setText } from "../../ui/announcer.js";
 import { AppletActions } from "./actions.js";
-import * as edits from "./edits.js";
-import { listenToFiles } from "./files.js";
+import * as commands from "../../editor/commands.js";
+import { textIn } from "../../editor/import.js";
+import { listenToFiles } from "../../ui/files.js";
 import { frame } from "./frame.js";
 import { listenToKeys, listenToPage } from "./keys.js";
-import { jointsOf } from "./joints.js";
-import { snapped, turnedBy15 } from "./snap.js";
+import { jointsOf } from "../../editor/joints.js";
+import { snapped, turnedBy15 } from "../../editor/snapping.js";
 import { Stage } from "./stage.js";
-import * as states from "./state.js";
-import { description } from "./words.js";
-import type { Point2 } from "./state.js";
+import * as states from "../../editor/state.js";
+import { description } from "../../editor/descriptions.js";
+import type { Point2 } from "../../editor/state.js";
 
 export class AppletView extends AppletActions {
   /** Theme of the cached colours. */
@@ -22,7 +23,7 @@ export class AppletView extends AppletActions {
   constructor(host: import("./editing.js").AppletEditing) {
     super(host);
     listenToKeys(host, this.#keyPort());
-    listenToFiles(host, { busy: isForText, take: (text) => this.take(text) });
+    listenToFiles(host, { busy: isForText, take: (text) => this.take(text), textIn });
     host.addEventListener("focusin", (event) => this.#choose(this.#pointOf(event)));
   }
 
@@ -58,10 +59,10 @@ export class AppletView extends AppletActions {
 
   /** The picture in words, brought up to date; what is new in it. */
   #describe() {
-    const figure = this.host.made();
+    const figure = this.host.currentFigure();
     const joints = jointsOf(figure);
     const words = description(
-      this.host.now(),
+      this.host.editor.state,
       figure,
       joints,
       this.messages.map((messages) => messages.words),
@@ -85,61 +86,66 @@ export class AppletView extends AppletActions {
   /** The last point touched; its segment is the one that t is about. */
   #choose(index: number) {
     if (index < 0) return;
-    const { pieces } = this.host.made();
-    const state = this.host.now();
+    const { pieces } = this.host.currentFigure();
+    const state = this.host.editor.state;
     this.choose(index);
     if (pieces[state.segment]?.indices.includes(index)) return;
     const segment = pieces.findIndex(({ indices }) => indices.includes(index));
-    if (segment >= 0) this.host.display({ ...state, segment });
+    if (segment >= 0) this.host.editor.show({ ...state, segment });
+  }
+
+  /** A part of what the user is doing. */
+  #changeOn(change: (state: states.State) => states.State) {
+    this.host.editor.dispatch(change, { origin: "user", merge: true });
   }
 
   #pull(index: number, to: Point2, { from, event }: { from: Point2; event?: PointerEvent }) {
     to = this.#roundedToPixels(to);
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
-    this.host.updateOpenStep((state) => {
-      const free = altKey ? edits.broken(state, index) : state;
+    this.#changeOn((state) => {
+      const free = altKey ? commands.broken(state, index) : state;
       const place = shiftKey
         ? turnedBy15(free, index, to, from)
         : ctrlKey || metaKey || altKey
           ? to
           : snapped(free, index, to, this.stage?.reach ?? 1);
-      return edits.withPointAt(free, index, place);
+      return commands.withPointAt(free, index, place);
     });
   }
 
   /** As fine as anyone sees: pointers' places come with the dust of divisions. */
   #roundedToPixels([x, y]: Point2): Point2 {
-    const digits = 3 - Math.floor(Math.log10(states.scaleOf(this.host.now())));
+    const digits = 3 - Math.floor(Math.log10(states.scaleOf(this.host.editor.state)));
     return [Number(x.toFixed(digits)), Number(y.toFixed(digits))];
   }
 
   #stagePort(): import("./stage.js").StagePort {
     return {
-      now: () => ({ state: this.host.now(), figure: this.host.made() }),
+      now: () => ({ state: this.host.editor.state, figure: this.host.currentFigure() }),
       fixed: () => this.host.readonly,
-      begun: () => this.host.commit(),
+      begun: () => this.host.editor.commit(),
       move: (index, to, drag) => void this.host.attempt(() => this.#pull(index, to, drag)),
-      restored: () => this.host.revert(),
+      restored: () => this.host.editor.revert(),
       ended: (moved) => {
-        this.host.commit();
+        this.host.editor.commit();
         if (moved.length) this.speaker?.say(this.places(moved));
       },
       grabbed: (index) => this.#choose(index),
       slide: (index, to) => {
-        this.host.attempt(() => this.host.updateOpenStep((state) => edits.withPointAt(state, index, to)));
+        this.host.attempt(() => this.#changeOn((state) => commands.withPointAt(state, index, to)));
         this.speaker?.say(this.places([index]));
       },
-      slid: () => this.host.commit(),
+      slid: () => this.host.editor.commit(),
       doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
       tap: (at) =>
         this.tapping &&
         this.selected >= 0 &&
-        this.do((state) => edits.withPointAt(state, this.selected, at), this.places([this.selected])),
+        this.change((state) => commands.withPointAt(state, this.selected, at), this.places([this.selected])),
       point: (at) => {
-        const state = this.host.now();
+        const state = this.host.editor.state;
         const isFollowed =
           state.layers.has("nearest") || (state.layers.has("construction") && !state.layers.has("names"));
-        if (isFollowed) this.host.display({ ...state, pointer: at?.() ?? null });
+        if (isFollowed) this.host.editor.show({ ...state, pointer: at?.() ?? null });
       },
       look: (factor, from, to) => this.#look(factor, from, to),
       drawn: (messages) => this.show(messages),
@@ -147,39 +153,33 @@ export class AppletView extends AppletActions {
   }
 
   #look(factor: number, from: Point2, to: Point2) {
-    const state = states.zoomed(this.host.now(), factor, from);
+    const state = states.zoomed(this.host.editor.state, factor, from);
     const { view } = state;
-    this.host.display({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
+    this.host.editor.show({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
   }
 
   #keyPort(): import("./keys.js").KeyPort {
-    const editable = (act: () => void) => () => void (this.host.readonly || act());
-    const { insert, undo, redo, randomize, toggle, help } = this.actions;
     return {
       off: () => this.host.hotkeys === "off",
       pointOf: (event) => this.#pointOf(event),
       nudge: (index, step) => this.#nudge(index, step),
-      settled: () => void (this.stage?.dragging || this.host.commit()),
+      settled: () => void (this.stage?.dragging || this.host.editor.commit()),
       escape: () => this.stage?.cancel() ?? false,
       remove: (index, bare) => {
         if (!this.host.readonly && this.removeAt(index, bare)) this.focusPoint(index);
       },
       cycle: (index) => this.cycle(index),
-      insert: editable(insert),
-      undo: editable(undo),
-      redo: editable(redo),
-      randomize: editable(randomize),
-      toggle: editable(toggle),
-      help,
+      run: (name) => void (this.host.readonly || this.run(name)),
+      help: this.actions.help,
     };
   }
 
   #nudge(index: number, [dx, dy]: [number, number]) {
     if (this.host.readonly) return;
-    const scale = states.scaleOf(this.host.now());
-    const [x, y] = this.host.now().points[index];
+    const scale = states.scaleOf(this.host.editor.state);
+    const [x, y] = this.host.editor.state.points[index];
     this.host.attempt(() =>
-      this.host.updateOpenStep((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
+      this.#changeOn((state) => commands.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
     );
     this.speaker?.say(this.places([index]));
   }
@@ -191,7 +191,7 @@ export class AppletView extends AppletActions {
       name: host.name,
       message: this.message,
       good: host.good && !host.problems.length,
-      cursor: this.tapping ? "place" : states.isHome(host.now()) ? "" : "grab",
+      cursor: this.tapping ? "place" : states.isHome(host.editor.state) ? "" : "grab",
       panel: this.panelled ? this.panelPort() : null,
     });
   }

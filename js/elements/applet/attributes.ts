@@ -1,10 +1,11 @@
 // The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
 import { LitElement } from "lit";
 import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
-import { withJoints } from "./edits.js";
-import { FIELDS, VIEW } from "./fields.js";
-import { firstState } from "./state.js";
-import type { State } from "./state.js";
+import { withJoints } from "../../editor/commands.js";
+import { FIELDS, VIEW } from "../../editor/schema.js";
+import { Editor } from "../../editor/editor.js";
+import { firstState } from "../../editor/state.js";
+import type { State } from "../../editor/state.js";
 
 /** Defaults are not reflected. */
 const text = (first: string) => ({
@@ -40,13 +41,15 @@ export class AppletAttributes extends LitElement {
     return [...super.observedAttributes, ...Object.keys(FIELDS)];
   }
 
-  #state: State = firstState();
+  #editor = new Editor<State>(firstState(), ["view", "pointer", "segment"], ["view", "pointer"]);
   /** Attributes that have been written from outside and not yet been read. */
   #unread: Set<string> = new Set();
   /** What is wrong with the attributes; each is also said in the console, once. */
   #problems: Map<string, string> = new Map();
   /** What the attributes say, or what the state said when they were read. */
-  #known: Map<string, string> = new Map(Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#state)]));
+  #known: Map<string, string> = new Map(
+    Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#editor.state)]),
+  );
   #writing = false;
 
   constructor() {
@@ -58,21 +61,10 @@ export class AppletAttributes extends LitElement {
     this.label = "";
   }
 
-  /**
-   * @internal
-   * @returns what is shown now, the attributes read
-   */
-  now(): State {
+  /** @internal The editor, in whose state all attributes have been read. */
+  get editor(): Editor<State> {
     if (this.#unread.size) this.#read();
-    return this.#state;
-  }
-
-  /**
-   * @internal
-   */
-  setState(state: State) {
-    this.now();
-    this.#state = state;
+    return this.#editor;
   }
 
   /** @internal What is wrong with the attributes. */
@@ -87,36 +79,35 @@ export class AppletAttributes extends LitElement {
     this.requestUpdate();
   }
 
+  willUpdate(changed: import("lit").PropertyValues) {
+    super.willUpdate(changed);
+    if (this.#unread.size) this.#read();
+  }
+
   /** The last good value of an attribute stays where a new one is invalid. */
   #read() {
     const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
     this.#unread.clear();
+    let { state } = this.#editor;
     for (const name of names) {
       const before = this.#problems.get(name);
       this.#problems.delete(name);
       try {
-        this.#state = this.#readOne(name, this.getAttribute(name));
+        state = readAttribute(state, name, this.getAttribute(name));
       } catch (error) {
         const problem = error instanceof Error ? error.message : String(error);
         this.#problems.set(name, problem);
         if (problem !== before) console.warn(`<${this.localName}> ${problem}`);
       }
     }
-    if (names.includes("joints")) this.#state = withJoints(this.#state, this.#state.joints);
-    for (const name of names) this.#known.set(name, FIELDS[name].write(this.#state));
-  }
-
-  /**
-   * @param given null: as at first
-   */
-  #readOne(name: string, given: string | null): State {
-    const { parse, put, get } = FIELDS[name];
-    return put(this.#state, given === null ? get(firstState()) : parse(given));
+    if (names.includes("joints")) state = withJoints(state, state.joints);
+    for (const name of names) this.#known.set(name, FIELDS[name].write(state));
+    this.#editor.show(state);
   }
 
   /** @internal What has changed otherwise than by an attribute is written into it. */
   reflectState() {
-    const state = this.now();
+    const { state } = this.editor;
     this.#writing = true;
     for (const [name, { write }] of Object.entries(FIELDS)) {
       const value = write(state);
@@ -128,6 +119,12 @@ export class AppletAttributes extends LitElement {
     }
     this.#writing = false;
   }
+}
+
+/** The state with what an attribute says; null stands for the default. */
+function readAttribute(state: State, name: string, given: string | null): State {
+  const { parse, put, get } = FIELDS[name];
+  return put(state, given === null ? get(firstState()) : parse(given));
 }
 
 /** A number, a word, a list of numbers, or a view. */
@@ -144,7 +141,7 @@ for (const name of Object.keys(FIELDS)) {
     enumerable: true,
     get(this: any) {
       const { get, write } = FIELDS[name];
-      return name === "show" ? write(this.now()) : get(this.now());
+      return name === "show" ? write(this.editor.state) : get(this.editor.state);
     },
     set(this: HTMLElement, value: unknown) {
       if (value === null || value === undefined) this.removeAttribute(name);

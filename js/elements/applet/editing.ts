@@ -1,34 +1,36 @@
-// Everything that changes the state, by the page or by the user; undo and redo; the events that tell.
-import { History } from "../../editor/history.js";
+// What the page can call: everything that changes the state, and the events that tell of changes by the user.
 import { writeAttribute } from "../attribute-text.js";
 import { AppletAttributes } from "./attributes.js";
-import * as edits from "./edits.js";
-import { FIELDS, jsonOf, stateOf } from "./fields.js";
-import { figureOf } from "./figure.js";
-import { BASIS_NAMES, firstState, allPointsToggled } from "./state.js";
-import type { State } from "./state.js";
-import type { Point2 } from "./state.js";
-import type { Figure } from "./figure.js";
+import * as commands from "../../editor/commands.js";
+import { FIELDS, jsonOf, stateOf } from "../../editor/schema.js";
+import { figureOf } from "../../editor/figure.js";
+import { BASIS_NAMES, firstState, allPointsToggled } from "../../editor/state.js";
+import type { State } from "../../editor/state.js";
+import type { Point2 } from "../../editor/state.js";
+import type { Figure } from "../../editor/figure.js";
 
 /** What a figure is made of: as long as these are the same, it is. */
 const MAKINGS: readonly (keyof State)[] = ["points", "shown", "basis", "degree", "matrix", "labels"];
 
 export class AppletEditing extends AppletAttributes {
-  /** @internal */
-  history = new History<State>(["view", "pointer", "segment"], ["view", "pointer"]);
   /** @internal What could not be done. */
   message = "";
   /** @internal Whether the message is good news. */
   good = false;
-  /** What the user began with, for `reset`. */
-  #origin: State | null = null;
-  /** Whether the user has changed something. */
-  #isTouched = false;
   #made: { state: State; figure: Figure } | null = null;
+
+  constructor() {
+    super();
+    this.editor.subscribe((event) => {
+      if (event === "input") this.fire("input");
+      else this.requestUpdate();
+      if (event === "change") this.fire("change");
+    });
+  }
 
   /** All points, also the hidden ones; a copy. */
   get points(): Point2[] {
-    return this.now().points.map(([x, y]) => [x, y]);
+    return this.editor.state.points.map(([x, y]) => [x, y]);
   }
 
   set points(points) {
@@ -38,25 +40,25 @@ export class AppletEditing extends AppletAttributes {
 
   /** The mode of each inner joint. */
   get joints() {
-    return edits.modesOf(this.now());
+    return commands.modesOf(this.editor.state);
   }
 
   set joints(joints) {
     if (writeAttribute(this, "joints", joints)) return;
-    this.#assign((state) => edits.withJoints(state, (FIELDS.joints.put(state, joints) as State).joints));
+    this.#assign((state) => commands.withJoints(state, (FIELDS.joints.put(state, joints) as State).joints));
   }
 
   get t() {
-    return this.now().t;
+    return this.editor.state.t;
   }
 
   set t(t) {
-    if (!writeAttribute(this, "t", t)) this.display(FIELDS.t.put(this.now(), t));
+    if (!writeAttribute(this, "t", t)) this.editor.show(FIELDS.t.put(this.editor.state, t));
   }
 
   /** Everything that is shown, as plain data. */
   get state(): Record<string, unknown> {
-    return jsonOf(this.now());
+    return jsonOf(this.editor.state);
   }
 
   set state(json) {
@@ -69,20 +71,20 @@ export class AppletEditing extends AppletAttributes {
   }
 
   undo() {
-    this.updateByPage((state) => this.history.undo(state), false);
+    this.editor.undo();
   }
 
   redo() {
-    this.updateByPage((state) => this.history.redo(state), false);
+    this.editor.redo();
   }
 
   /** Everything as it was when the user came. */
   reset() {
-    this.updateByPage((state) => this.#origin ?? state);
+    this.editor.reset();
   }
 
   randomize(seed: number = Math.floor(Math.random() * 2 ** 32)) {
-    this.updateByPage((state) => edits.randomized(state, seed));
+    this.#call((state) => commands.randomized(state, seed));
   }
 
   /**
@@ -91,28 +93,30 @@ export class AppletEditing extends AppletAttributes {
    * @returns of the selected segment
    */
   split(t: number = this.t): [import("../../index.js").Curve, import("../../index.js").Curve] {
-    const next = FIELDS.show.put(FIELDS.t.put(this.now(), t), [...new Set([...this.now().layers, "halves"])]);
+    const next = FIELDS.show.put(FIELDS.t.put(this.editor.state, t), [
+      ...new Set([...this.editor.state.layers, "halves"]),
+    ]);
     const { pieces } = figureOf(next);
     if (!pieces.length) throw new RangeError("split: expected a curve, got too few points for one");
-    this.updateByPage(() => next);
+    this.#call(() => next);
     return pieces[Math.min(next.segment, pieces.length - 1)].curve.split(t);
   }
 
   insertJoint(t?: number) {
-    this.updateByPage((state) => edits.inserted(state, t));
+    this.#call((state) => commands.inserted(state, t));
   }
 
   removePoint(index: number) {
-    this.updateByPage((state) => edits.removed(state, index));
+    this.#call((state) => commands.removed(state, index));
   }
 
   appendPoint(point: Point2) {
-    this.updateByPage((state) => edits.appended(state, point));
+    this.#call((state) => commands.appended(state, point));
   }
 
   /** Few points, or all. */
   toggleMode() {
-    this.updateByPage(allPointsToggled);
+    this.#call(allPointsToggled);
   }
 
   /**
@@ -130,88 +134,36 @@ export class AppletEditing extends AppletAttributes {
   ) {
     if (this.readonly && (index !== undefined || values.points)) return;
     const given = values as Record<string, unknown>;
-    this.updateOpenStep((state) => {
+    const change = (state: State) => {
       const next = Object.entries(FIELDS).reduce(
         (at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])),
         state,
       );
-      return index === undefined ? next : edits.withPointAt(next, index, point);
-    });
-    if (done) this.commit();
+      return index === undefined ? next : commands.withPointAt(next, index, point);
+    };
+    this.editor.dispatch(change, { origin: "user", merge: true });
+    if (done) this.editor.commit();
   }
 
   /**
    * @internal
    * @returns of the state as it is now
    */
-  made(): Figure {
-    const state = this.now();
+  currentFigure(): Figure {
+    const { state } = this.editor;
     const same = this.#made && MAKINGS.every((name) => this.#made?.state[name] === state[name]);
     if (!this.#made || !same) this.#made = { state, figure: figureOf(state) };
     return this.#made.figure;
   }
 
-  /**
-   * @internal
-   */
-  display(state: State) {
-    if (state === this.now()) return;
-    this.setState(state);
-    this.requestUpdate();
-  }
-
-  /**
-   * @internal
-   * By the page: an undo step, but no events. What is refused changes nothing.
-   */
-  updateByPage(change: (state: State) => State, step = true) {
-    this.commit();
-    const before = this.now();
-    this.#origin ??= before;
-    const next = change(before);
-    if (step) this.history.touch(before);
-    this.display(next);
-    this.history.close(next);
-  }
-
   /** The page sets a property. Before the first action of the user, this is what `reset` restores, and no undo step. */
   #assign(change: (state: State) => State) {
-    this.updateByPage(change, this.#isTouched);
-    if (!this.#isTouched) this.#origin = null;
+    this.editor.dispatch(change, { origin: "page", initial: true });
   }
 
-  /**
-   * @internal
-   * A part of what the user is doing; `commit` completes it.
-   */
-  updateOpenStep(change: (state: State) => State) {
-    const before = this.now();
-    const next = change(before);
-    this.#origin ??= before;
-    this.#isTouched = true;
-    this.history.touch(before);
-    this.display(next);
-    this.fire("input");
-  }
-
-  /** @internal What the user was doing is complete. */
-  commit() {
-    if (!this.history.close(this.now())) return;
-    this.fire("change");
-    this.requestUpdate();
-  }
-
-  /**
-   * @internal
-   * Something the user does at once. What cannot be done is told of.
-   * @returns whether it was done
-   */
-  updateByUser(change: (state: State) => State): boolean {
-    this.commit();
-    return this.attempt(() => {
-      this.updateOpenStep(change);
-      this.commit();
-    });
+  /** A method of the page: an undo step, but no events. What is refused changes nothing. */
+  #call(change: (state: State) => State) {
+    this.editor.dispatch(change, { origin: "page" });
   }
 
   /**
@@ -239,22 +191,9 @@ export class AppletEditing extends AppletAttributes {
     this.requestUpdate();
   }
 
-  /** @internal Esc: what the user was doing has not been done. */
-  revert() {
-    const before = this.history.abandon();
-    if (!before) return;
-    this.display(before);
-    this.fire("input");
-  }
-
   /** @internal What the picture is called. */
   get name() {
-    return this.label || `${BASIS_NAMES[this.now().basis]} curve with control points that can be moved`;
-  }
-
-  /** @internal The first state that a user sees. */
-  get origin() {
-    return this.#origin ?? this.now();
+    return this.label || `${BASIS_NAMES[this.editor.state.basis]} curve with control points that can be moved`;
   }
 
   /**

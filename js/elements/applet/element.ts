@@ -1,7 +1,7 @@
 import { css, html } from "lit";
 import { adoptProperties } from "../adopt.js";
 import { AppletEditing } from "./editing.js";
-import { FIELDS } from "./fields.js";
+import { FIELDS } from "../../editor/schema.js";
 import { MISSING } from "../loading.js";
 import { loadDrawing } from "./loading.js";
 import { reportOf } from "./report.js";
@@ -22,11 +22,11 @@ export class BezierApplet extends AppletEditing {
   #view: import("./applet-view.js").AppletView | null = null;
   /** Whether it is near, or was since it came into the page. */
   #near = false;
-  #announcedState: import("./state.js").State | null = null;
+  #announcedState: import("../../editor/state.js").State | null = null;
 
   /** What is shown, as companions read it. */
   get figure() {
-    return reportOf(this.now(), this.made());
+    return reportOf(this.editor.state, this.currentFigure());
   }
 
   /** The picture with all its layers. */
@@ -40,7 +40,7 @@ export class BezierApplet extends AppletEditing {
   }
 
   /** A program that makes the same curve. */
-  async toCode(language: import("./export.js").Language): Promise<string> {
+  async toCode(language: import("../../editor/code.js").Language): Promise<string> {
     return (await this.#loaded()).toCode(language);
   }
 
@@ -58,7 +58,7 @@ export class BezierApplet extends AppletEditing {
     this.#watch?.disconnect();
     this.#near = false;
     this.#view?.end();
-    this.commit();
+    this.editor.commit();
   }
 
   async #seen(near: boolean) {
@@ -88,9 +88,9 @@ export class BezierApplet extends AppletEditing {
 
   updated() {
     if (this.#near && this.isConnected) this.#view?.start();
-    if (!this.history.open) this.reflectState();
-    if (this.#announcedState === this.now()) return;
-    this.#announcedState = this.now();
+    if (!this.editor.isOpen) this.reflectState();
+    if (this.#announcedState === this.editor.state) return;
+    this.#announcedState = this.editor.state;
     this.#view?.speaker?.say();
     this.dispatchEvent(new Event("update"));
   }

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { panel } from "./panel.js";
 import { keys } from "./tools.js";
-import { INSTRUCTIONS } from "./words.js";
+import { INSTRUCTIONS } from "../../editor/descriptions.js";
 
 /**
  * Everything in the shadow root.

@@ -1,6 +1,11 @@
 // The keyboard: `r` and `m` from the whole page, everything else while the focus is inside.
-import { addKeyTarget, keyTarget } from "../../applet/key-targets.js";
+import { actionOfKey } from "../../editor/actions.js";
+import { addKeyTarget, keyTarget } from "../../ui/key-targets.js";
 import { arrowStep, historyStep, isForText, isPlain } from "../../ui/keys.js";
+import type { ActionName } from "../../editor/actions.js";
+
+/** Actions whose keys count on the whole page. */
+const PAGE_WIDE: readonly ActionName[] = ["randomize", "toggle"];
 
 export interface KeyPort {
   /** Whether there are no keys but the arrows */
@@ -14,11 +19,7 @@ export interface KeyPort {
   remove: (index: number, bare: boolean) => void;
   /** Another mode for a joint; false where there is none */
   cycle: (index: number) => boolean;
-  insert: () => void;
-  undo: () => void;
-  redo: () => void;
-  randomize: () => void;
-  toggle: () => void;
+  run: (name: ActionName) => void;
   help: () => void;
 }
 
@@ -42,12 +43,12 @@ export function listenToPage(host: HTMLElement, port: KeyPort): () => void {
   const page = host.ownerDocument;
   const removeTarget = addKeyTarget(host);
   const listener = (event: KeyboardEvent) => {
-    const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()];
-    if (!act || port.off() || !isPlain(event) || isForText(event)) return;
+    const action = actionOfKey((event.key ?? "").toLowerCase());
+    if (!action || !PAGE_WIDE.includes(action) || port.off() || !isPlain(event) || isForText(event)) return;
     const target = keyTarget(event, page);
     if (target.focused || target.host !== host) return;
     event.preventDefault();
-    act();
+    port.run(action);
   };
   page.addEventListener("keydown", listener);
   return () => {
@@ -66,12 +67,13 @@ function pressed(event: KeyboardEvent, port: KeyPort): boolean {
   if (event.key === "Escape") return port.escape();
   if (port.off() || event.isComposing) return false;
   const step = historyStep(event);
-  if (step) return used(port[step]());
+  if (step) return used(port.run(step));
   if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return false;
   if (index >= 0 && event.key === "Enter") return port.cycle(index);
   if (index >= 0 && ["Delete", "Backspace"].includes(event.key)) return used(port.remove(index, event.shiftKey));
-  const act = { r: port.randomize, m: port.toggle, i: port.insert, "?": port.help }[(event.key ?? "").toLowerCase()];
-  return act !== undefined && used(act());
+  if (event.key === "?") return used(port.help());
+  const action = actionOfKey((event.key ?? "").toLowerCase());
+  return action !== undefined && used(port.run(action));
 }
 
 /** @param _ what was done */

@@ -1,19 +1,21 @@
 // The controls below the picture: native form controls, in groups; what is used less is folded.
 import { html, nothing } from "lit";
 import { box, button, choice, icon, slider } from "../../ui/controls.js";
+import { actionOf } from "../../editor/actions.js";
 import { savings } from "./saving.js";
-import { LAYERS } from "./layers/index.js";
+import { LAYERS } from "../../layers/index.js";
 import { tools } from "./tools.js";
-import { BASES, BASIS_NAMES, LABELS, LAYER_NAMES, MODES, rangeOfT, withLayer } from "./state.js";
-import { jointWords, MODE_NAMES } from "./words.js";
-import type { State } from "./state.js";
+import { BASES, BASIS_NAMES, LABELS, LAYER_NAMES, MODES, rangeOfT, withLayer } from "../../editor/state.js";
+import { jointWords, MODE_NAMES } from "../../editor/descriptions.js";
+import type { ActionName } from "../../editor/actions.js";
+import type { State } from "../../editor/state.js";
 
 /** What the panel knows and does. */
 export interface PanelPort {
   state: State;
-  figure: import("./figure.js").Figure;
-  joints: import("./words.js").JointFacts[];
-  modes: import("./state.js").JointMode[];
+  figure: import("../../editor/figure.js").Figure;
+  joints: import("../../editor/descriptions.js").JointFacts[];
+  modes: import("../../editor/state.js").JointMode[];
   /** The messages of the layers */
   messages: readonly { name: string; words: string }[];
   /** Whether a group of controls is wanted */
@@ -26,7 +28,8 @@ export interface PanelPort {
   tapping: boolean;
   /** The point that was touched last; −1 for none */
   selected: number;
-  can: { undo: boolean; redo: boolean; insert: boolean };
+  can: (name: ActionName) => boolean;
+  run: (name: ActionName) => void;
   set: (change: (state: State) => State) => void;
   /** A field of the state */
   put: (name: string, value: unknown, done?: boolean) => void;
@@ -73,16 +76,19 @@ function parameter(port: PanelPort) {
   </div>`;
 }
 
-function actions({ state, figure, act, can, selected, tapping }: PanelPort) {
+function actions({ state, figure, act, can, run, selected, tapping }: PanelPort) {
   const all = state.shown === state.points.length;
   const name = figure.names[selected];
+  const action = (each: ActionName, label: unknown = actionOf(each).label) =>
+    button(label, () => run(each), { key: actionOf(each).key, off: !can(each) });
+  const picture = (each: ActionName, d: string) =>
+    button(icon(d), () => run(each), { name: actionOf(each).label, off: !can(each) });
   return html`<div class="row" role="group" aria-label="Points">
-    ${button(icon("M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5"), act.undo, { name: "Undo", off: !can.undo })}
-    ${button(icon("M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5"), act.redo, { name: "Redo", off: !can.redo })}
-    ${button("Add a point", act.append)} ${button(name ? `Remove ${name}` : "Remove", act.removeSelected, { off: !name })}
-    ${button(html`Split at <i>t</i>`, act.insert, { key: "i", off: !can.insert })} ${button(all ? "Fewer points" : `All ${state.points.length} points`, act.toggle, { key: "m" })}
-    ${button("Randomize", act.randomize, { key: "r" })} ${button("Move by taps", act.tapping, { pressed: tapping })}
-    ${button("Reset", act.reset)} ${button("Keys", act.help, { key: "?" })}
+    ${picture("undo", "M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5")} ${picture("redo", "M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5")}
+    ${action("append")} ${button(name ? `Remove ${name}` : "Remove", act.removeSelected, { off: !name })}
+    ${action("insert", html`Split at <i>t</i>`)} ${all ? action("toggle") : action("toggle", `All ${state.points.length} points`)}
+    ${action("randomize")} ${button("Move by taps", act.tapping, { pressed: tapping })}
+    ${action("reset")} ${button("Keys", act.help, { key: "?" })}
   </div>`;
 }
 

@@ -1,8 +1,8 @@
 // What is shown, as the page and the companions read it.
-import { bounded } from "./layers/bounded.js";
-import { treeOf } from "./layers/halving.js";
-import type { State } from "./state.js";
-import type { Figure } from "./figure.js";
+import { bounded } from "../../layers/bounded.js";
+import { treeOf } from "../../layers/halving.js";
+import type { State } from "../../editor/state.js";
+import type { Figure } from "../../editor/figure.js";
 
 export type Continuity = ReturnType<import("../../index.js").Spline["continuity"]>;
 

@@ -1,17 +1,17 @@
 // The picture: a canvas, a handle over each point, and the hands that move them; drawn at most once a frame.
-import { Drags } from "../../applet/drag.js";
-import { Handles } from "../../applet/handles.js";
-import { clamped } from "../../applet/state.js";
-import { onDoubleTap } from "../../applet/taps.js";
-import { followTheme, readTheme } from "../../applet/theme.js";
-import { followSize } from "../../applet/view.js";
-import { nameOf } from "./figure.js";
-import { listenToGestures } from "./gestures.js";
-import { drawFigure, ROLES } from "./layers/index.js";
-import { isHome, scaleOf, toPlane } from "./state.js";
-import type { State } from "./state.js";
-import type { Point2 } from "./state.js";
-import type { Figure } from "./figure.js";
+import { Drags } from "../../ui/drag.js";
+import { Handles } from "../../ui/handles.js";
+import { clamped } from "../../editor/plane.js";
+import { onDoubleTap } from "../../ui/taps.js";
+import { followTheme, readTheme } from "../../ui/theme.js";
+import { followSize } from "../../ui/canvas-size.js";
+import { nameOf } from "../../editor/figure.js";
+import { listenToGestures } from "../../ui/viewport.js";
+import { drawFigure, ROLES } from "../../layers/index.js";
+import { isHome, scaleOf, toPlane } from "../../editor/state.js";
+import type { State } from "../../editor/state.js";
+import type { Point2 } from "../../editor/state.js";
+import type { Figure } from "../../editor/figure.js";
 
 /** A tap that wanders farther is none. */
 const TAP_PX = 8;
@@ -95,7 +95,7 @@ export class Stage {
         },
         ROLES,
       ),
-      followSize(this.#canvas, { overlay: this.#overlay } as any, (width) => this.#resized(width)),
+      followSize(this.#canvas, this.#overlay, (width) => this.#resized(width)),
       () => cancelAnimationFrame(this.#frame),
     ];
     this.recolour();
@@ -207,7 +207,7 @@ export class Stage {
     this.#port.slide(index, input.dataset.axis === "x" ? [value, y] : [x, state.box.height - value]); // more is higher up
   }
 
-  #dragPort(): import("../../applet/drag.js").DragPort {
+  #dragPort(): import("../../ui/drag.js").DragPort {
     const port = this.#port;
     return {
       placeOf: (index) => clamped(port.now().state.view, port.now().figure.points[index]),

@@ -1,6 +1,6 @@
 import { html } from "lit";
 import { button, icon } from "../../ui/controls.js";
-import { KEYS } from "./words.js";
+import { KEYS } from "../../editor/descriptions.js";
 
 /** The buttons on the picture. */
 export function tools({ zoom, act }: Pick<import("./panel.js").PanelPort, "zoom" | "act">) {

@@ -6,7 +6,7 @@ import { controlGroups } from "../attribute-text.js";
 import { SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { FileController } from "./file-controller.js";
-import { acceptDrops } from "../page-files.js";
+import { acceptDrops } from "../../ui/files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { loadDrawing } from "./loading.js";

@@ -1,6 +1,6 @@
 // Where files come in and go out, and what could not be done is said.
 import { meshFile, surfaceIn } from "./files.js";
-import { save } from "../page-files.js";
+import { save } from "../../ui/files.js";
 import type { Mesh, Surface } from "../../surfaces.js";
 
 export interface DeskPort {

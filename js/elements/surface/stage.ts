@@ -4,7 +4,7 @@ import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
 import { ContextSlot } from "./context-slot.js";
-import { followColours } from "../../applet/theme.js";
+import { followColours } from "../../ui/theme.js";
 import { readTheme } from "./theme.js";
 import type { Sight, View } from "./camera.js";
 import type { Facts, Scene } from "./geometry.js";

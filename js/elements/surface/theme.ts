@@ -1,5 +1,5 @@
 // The colours of the picture, as the style sheet has them now and WebGL takes them.
-import { readTheme as readColours } from "../../applet/theme.js";
+import { readTheme as readColours } from "../../ui/theme.js";
 
 /** The roles of colour. Each has a custom property `--bz-<role>` in style.js. */
 const ROLES = [

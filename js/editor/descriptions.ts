@@ -1,0 +1,129 @@
+// What `<bezier-applet>` says.
+import { actionOf } from "./actions.js";
+import { modesOf } from "./commands.js";
+import type { ActionName } from "./actions.js";
+import { BASIS_NAMES } from "./state.js";
+import type { State } from "./state.js";
+import type { Figure } from "./figure.js";
+
+export type Continuity = ReturnType<import("../index.js").Spline["continuity"]>;
+
+export const MODE_NAMES: Record<import("./state.js").JointMode, string> = {
+  free: "free",
+  g1: "G1",
+  c1: "C1",
+  c2: "C2",
+  g2: "G2",
+  auto: "automatic",
+};
+
+export const INSTRUCTIONS =
+  "Every control point is a pair of sliders, x and y. Tab goes from point to point in the order of the curve. " +
+  "The arrow keys move a point by 1 pixel, with Shift by 10, with Alt by a tenth. A question mark lists all keys.";
+
+const helpOf = (...names: ActionName[]) =>
+  names.flatMap((name) => [actionOf(name).help ?? []].filter((help) => help.length));
+
+/** All keys and what they do. */
+export const KEYS = [
+  ["Tab", "next point"],
+  ["← ↑ → ↓", "move the point by 1, with Shift by 10, with Alt by 0.1"],
+  ["Enter", "at a joint: hold it another way"],
+  ["Delete", "take the point away, the curve heals; with Shift only the point"],
+  ...helpOf("insert", "undo", "redo", "randomize", "toggle"),
+  ["Esc", "take the drag back"],
+  ["?", "this list"],
+  ["Shift while dragging", "steps of 15°"],
+  ["Alt while dragging", "break the joint"],
+  ["Ctrl while dragging", "no snapping; Ctrl and the wheel zoom"],
+] as (readonly [string, string])[];
+
+const RADIAN_IN_DEGREES = 180 / Math.PI;
+
+export interface JointFacts {
+  /** What is true: C0, G1, C1, G2, C2 */
+  verdict: string;
+  /** By which the tangent turns */
+  angle: string;
+  /** Of the two tangents' lengths */
+  ratio: string;
+  /** The point's name, or the joint's number */
+  at: string;
+}
+
+/**
+ * What is true at a joint now.
+ *
+ * @param joint from 1
+ */
+export function jointFacts({ pieces, names }: Figure, joint: number, continuity: Continuity): JointFacts {
+  const shared = pieces[joint - 1].indices.at(-1);
+  const isPoint = shared !== undefined && shared === pieces[joint].indices[0];
+  return {
+    verdict: verdictOf(continuity),
+    angle: continuity.g1 ? "0°" : degrees(continuity.angle), // rounding is no turn
+    ratio: ratioOf(leg(pieces[joint - 1].curve, false), leg(pieces[joint].curve, true)),
+    at: isPoint ? names[shared] : `joint ${joint}`,
+  };
+}
+
+function verdictOf({ c0, g1, c1, g2, c2 }: Continuity) {
+  if (c2) return "C2";
+  return [c1 && "C1", g2 && "G2"].filter(Boolean).join(" ") || (g1 ? "G1" : c0 ? "C0" : "open");
+}
+
+/** The length of the derivative at an end. */
+function leg(curve: import("../index.js").Curve, start: boolean) {
+  const flat = curve.controlPoints();
+  const [x0, y0, x1, y1] = start ? flat : flat.subarray(-4);
+  return curve.degree * Math.hypot(x1 - x0, y1 - y0);
+}
+
+function ratioOf(before: number, after: number) {
+  return before > 0 && after > 0 ? `1 : ${Number((after / before).toPrecision(3))}` : "no length on one side";
+}
+
+/** Two digits at least, so that a small angle does not read as none. */
+function degrees(radians: number) {
+  if (!Number.isFinite(radians)) return "no tangent";
+  const value = Math.abs(radians) * RADIAN_IN_DEGREES;
+  return `${value >= 10 ? Math.round(value) : Number(value.toPrecision(2))}°`;
+}
+
+export function jointWords({ angle, ratio }: JointFacts) {
+  return `turns by ${angle}, tangents ${ratio}`;
+}
+
+export const placeWords = ([x, y]: readonly number[]): string => `${rounded(x)}, ${rounded(y)}`;
+
+const rounded = (x: number) => Number(x.toFixed(1));
+
+/** A description reads out no more points than this. */
+const MAX_NAMED = 24;
+
+/**
+ * The picture in words.
+ *
+ * @param messages those of the layers
+ */
+export function description(state: State, figure: Figure, joints: readonly JointFacts[], messages: readonly string[]) {
+  const { pieces, points, names, kinds, degree } = figure;
+  const kind =
+    state.basis === "bezier"
+      ? `Bézier ${pieces.length === 1 ? "curve" : "curves"} of degree ${degree}`
+      : BASIS_NAMES[state.basis];
+  const places = points
+    .slice(0, MAX_NAMED)
+    .map((point, i) => `${names[i]} at ${placeWords(point)}${kinds[i] === "off" ? ", off the curve" : ""}`);
+  const modes = modesOf(state);
+  return [
+    pieces.length ? `${pieces.length} ${kind}` : "Too few points for a curve",
+    `${places.join("; ")}${points.length > MAX_NAMED ? `; and ${points.length - MAX_NAMED} more` : ""}`,
+    ...joints.map(
+      (facts, k) =>
+        `At ${facts.at}: ${facts.verdict}, ${jointWords(facts)}${modes[k] && modes[k] !== "free" ? `, held ${MODE_NAMES[modes[k]]}` : ""}`,
+    ),
+    `t is ${state.t.toFixed(2)}`,
+    ...messages,
+  ].join(". ");
+}

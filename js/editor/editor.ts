@@ -1,0 +1,128 @@
+// An editor without DOM: its immutable state, changes by the page and by the user, undo and redo, and who is told of them.
+import { History } from "./history.js";
+
+/**
+ * What subscribers are told: the state is another one; the user has changed something, and is perhaps going on; what the
+ * user did is complete.
+ */
+export type EditorEvent = "state" | "input" | "change";
+
+export interface Dispatch {
+  /** Who changes something: "page" makes an undo step, "user" in addition "input" and "change" */
+  origin: "page" | "user";
+  /** Whether more changes belong to the same step; `commit` completes it. False by default */
+  merge?: boolean;
+  /** Whether a change by the page before the first one by the user makes no step, and is what `reset` returns to */
+  initial?: boolean;
+}
+
+export class Editor<State extends object> {
+  #state: State;
+  #history;
+  /** The first state that a user has seen; null until something changes. */
+  #origin: State | null = null;
+  /** Whether the user has changed something. */
+  #isTouched = false;
+  #listeners = new Set<(event: EditorEvent) => void>();
+
+  /**
+   * @param transient properties whose changes alone make no step
+   * @param kept properties that undo and redo leave as they are
+   */
+  constructor(state: State, transient: readonly (keyof State)[] = [], kept: readonly (keyof State)[] = []) {
+    this.#state = state;
+    this.#history = new History<State>(transient, kept);
+  }
+
+  get state(): State {
+    return this.#state;
+  }
+
+  /** The state that `reset` returns to. */
+  get origin(): State {
+    return this.#origin ?? this.#state;
+  }
+
+  get canUndo() {
+    return this.#history.canUndo;
+  }
+
+  get canRedo() {
+    return this.#history.canRedo;
+  }
+
+  /** Whether a step is not complete. */
+  get isOpen() {
+    return this.#history.open;
+  }
+
+  /** @returns ends it */
+  subscribe(listener: (event: EditorEvent) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Shows another state: no step. */
+  show(state: State) {
+    if (state === this.#state) return;
+    this.#state = state;
+    this.#notify("state");
+  }
+
+  /** Changes the state. A change that throws changes nothing. */
+  dispatch(change: (state: State) => State, { origin, merge = false, initial = false }: Dispatch) {
+    if (!merge) this.commit();
+    const before = this.#state;
+    const next = change(before);
+    if (origin === "user") this.#isTouched = true;
+    if (this.#isTouched || !initial) {
+      this.#origin ??= before;
+      this.#history.touch(before);
+    } else this.#origin = null;
+    this.show(next);
+    if (origin === "user") this.#notify("input");
+    if (origin === "page") this.#history.close(next);
+    else if (!merge) this.commit();
+  }
+
+  /** What the user was doing is complete. */
+  commit() {
+    if (this.#history.close(this.#state)) this.#notify("change");
+  }
+
+  /** What the user was doing has not been done. */
+  revert() {
+    const before = this.#history.abandon();
+    if (!before) return;
+    this.show(before);
+    this.#notify("input");
+  }
+
+  /** @param origin "user" tells of it as of other changes by the user */
+  undo(origin: Dispatch["origin"] = "page") {
+    this.#step(() => this.#history.undo(this.#state), origin);
+  }
+
+  redo(origin: Dispatch["origin"] = "page") {
+    this.#step(() => this.#history.redo(this.#state), origin);
+  }
+
+  #step(stateAfter: () => State, origin: Dispatch["origin"]) {
+    this.commit();
+    const before = this.#state;
+    this.#origin ??= before;
+    this.show(stateAfter());
+    if (origin === "page" || this.#state === before) return;
+    this.#notify("input");
+    this.#notify("change");
+  }
+
+  /** Everything as it was when the user came. */
+  reset() {
+    this.dispatch(() => this.origin, { origin: "page" });
+  }
+
+  #notify(event: EditorEvent) {
+    for (const listener of [...this.#listeners]) listener(event);
+  }
+}

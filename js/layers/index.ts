@@ -1,0 +1,113 @@
+// All layers, and the picture that they make together. Drawing is a function of its arguments only.
+import * as base from "./base.js";
+import * as construction from "./construction.js";
+import * as features from "./features.js";
+import * as measures from "./measures.js";
+import { hoveredName, names } from "./names.js";
+import * as polylines from "./polylines.js";
+import { bounded } from "./bounded.js";
+import { contextOn } from "./draw-context.js";
+import * as envelope from "./envelope.js";
+import { continuityLabels } from "./continuity.js";
+import * as ways from "./directions.js";
+import { weights } from "./weights.js";
+import { writeWords } from "./words.js";
+import type { DrawContext } from "./draw-context.js";
+import type { Role } from "./theme.js";
+import type { Figure } from "../editor/figure.js";
+import type { State } from "../editor/state.js";
+import type { LayerName } from "../editor/state.js";
+
+export { LEVELS, ROLES } from "./theme.js";
+
+export interface Layer {
+  /** By which it is switched; else it is always there */
+  name?: string;
+  /** What a switch says */
+  title?: string;
+  /** What is drawn, asked of the core, in the plane's numbers */
+  derive: (figure: Figure, state: State) => any;
+  draw: (context: DrawContext, data: any, figure: Figure, state: State) => void;
+  /** What it found, in words */
+  describe?: (data: any, state: State) => string;
+  /** Asks much of each piece, and therefore not of all of a long chain */
+  costly?: true;
+}
+
+export type LayerMessage = { name: string; words: string };
+
+/** From the back to the front. */
+const ALL: readonly Layer[] = [
+  construction.hull,
+  envelope.envelope,
+  weights,
+  features.bounds,
+  construction.polygon,
+  base.waiting,
+  ways.comb,
+  measures.offset,
+  envelope.extrapolation,
+  base.curve,
+  construction.halves,
+  polylines.segments,
+  polylines.tree,
+  measures.ticks,
+  base.joints,
+  ways.normals,
+  ways.tangents,
+  base.handles,
+  construction.construction,
+  features.extrema,
+  features.inflections,
+  measures.nearest,
+  names,
+  hoveredName,
+  continuityLabels,
+  base.points,
+  base.atT,
+];
+
+/** The layers that can be switched, from the back to the front. */
+export const LAYERS = ALL.filter(({ name }) => name) as readonly (Layer & { name: LayerName; title: string })[];
+
+/**
+ * Draws everything on a cleared canvas.
+ *
+ * @param paper its context is scaled to the box; the view is seen to here
+ * @returns the messages of the layers
+ */
+export function drawFigure(paper: import("../ui/pen.js").Paper<Role>, state: State, figure: Figure): LayerMessage[] {
+  const context = contextOn(paper, state);
+  const { ctx } = paper;
+  ctx.clearRect(0, 0, state.box.width, state.box.height);
+  ctx.lineJoin = ctx.lineCap = "round";
+  const part = bounded(figure);
+  const messages = ALL.filter(({ name }) => !name || state.layers.has(name as LayerName)).flatMap((layer) =>
+    drawLayer(layer, context, layer.costly ? part : figure, state),
+  );
+  writeWords(context);
+  if (part !== figure)
+    messages.push({
+      name: "",
+      words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces`,
+    });
+  return messages;
+}
+
+/** What the core refuses (a size at which its numbers end) is left out, and told. */
+function drawLayer(
+  { name = "", title, derive, draw, describe }: Layer,
+  context: DrawContext,
+  figure: Figure,
+  state: State,
+): LayerMessage[] {
+  try {
+    const data = derive(figure, state);
+    draw(context, data, figure, state);
+    const words = describe?.(data, state);
+    return words ? [{ name, words }] : [];
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    return [{ name, words: `${title ?? "The curve"} cannot be drawn here: ${error.message}` }];
+  }
+}

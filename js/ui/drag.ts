@@ -1,0 +1,174 @@
+// Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
+
+import { capture } from "./capture.js";
+
+export type Point2 = [number, number];
+
+/** What dragging needs to know and may do. */
+export interface DragPort {
+  /** Where a handle stands, in the view box */
+  placeOf: (index: number) => Point2;
+  /** A pointer's place in the view box */
+  toBox: (event: PointerEvent) => Point2;
+  /** A handle's element */
+  boxOf: (index: number) => HTMLElement;
+  /** How many handles there are */
+  count: () => number;
+  grabbed: (index: number) => void;
+  /** Asks for a frame, which calls `apply` */
+  schedule: () => void;
+  /** Where it came from, and the move, which knows the keys that are held */
+  move: (index: number, to: Point2, drag: { from: Point2; event?: PointerEvent }) => void;
+  /** The first pointer has come down: what is now may have to be restored */
+  begun: () => void;
+  /** Esc, or the only pointer was taken away: back to what was at the beginning */
+  restored: () => void;
+  /** The last pointer has gone up; the points that have been moved */
+  ended: (moved: number[]) => void;
+}
+
+export interface Drag {
+  index: number;
+  grip: Point2;
+  from: Point2;
+  to: Point2 | null;
+  event?: PointerEvent;
+  /** Stops following the pointer */
+  stop: () => void;
+}
+
+/** A second press within this distance of the last one is on the same stack. */
+const SAME_PLACE_PX = 4;
+
+export class Drags {
+  /** By pointerId */
+  #drags: Map<number, Drag> = new Map();
+  /** Points that have moved since the first pointer came down. */
+  #moved: Set<number> = new Set();
+  /** The last press that has not moved anything. */
+  #lastPress: { x: number; y: number; index: number } | null = null;
+  #port;
+
+  constructor(overlay: HTMLElement, port: DragPort) {
+    this.#port = port;
+    overlay.addEventListener("pointerdown", (event) => this.#down(event));
+    overlay.addEventListener("mousedown", (event) => event.preventDefault()); // focus stays where `grabbed` puts it
+  }
+
+  get active() {
+    return this.#drags.size > 0;
+  }
+
+  /**
+   * Moves the points to where their pointers are by now.
+   *
+   * @returns whether any has moved
+   */
+  apply(): boolean {
+    const waiting = [...this.#drags.values()].filter(({ to }) => to);
+    for (const drag of waiting) {
+      this.#moved.add(drag.index);
+      this.#port.move(drag.index, drag.to ?? drag.from, drag);
+      drag.to = null;
+    }
+    return waiting.length > 0;
+  }
+
+  /** Lets all points go where they are. */
+  end() {
+    if (!this.active) return;
+    this.#release();
+    this.#port.ended([...this.#moved]);
+  }
+
+  /**
+   * Lets all points go; they return to where they were.
+   *
+   * @returns whether there was one
+   */
+  cancel(): boolean {
+    if (!this.active) return false;
+    this.#release();
+    this.#port.restored();
+    return true;
+  }
+
+  #release() {
+    for (const { stop } of this.#drags.values()) stop();
+    this.#drags.clear();
+  }
+
+  #down(event: PointerEvent) {
+    if (event.button !== 0 || this.#drags.has(event.pointerId)) return;
+    const index = this.#choose(this.#stackUnder(event), event);
+    if (index === undefined) return;
+    if (!this.active) this.#begin();
+    const from = this.#port.placeOf(index);
+    const [x, y] = this.#port.toBox(event);
+    const stop = capture(
+      event,
+      {
+        move: (now) => this.#move(now),
+        end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
+      },
+      this.#port.boxOf(index),
+    );
+    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null, stop });
+    this.#port.grabbed(index);
+  }
+
+  #begin() {
+    this.#moved.clear();
+    this.#port.begun();
+  }
+
+  /** The free handles whose boxes contain the pointer, the nearest first. */
+  #stackUnder({ clientX, clientY }: PointerEvent): number[] {
+    const taken = new Set([...this.#drags.values()].map(({ index }) => index));
+    const found: { index: number; distance: number }[] = [];
+    for (let index = 0; index < this.#port.count(); index++) {
+      const { left, top, width, height } = this.#port.boxOf(index).getBoundingClientRect();
+      const [dx, dy] = [clientX - left - width / 2, clientY - top - height / 2];
+      const inside = Math.abs(dx) <= width / 2 && Math.abs(dy) <= height / 2;
+      if (inside && !taken.has(index)) found.push({ index, distance: Math.hypot(dx, dy) });
+    }
+    return found.sort((a, b) => a.distance - b.distance).map(({ index }) => index);
+  }
+
+  /** The nearest; but a second press at the same place takes the next of the stack. */
+  #choose(stack: number[], event: PointerEvent): number | undefined {
+    const last = isNear(this.#lastPress, event) ? stack.indexOf(this.#lastPress?.index ?? -1) : -1;
+    const index = stack[(last + 1) % stack.length];
+    this.#lastPress = index === undefined ? null : { x: event.clientX, y: event.clientY, index };
+    return index;
+  }
+
+  #move(event: PointerEvent) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    const [x, y] = this.#port.toBox(event);
+    drag.to = [x - drag.grip[0], y - drag.grip[1]];
+    drag.event = event;
+    if (!isNear(this.#lastPress, event)) this.#lastPress = null;
+    this.#port.schedule();
+  }
+
+  #up(event: PointerEvent) {
+    this.apply();
+    this.#drags.delete(event.pointerId);
+    if (!this.active) this.#port.ended([...this.#moved]);
+  }
+
+  #lost(event: PointerEvent) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    if (this.#drags.size === 1) return void this.cancel();
+    this.#drags.delete(event.pointerId);
+    this.#port.move(drag.index, drag.from, { from: drag.from }); // others are still moving
+    this.#port.schedule();
+  }
+}
+
+function isNear(press: { x: number; y: number } | null, { clientX, clientY }: PointerEvent): boolean {
+  return press !== null && Math.hypot(clientX - press.x, clientY - press.y) <= SAME_PLACE_PX;
+}
