@@ -17,8 +17,8 @@ use std::f64::consts::PI;
 const MAX_ARCS: usize = 1 << 22;
 /// Halvings of a step along a curve: shorter steps are below the rounding of the parameter.
 const MAX_HALVINGS: i32 = 52;
-/// Steps of the search for the longest part that two arcs approximate.
-const REFINEMENTS: usize = 12;
+/// Bisections of the search for the longest part that two arcs approximate, between a length and its double.
+const REFINEMENTS: usize = 8;
 /// Halvings of a polynomial whose coefficients do not decide yet whether it keeps a bound.
 const MAX_DEPTH: usize = 6;
 /// The part of the tolerance that joining arcs of nearly the same circle may take.
@@ -292,9 +292,10 @@ fn append_arcs(curve: &Curve<DVec2>, tolerance: f64, arcs: &mut Vec<CircularArc>
     let map = Normalized::around(curve.start(), curve.control_points());
     let unit = Curve::from_points(map.points(curve.control_points()));
     let tolerance = (tolerance * map.scale * (1.0 - JOINING)).max(ROUNDING);
-    let mut from = 0.0;
+    let (mut from, mut step) = (0.0, 1.0);
     while from < 1.0 && arcs.len() <= MAX_ARCS {
-        let (to, pieces) = longest(&unit, from, tolerance);
+        let (to, pieces) = longest(&unit, from, step, tolerance);
+        step = 2.0 * (to - from);
         arcs.extend(pieces.into_iter().flatten().map(|piece| piece.to_arc(&map)));
         from = to;
     }
@@ -304,8 +305,14 @@ fn append_arcs(curve: &Curve<DVec2>, tolerance: f64, arcs: &mut Vec<CircularArc>
     }
 }
 
-/// The longest part from a parameter, up to the precision of a few bisections, that a line or two arcs approximate.
-fn longest(curve: &Curve<DVec2>, from: f64, tolerance: f64) -> (f64, [Option<Piece>; 2]) {
+/// The longest part from a parameter, up to the precision of a few bisections, that a line or two arcs approximate; the search
+/// begins with a given step.
+fn longest(
+    curve: &Curve<DVec2>,
+    from: f64,
+    mut step: f64,
+    tolerance: f64,
+) -> (f64, [Option<Piece>; 2]) {
     let fit = |to: f64| {
         let part = curve.part(from, to);
         let line = |tolerance| line(&part, tolerance).map(|line| [Some(line), None]);
@@ -314,29 +321,35 @@ fn longest(curve: &Curve<DVec2>, from: f64, tolerance: f64) -> (f64, [Option<Pie
             .or_else(pair)
             .or_else(|| line(tolerance))
     };
-    let mut too_far = 1.0;
-    let mut best = (1.0, fit(1.0));
-    let mut step = 1.0 - from;
-    for _ in 0..MAX_HALVINGS {
-        if best.1.is_some() {
+    let end_of = |step: f64| if from + step < 1.0 { from + step } else { 1.0 };
+    let mut best = None;
+    let mut too_far = None;
+    step = step.min(1.0 - from);
+    for _ in 0..2 * MAX_HALVINGS {
+        let to = end_of(step);
+        if to == from {
             break;
         }
-        too_far = best.0;
-        step *= 0.5;
-        let to = from + step;
-        best = (to, fit(to));
+        match fit(to) {
+            Some(pieces) => best = Some((to, pieces)),
+            None => too_far = Some(to),
+        }
+        if best.is_some() && (too_far.is_some() || to == 1.0) {
+            break;
+        }
+        step *= if best.is_some() { 2.0 } else { 0.5 };
     }
-    let (mut to, fitted) = best;
-    let Some(mut pieces) = fitted else {
+    let Some((mut to, mut pieces)) = best else {
         // The part is shorter than the rounding of its parameters.
-        let part = curve.part(from, too_far);
+        let to = end_of(step.max(f64::EPSILON));
+        let part = curve.part(from, to);
         let points = part.control_points();
         return (
-            too_far,
+            to,
             [Some(Piece::line(points[0], points[points.len() - 1])), None],
         );
     };
-    if to < 1.0 {
+    if let Some(mut too_far) = too_far {
         for _ in 0..REFINEMENTS {
             let middle = 0.5 * (to + too_far);
             match fit(middle) {
