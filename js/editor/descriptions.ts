@@ -4,9 +4,7 @@ import { modesOf } from "./commands.js";
 import type { ActionName } from "./actions.js";
 import { BASIS_NAMES } from "./state.js";
 import type { State } from "./state.js";
-import type { Figure } from "./figure.js";
-
-export type Continuity = ReturnType<import("../index.js").Spline["continuity"]>;
+import type { Continuity, Figure } from "./figure.js";
 
 export const MODE_NAMES: Record<import("./state.js").JointMode, string> = {
   free: "free",

@@ -1,9 +1,9 @@
-// An editor without DOM: its immutable state, changes by the page and by the user, undo and redo, and who is told of them.
+// An editor without DOM: its immutable state, changes by the page and by the user, undo and redo, and subscribers.
 import { History } from "./history.js";
 
 /**
- * What subscribers are told: the state is another one; the user has changed something, and is perhaps going on; what the
- * user did is complete.
+ * The events of an editor. "state": there is another state; "input": the user has changed something, and the step may go on;
+ * "change": the user's step is complete.
  */
 export type EditorEvent = "state" | "input" | "change";
 
@@ -98,7 +98,7 @@ export class Editor<State extends object> {
     this.#notify("input");
   }
 
-  /** @param origin "user" tells of it as of other changes by the user */
+  /** @param origin "user" fires "input" and "change", as other changes by the user do */
   undo(origin: Dispatch["origin"] = "page") {
     this.#step(() => this.#history.undo(this.#state), origin);
   }

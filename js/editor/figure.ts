@@ -157,6 +157,17 @@ function chain(pieces: Piece[]): Spline | null {
   );
 }
 
+export type Continuity = ReturnType<Spline["continuity"]>;
+
+/**
+ * What holds at each inner joint.
+ *
+ * @returns none where there is no chain
+ */
+export function continuityOf({ spline }: Figure): Continuity[] {
+  return spline ? Array.from({ length: spline.segmentCount - 1 }, (_, k) => spline.continuity(k + 1)) : [];
+}
+
 const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";
 
 /** What a point is called. */

@@ -1,10 +1,10 @@
-// What is true at the joints, as it is told.
-import { continuityOf } from "../elements/applet/report.js";
+// The continuity at the joints, in words.
 import { jointFacts } from "./descriptions.js";
+import { continuityOf } from "./figure.js";
 import type { Figure } from "./figure.js";
 import type { JointFacts } from "./descriptions.js";
 
-/** The panel and the picture ask the same. */
+/** Facts that are known already: the panel and the picture ask for the same. */
 const known: WeakMap<Figure, JointFacts[]> = new WeakMap();
 
 export function jointsOf(figure: Figure): JointFacts[] {

@@ -149,7 +149,7 @@ export function jsonOf(state: State): Record<string, unknown> {
   return Object.fromEntries(entries.map(([name, { get }]) => [name, get(state)]));
 }
 
-/** The state that plain data tells of; what they leave out is as at first. */
+/** The state that plain data describes; what it leaves out has its default. */
 export function stateOf(json: unknown): State {
   if (typeof json !== "object" || json === null || Array.isArray(json))
     throw new TypeError(`state: expected an object with points, got ${kindOf(json)}`);

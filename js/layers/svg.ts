@@ -1,5 +1,5 @@
 // The same picture as SVG: what is drawn is written down instead.
-import { LIGHT } from "../applet/style.js";
+import { LIGHT } from "../ui/tokens.js";
 import { drawFigure } from "./index.js";
 import { LEVELS } from "./theme.js";
 import type { Theme } from "./theme.js";

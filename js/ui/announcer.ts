@@ -1,6 +1,6 @@
-// What screen readers are told, once nothing has changed for a while.
+// Announcements for screen readers, made once nothing has changed for a while.
 
-/** So long after the last change something is said: a drag is told once. */
+/** The pause after the last change: a drag is announced once. */
 const PAUSE_MS = 500;
 
 /** Announces what has changed, once nothing has changed for a while. */

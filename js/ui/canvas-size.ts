@@ -27,8 +27,8 @@ export function followSize(
 }
 
 /**
- * The exact number of device pixels where the browser tells it. The tools that pretend to be another display do not
- * (Chromium then reports CSS pixels): what differs from the ratio by more than rounding is not believed.
+ * The exact number of device pixels, where the browser reports it. While developer tools emulate another display, Chromium
+ * reports CSS pixels: a number that differs from the ratio by more than rounding is not used.
  */
 function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
   const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;

@@ -501,8 +501,8 @@ impl InkStroke {
             None => push(&mut self.samples, position, width),
             Some(first) if count == 1 && first.position == position => first.width = width,
             Some(last) => {
-                if is_simulated && count == 1 && last.position != position {
-                    last.width = width; // only now the speed is known
+                if is_simulated && count == 1 {
+                    last.width = width; // The speed at the first sample is that to the second one.
                 }
                 let last = *last;
                 push(
@@ -516,7 +516,7 @@ impl InkStroke {
         Ok(())
     }
 
-    /// The pressure that the speed tells of.
+    /// The pressure that follows from the speed.
     fn simulated_pressure(&self, position: DVec2, time: Option<f64>) -> f64 {
         let Some(tip) = self.tip else {
             return MIDDLE_PRESSURE;
@@ -689,9 +689,7 @@ impl InkStroke {
     }
 
     fn widths_with(&self, open: &[Piece]) -> WidthProfile {
-        let length = open
-            .iter()
-            .fold(self.length, |sum, piece| sum + piece.length);
+        let length = self.length + length_of(open);
         if length > 0.0 {
             self.profile(self.pieces.iter().chain(open), 0.0, length)
         } else {
@@ -724,9 +722,7 @@ impl InkStroke {
         check_points("predicted", predicted)?;
         self.settle_run();
         let open = self.open_pieces(predicted);
-        let length = open
-            .iter()
-            .fold(self.length, |sum, piece| sum + piece.length);
+        let length = self.length + length_of(&open);
         if length <= 0.0 {
             return Ok(InkChanges {
                 settled: Path::default(),
@@ -735,10 +731,7 @@ impl InkStroke {
         }
         // The slope of the width at a joint depends on one stop before it and one after it.
         let context = self.drawn.saturating_sub(1);
-        let from = self.drawn_length
-            - self.pieces[context..self.drawn]
-                .iter()
-                .fold(0.0, |sum, piece| sum + piece.length);
+        let from = self.drawn_length - length_of(&self.pieces[context..self.drawn]);
         let pieces: Vec<&Piece> = self.pieces[context..].iter().chain(&open).collect();
         let profile = self.profile(pieces.iter().copied(), from.max(0.0), length);
         let fixed = self.length - self.options.taper[1];
@@ -774,6 +767,10 @@ impl InkStroke {
             .cap(StrokeCap::Round)
             .tolerance(self.tolerance)
     }
+}
+
+fn length_of(pieces: &[Piece]) -> f64 {
+    pieces.iter().map(|piece| piece.length).sum()
 }
 
 /// The spline of consecutive pieces.

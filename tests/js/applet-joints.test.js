@@ -5,9 +5,8 @@ import * as small from "#js/applet/state.js";
 import { DEFAULT_BOX } from "#js/editor/plane.js";
 import * as commands from "#js/editor/commands.js";
 import { FIELDS } from "#js/editor/schema.js";
-import { figureOf } from "#js/editor/figure.js";
+import { continuityOf, figureOf } from "#js/editor/figure.js";
 import { jointsOf } from "#js/editor/joints.js";
-import { continuityOf } from "#js/elements/applet/report.js";
 import { BASES, firstState, withPoints } from "#js/editor/state.js";
 import { near, pointsOf } from "./reference.js";
 

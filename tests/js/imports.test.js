@@ -60,6 +60,23 @@ test("imports: wasm/ imports nothing from other folders, and only its modules im
   for (const [file] of importers) assert.match(file, /^js\/wasm\/\w+-module\.ts$/);
 });
 
+test("imports: editor, ui, layers, applet and elements depend on each other in one direction", () => {
+  const views = ["editor", "ui", "layers", "applet", "elements"];
+  const folderOf = (/** @type {string} */ file) => file.split("/")[1];
+  /** What each may import besides itself and the package. @type {Record<string, string[]>} */
+  const allowed = { editor: [], ui: ["editor"], layers: ["editor", "ui"], applet: ["editor", "ui"] };
+  allowed.elements = ["editor", "ui", "layers", "applet"];
+  for (const folder of views) {
+    assert.ok(below(folder).length > 0, folder);
+    for (const file of below(folder))
+      for (const path of graph.get(file) ?? [])
+        if (views.includes(folderOf(path)) && folderOf(path) !== folder)
+          assert.ok(allowed[folder].includes(folderOf(path)), `${file} imports ${path}`);
+  }
+  for (const file of [...below("geometry"), ...below("io"), ...below("wasm")])
+    for (const path of graph.get(file) ?? []) assert.ok(!views.includes(folderOf(path)), `${file} imports ${path}`);
+});
+
 test("imports: the classes that all entry points share import none of the complete classes", () => {
   for (const file of ["js/geometry/curve/core-curve.ts", "js/geometry/spline/core-spline.ts"]) {
     const names = [...reachable(graph, file)].map((path) => posix.basename(path));

@@ -28,7 +28,7 @@ async function sources(...paths) {
 
 const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.ts`);
 const SOURCES = {
-  "bezier-applet": ["js/elements/applet", "js/layers", "js/ui/handles.ts", "js/applet/style.ts"],
+  "bezier-applet": ["js/elements/applet", "js/layers", "js/ui/handles.ts", "js/ui/tokens.ts", "js/applet/style.ts"],
   "bezier-surface": ["js/elements/surface"],
   "bezier-bernstein": companion("bernstein", "bernstein-view"),
   "bezier-equation": companion("equation", "equation-view", "fields"),

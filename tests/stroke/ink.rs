@@ -71,7 +71,7 @@ fn changes(options: &InkOptions, points: &[DVec2], every: usize) -> (Path, InkSt
 fn outlines_are_those_of_the_discs() {
     let mut rng = Rng(21);
     let mut faults = Vec::new();
-    for round in 0..crate::support::cases(6, 2_000) {
+    for round in 0..crate::support::cases(6, 500) {
         for (kind, options) in kinds().iter().enumerate() {
             let points = hand(&mut rng, 120);
             let (parts, ink) = changes(options, &points, 1 + round % 7);

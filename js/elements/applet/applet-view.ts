@@ -113,7 +113,7 @@ export class AppletView extends AppletActions {
     });
   }
 
-  /** As fine as anyone sees: pointers' places come with the dust of divisions. */
+  /** Rounded to a fraction of a pixel that nobody sees, because positions of pointers are quotients with many digits. */
   #roundedToPixels([x, y]: Point2): Point2 {
     const digits = 3 - Math.floor(Math.log10(states.scaleOf(this.host.editor.state)));
     return [Number(x.toFixed(digits)), Number(y.toFixed(digits))];

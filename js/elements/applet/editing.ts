@@ -1,4 +1,4 @@
-// What the page can call: everything that changes the state, and the events that tell of changes by the user.
+// What the page can call: everything that changes the state, and the events for changes by the user.
 import { writeAttribute } from "../attribute-text.js";
 import { AppletAttributes } from "./attributes.js";
 import * as commands from "../../editor/commands.js";

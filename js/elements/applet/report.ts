@@ -1,19 +1,9 @@
 // What is shown, as the page and the companions read it.
 import { bounded } from "../../layers/bounded.js";
+import { continuityOf } from "../../editor/figure.js";
 import { treeOf } from "../../layers/halving.js";
 import type { State } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
-
-export type Continuity = ReturnType<import("../../index.js").Spline["continuity"]>;
-
-/**
- * What holds at each inner joint.
- *
- * @returns none where there is no chain
- */
-export function continuityOf({ spline }: Figure): Continuity[] {
-  return spline ? Array.from({ length: spline.segmentCount - 1 }, (_, k) => spline.continuity(k + 1)) : [];
-}
 
 export function reportOf(state: State, figure: Figure) {
   const { pieces, spline, names, kinds, degree, matrix } = figure;

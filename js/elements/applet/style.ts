@@ -1,6 +1,7 @@
 // The style sheet inside the shadow root: the small applet's, and what this one has more.
 import { css, unsafeCSS } from "lit";
-import { CSS, DARK, LIGHT } from "../../applet/style.js";
+import { CSS } from "../../applet/style.js";
+import { DARK, LIGHT } from "../../ui/tokens.js";
 import { LEVELS } from "../../layers/theme.js";
 
 const [light, dark] = [unsafeCSS(LIGHT + LEVELS.light), unsafeCSS(DARK + LEVELS.dark)];

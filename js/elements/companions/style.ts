@@ -1,6 +1,6 @@
 // What the style sheets of all companions have in common. Custom properties that begin with --bz- may be set from outside.
 import { css, unsafeCSS } from "lit";
-import { CONTROLS, DARK, LIGHT, TOKENS } from "../../applet/style.js";
+import { CONTROLS, DARK, LIGHT, TOKENS } from "../../ui/tokens.js";
 
 export const style = css`
 ${unsafeCSS(TOKENS)}

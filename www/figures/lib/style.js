@@ -1,4 +1,4 @@
-// What all figures of the chapters look like. The colours are those of the elements, see js/applet/style.ts.
+// What all figures of the chapters look like. The colours are those of the elements, see js/ui/tokens.ts.
 import { css } from "lit";
 
 export const style = css`
