@@ -14,7 +14,7 @@ export type {
 export type { Frames, FrameOptions } from "./geometry/frames.js";
 export type { SplineOptions, SplineJSON } from "./geometry/spline/core-spline.js";
 export type { InterpolateOptions } from "./geometry/interpolate.js";
-export type { FitOptions, SimplifyOptions } from "./geometry/spline/spline.js";
+export type { FitEffort, FitOptions, SimplifyOptions } from "./geometry/spline/spline.js";
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
 export type { FillRule, Moments, RegionOptions } from "./geometry/path/core-path.js";

@@ -42,8 +42,11 @@ declare module "paper/dist/paper-core.js" {
     remove(): boolean;
   }
   class Path {
-    constructor(pathData: string);
+    constructor(content: string | { segments: number[][] });
     readonly length: number;
+    readonly curves: unknown[];
+    simplify(tolerance: number): boolean;
+    remove(): boolean;
     getPointAt(offset: number): Point;
     getNearestLocation(point: number[]): { distance: number };
     contains(point: number[]): boolean;

@@ -37,6 +37,7 @@ const GROUPS = [
   { group: "union", work: "native: union of 2 × 6,400 cubics", items: 1, peers: ["linesweeper", "i_curve"] },
   { group: "stroke", work: "native: stroke of a cubic, tolerance 0.1, overlapping", items: 1000, peers: ["kurbo"] },
   { group: "stroke-simple", work: "native: stroke of a cubic, without overlaps", items: 1000, peers: [] },
+  { group: "simplify", work: "native: simplify an outline of 200 cubics, tolerance 0.1", items: 20, peers: ["kurbo"] },
   { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];

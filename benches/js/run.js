@@ -24,6 +24,7 @@ const FILES = [
   "again",
   "curve",
   "easing",
+  "fit",
   "ink",
   "intersect",
   "length",

@@ -18,6 +18,7 @@ export const TARGETS = {
   length: { minRatio: 5 },
   nearest: { minRatio: 8 },
   easing: { minRatio: 1 },
+  "fit-paper": { minRatio: 10 },
 
   "again-point-at-length": { max: 2_000 }, // ns
   "again-nearest": { max: 4_000 },

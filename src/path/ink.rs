@@ -11,8 +11,7 @@ use crate::curve::Curve;
 use crate::geometry::check::{MAX_COORDINATE, check_points, check_tolerance};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::spline::cubics::{FitCriteria, FitSamples};
-use crate::spline::fit::is_line;
+use crate::spline::cubics::{FitCriteria, FitEffort, FitSamples, is_straight};
 use crate::spline::{OffsetJoin, Spline};
 use glam::DVec2;
 
@@ -287,7 +286,7 @@ impl Piece {
     fn new(run: &[InkPoint], handles: [DVec2; 2], tolerance: f64) -> Self {
         let [first, last] = [run[0], run[run.len() - 1]];
         let points = [first.position, handles[0], handles[1], last.position];
-        let curve = if is_line(points) {
+        let curve = if is_straight(&points) {
             Curve::from_slice(&[points[0], points[3]])
         } else {
             Curve::from_slice(&points)
@@ -369,7 +368,7 @@ fn fit(
         lengths: run[..=last].iter().map(|point| point.length).collect(),
         criteria: FitCriteria {
             tolerance,
-            between: false,
+            ..FitCriteria::default()
         },
     };
     let mut from = 0;
@@ -379,7 +378,7 @@ fn fit(
         (to, piece)
     };
     samples
-        .cover_all(tangents, &stops)
+        .cover_all(tangents, &stops, FitEffort::Fast)
         .into_iter()
         .map(piece)
         .collect()

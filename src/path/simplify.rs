@@ -7,6 +7,8 @@ use crate::spline::SimplifyOptions;
 impl Path {
     /// A path of fewer lines and cubics: each subpath is simplified as by [`Spline::simplify`](crate::Spline::simplify).
     ///
+    /// See [`simplify_with`](Self::simplify_with) for joints at extrema and for rounded control points.
+    ///
     /// # Errors
     /// As [`Spline::simplify`](crate::Spline::simplify), for the first subpath that has one.
     pub fn simplify(&self, tolerance: f64) -> Result<Self, Error> {

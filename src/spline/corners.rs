@@ -151,22 +151,25 @@ impl<P: Point> CornerDetector<P> {
         spread(before).for_each(|steps| add(k - steps));
         spread(after).for_each(|steps| add(k + steps));
         let lines = TwoLines::fitted(&samples);
-        let (off, limit) = (
-            lines.squares(&samples),
-            samples.len() as f64 * self.tolerance.powi(2),
-        );
+        // The cheapest tests first: most clusters are no corners.
+        if lines.apex.norm() > self.tolerance
+            || angle_between(lines.before, lines.after) <= self.angle
+        {
+            return None;
+        }
+        let limit = samples.len() as f64 * self.tolerance.powi(2);
+        let off = lines.squares(&samples);
+        if off > limit {
+            return None;
+        }
         let ratio = Parabola::fitted(&samples).squares(&samples) / (off + 1e-4 * limit);
-        (angle_between(lines.before, lines.after) > self.angle
-            && off <= limit
-            && ratio >= MIN_RATIO
-            && lines.apex.norm() <= self.tolerance)
-            .then_some(Corner {
-                cluster: k,
-                apex: here.mean + lines.apex,
-                outward: (lines.before.unit() - lines.after.unit()).unit(),
-                ratio,
-                reach: before.max(after),
-            })
+        (ratio >= MIN_RATIO).then_some(Corner {
+            cluster: k,
+            apex: here.mean + lines.apex,
+            outward: (lines.before.unit() - lines.after.unit()).unit(),
+            ratio,
+            reach: before.max(after),
+        })
     }
 
     /// The number of clusters in an arm.

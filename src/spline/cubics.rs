@@ -8,16 +8,38 @@
 //! Pottmann and Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance minimization", ACM
 //! TOG 25 (2006), for the iterations after it.
 
-use crate::geometry::point::Point;
+use super::grid::NormalizedGrid;
+use crate::geometry::point::{CrossProduct, Point};
 
 /// The criteria that each cubic must satisfy.
-#[derive(Clone, Copy)]
-pub(crate) struct FitCriteria {
+#[derive(Clone, Copy, Default)]
+pub(crate) struct FitCriteria<P> {
     /// The maximum distance between a point and its foot on a cubic.
     pub(crate) tolerance: f64,
     /// Whether the polyline between the points counts too: the bound of the distance between the cubic and its chord
     /// from foot to foot is then added to the distances of the points.
     pub(crate) between: bool,
+    /// Whether each coordinate of the control points must be in order, so that the ends have its extrema.
+    pub(crate) monotone: bool,
+    /// The grid on which all control points must lie.
+    pub(crate) grid: Option<NormalizedGrid<P>>,
+}
+
+/// How much is computed for a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub enum FitEffort {
+    /// Each segment is as long as the tolerance allows, so the last one before a corner may be much shorter and closer than
+    /// the others: the default.
+    #[default]
+    Fast,
+    /// As many segments as with [`Fast`](Self::Fast), but as close to the points as that number allows: between two corners
+    /// the smallest tolerance is found by bisection, to 1/1000. Takes about 11 times as long.
+    Best,
 }
 
 /// The input points with the joint, the tangent and the chord length from the start at each point.
@@ -27,7 +49,7 @@ pub(crate) struct FitSamples<P> {
     pub(crate) joints: Vec<P>,
     pub(crate) tangents: Vec<P>,
     pub(crate) lengths: Vec<f64>,
-    pub(crate) criteria: FitCriteria,
+    pub(crate) criteria: FitCriteria<P>,
 }
 
 /// The maximum number of points used for least squares; all points are checked.
@@ -42,6 +64,9 @@ const MAX_INITIAL_ERROR: f64 = 50.0;
 
 /// Bisection steps for the longest run, which is found to 1/64.
 const BISECTIONS: usize = 6;
+
+/// Bisection steps for the smallest tolerance.
+const TOLERANCE_BISECTIONS: usize = 10;
 
 /// Added to the diagonal of the normal equations, whose entries are of the order of 1 or smaller.
 const DAMPING: f64 = 1e-6;
@@ -65,44 +90,80 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
     lengths
 }
 
+/// The cubics along a run: for each one the index of its end point and its two inner control points.
+#[derive(Default)]
+struct Cover<P> {
+    cubics: Vec<(usize, [P; 2])>,
+    /// The number of edges that no cubic with the tangents of its ends approximates; lines take their place.
+    lines: usize,
+}
+
 impl<P: Point> FitSamples<P> {
     /// The cubics from stop to stop. `tangents` are the tangents before and after each point; they differ only at stops.
     pub(crate) fn cover_all(
         mut self,
         tangents: &[[P; 2]],
         stops: &[usize],
+        effort: FitEffort,
     ) -> Vec<(usize, [P; 2])> {
         let mut cubics = Vec::new();
         for pair in stops.windows(2) {
             self.tangents[pair[0]] = tangents[pair[0]][1];
             self.tangents[pair[1]] = tangents[pair[1]][0];
-            self.cover(pair[0], pair[1], &mut cubics);
+            cubics.extend(self.closest_cover(pair[0], pair[1], effort).cubics);
         }
         cubics
     }
 
-    /// Appends the cubics from index `first` to `last`: for each cubic the index of its end point and its two inner
-    /// control points.
-    fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
+    /// The cubics from index `first` to `last`.
+    fn cover(&self, first: usize, last: usize) -> Cover<P> {
+        let mut cover = Cover::default();
         let (mut from, mut step) = (first, last - first);
         while from < last {
             let (to, handles) = self.longest(from, last, step);
-            out.push((to, handles));
+            cover.lines += usize::from(handles.is_none());
+            let straight = [self.joints[from], self.joints[to]];
+            cover.cubics.push((to, handles.unwrap_or(straight)));
             step = to - from;
             from = to;
         }
+        cover
     }
 
-    fn longest(&self, from: usize, last: usize, step: usize) -> (usize, [P; 2]) {
-        let mut best = (from + 1, self.straight(from, from + 1));
-        if let Some(handles) = self.handles(from, from + 1) {
-            best.1 = handles;
+    /// The cubics for the tolerance; with the best effort for the smallest one that needs no more of them.
+    fn closest_cover(&mut self, first: usize, last: usize, effort: FitEffort) -> Cover<P> {
+        let tolerance = self.criteria.tolerance;
+        let bisections = match effort {
+            FitEffort::Fast => 0,
+            FitEffort::Best => TOLERANCE_BISECTIONS,
+        };
+        let (mut low, mut high) = (0.0, tolerance);
+        let mut best: Option<Cover<P>> = None;
+        for _ in 0..=bisections {
+            let next = self.cover(first, last);
+            let is_worse = best.as_ref().is_some_and(|best| {
+                next.cubics.len() > best.cubics.len() || next.lines > best.lines
+            });
+            if is_worse {
+                low = self.criteria.tolerance;
+            } else {
+                (best, high) = (Some(next), self.criteria.tolerance);
+            }
+            self.criteria.tolerance = 0.5 * (low + high);
         }
+        self.criteria.tolerance = tolerance;
+        best.unwrap_or_default()
+    }
+
+    /// The end of the longest run from an index that a cubic approximates and its inner control points; the next index
+    /// and `None` if there is no cubic.
+    fn longest(&self, from: usize, last: usize, step: usize) -> (usize, Option<[P; 2]>) {
+        let mut best = (from + 1, self.handles(from, from + 1));
         let (mut fails, mut to) = (last + 1, (from + step.max(2)).min(last));
         let mut bisections = 0;
         while to > best.0 {
             match self.handles(from, to) {
-                Some(handles) => best = (to, handles),
+                Some(handles) => best = (to, Some(handles)),
                 None => fails = to,
             }
             if fails > last {
@@ -120,22 +181,23 @@ impl<P: Point> FitSamples<P> {
         best
     }
 
-    /// The inner control points of a straight cubic.
-    fn straight(&self, from: usize, to: usize) -> [P; 2] {
-        let (a, b) = (self.joints[from], self.joints[to]);
-        [a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0)]
-    }
-
     /// The inner control points of a cubic that satisfies the criteria along a run, or `None` if none was found.
     fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
         let chord_length = self.lengths[to] - self.lengths[from];
         let (start, end) = (self.joints[from], self.joints[to]);
         let (t0, t1) = (self.tangents[from], self.tangents[to]);
         let mut samples = self.samples(from, to);
+        // The handles of a line would leave it on the grid, so it has none.
+        let is_line = self.criteria.grid.is_some() && is_straight(&self.points[from..=to]);
         let (mut a, mut b) = (chord_length / 3.0, chord_length / 3.0);
         let mut previous = f64::INFINITY;
         for round in 0..MAX_ROUNDS {
-            let cubic = [start, start + t0 * a, end + t1 * -b, end];
+            let cubic = if is_line {
+                let third = |k: f64| start.lerp(end, k / 3.0);
+                [start, third(1.0), third(2.0), end]
+            } else {
+                [start, start + t0 * a, end + t1 * -b, end]
+            };
             let mut equations = Equations::default();
             let mut worst: f64 = 0.0;
             for (index, u) in &mut samples {
@@ -148,8 +210,18 @@ impl<P: Point> FitSamples<P> {
                 let along = if round > 0 { w.unit() } else { P::default() };
                 equations.add(q - p, along, (t0, t1), *u);
             }
-            if worst <= self.criteria.tolerance && self.keeps(&cubic, from, to, &samples) {
-                return Some([cubic[1], cubic[2]]);
+            if worst <= self.criteria.tolerance {
+                let grid = self.criteria.grid.filter(|_| !is_line);
+                let on_grid = |p: P| grid.map_or(p, |grid| grid.nearest(p));
+                let [_, p1, p2, _] = cubic;
+                let cubic = [start, on_grid(p1), on_grid(p2), end];
+                if self.keeps(&cubic, from, to, &samples) {
+                    return Some(if is_line {
+                        [start, end]
+                    } else {
+                        [cubic[1], cubic[2]]
+                    });
+                }
             }
             let limit = MAX_INITIAL_ERROR * self.criteria.tolerance;
             if round > 1 && !(worst < 0.8 * previous && worst < limit) {
@@ -191,6 +263,9 @@ impl<P: Point> FitSamples<P> {
 
     /// Whether the cubic satisfies the criteria at all points of a run.
     fn keeps(&self, cubic: &[P; 4], from: usize, to: usize, samples: &[(usize, f64)]) -> bool {
+        if self.criteria.monotone && !is_monotone(cubic) {
+            return false;
+        }
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((from, 0.0), known.next().unwrap_or((to, 1.0)));
         let mut last: (f64, f64) = (0.0, (self.joints[from] - self.points[from]).norm());
@@ -228,6 +303,30 @@ impl<P: Point> FitSamples<P> {
         }
         true
     }
+}
+
+/// Whether each coordinate of the points increases or decreases throughout.
+pub(crate) fn is_monotone<P: Point>(points: &[P]) -> bool {
+    (0..P::DIMENSION).all(|axis| {
+        let coordinate = |p: &P| p.coordinate(axis);
+        points.is_sorted_by(|a, b| coordinate(a) <= coordinate(b))
+            || points.is_sorted_by(|a, b| coordinate(a) >= coordinate(b))
+    })
+}
+
+/// Points within this part of the length of a chord are on it.
+const STRAIGHT: f64 = 1e-9;
+
+/// Whether all points lie on the chord from the first to the last one.
+pub(crate) fn is_straight<P: Point>(points: &[P]) -> bool {
+    let (start, end) = (points[0], points[points.len() - 1]);
+    let chord = end - start;
+    let square = chord.dot(chord);
+    square > 0.0
+        && points.iter().all(|&p| {
+            let gap = p - start;
+            (0.0..=square).contains(&gap.dot(chord)) && chord.cross(gap).size() <= STRAIGHT * square
+        })
 }
 
 /// The normal equations of the two handle lengths.

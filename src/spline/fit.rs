@@ -2,13 +2,14 @@
 
 use super::Spline;
 use super::corners::{angle_between, corners};
-use super::cubics::{FitCriteria, FitSamples, chord_lengths};
+use super::cubics::{FitCriteria, FitEffort, FitSamples, chord_lengths, is_straight};
+use super::grid::{Grid, NormalizedGrid};
 use super::polyline::SampledPolyline;
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
-use crate::geometry::point::{CrossProduct, Point};
+use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 use std::f64::consts::PI;
 
@@ -34,6 +35,8 @@ pub struct FitOptions {
     pub corner_angle: f64,
     /// Whether the spline continues from the last point to the first: false by default.
     pub closed: bool,
+    /// How much is computed: [`FitEffort::Fast`] by default.
+    pub effort: FitEffort,
 }
 
 impl FitOptions {
@@ -43,6 +46,7 @@ impl FitOptions {
             tolerance,
             corner_angle: DEFAULT_CORNER_ANGLE,
             closed: false,
+            effort: FitEffort::Fast,
         }
     }
 
@@ -60,10 +64,19 @@ impl FitOptions {
     pub const fn closed(self, closed: bool) -> Self {
         Self { closed, ..self }
     }
+
+    /// The options with another effort.
+    #[must_use]
+    pub const fn effort(self, effort: FitEffort) -> Self {
+        Self { effort, ..self }
+    }
 }
 
 /// The default of the corner angle: 36°.
 pub(crate) const DEFAULT_CORNER_ANGLE: f64 = PI / 5.0;
+
+/// A smaller coordinate of a unit tangent is 0.
+const ALIGNED: f64 = 1e-9;
 
 /// Joints are moved by at least and at most these parts of the tolerance.
 const MIN_SHIFT: f64 = 0.05;
@@ -95,6 +108,7 @@ impl<P: Point> Spline<P> {
             tolerance,
             corner_angle,
             closed,
+            effort,
         } = *options;
         if points.len() < 2 {
             return Err(Error::Count {
@@ -115,13 +129,11 @@ impl<P: Point> Spline<P> {
             let ends = if closed { 1 } else { 2 };
             return Ok(Self::from_parts(vec![kept[0]; ends], &[1], closed));
         }
-        let fitter = CurveFitter::new(&kept, tolerance, corner_angle, closed);
-        let criteria = FitCriteria {
-            // Reserve a part of the tolerance for the rounding of the result.
-            tolerance: fitter.tolerance * (1.0 - ROUNDING_SHARE),
-            between: false,
-        };
-        Ok(fitter.fitted(criteria, None))
+        let mut fitter = CurveFitter::new(&kept, tolerance, corner_angle, closed);
+        fitter.effort = effort;
+        // Reserve a part of the tolerance for the rounding of the result.
+        fitter.criteria.tolerance = fitter.tolerance * (1.0 - ROUNDING_SHARE);
+        Ok(fitter.fitted(None))
     }
 }
 
@@ -144,6 +156,8 @@ pub(crate) struct CurveFitter<'a, P: Point> {
     /// Scaled as the points.
     tolerance: f64,
     corners: Vec<usize>,
+    pub(crate) criteria: FitCriteria<P>,
+    pub(crate) effort: FitEffort,
 }
 
 impl<'a, P: Point> CurveFitter<'a, P> {
@@ -158,6 +172,11 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             tolerance,
             corners: corners(&polyline, tolerance, corner_angle),
             polyline,
+            criteria: FitCriteria {
+                tolerance,
+                ..FitCriteria::default()
+            },
+            effort: FitEffort::Fast,
         }
     }
 
@@ -195,45 +214,136 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         angle_between(here - before, after - here)
     }
 
-    /// A spline within a distance of the polyline, with the given tangents before and after each point or smoothed ones.
-    pub(crate) fn within(self, distance: f64, tangents: Option<Vec<[P; 2]>>) -> Spline<P> {
-        let criteria = FitCriteria {
-            tolerance: distance * self.normalized.scale,
+    /// Sets the greatest distance between the polyline and the spline, and the other criteria.
+    pub(crate) fn require(&mut self, distance: f64, extrema: bool, grid: Option<Grid>) {
+        let normalized = self.normalized;
+        self.criteria = FitCriteria {
+            tolerance: distance * normalized.scale,
             between: true,
+            monotone: extrema,
+            grid: grid.map(|grid| NormalizedGrid { grid, normalized }),
         };
-        self.fitted(criteria, tangents)
     }
 
-    fn fitted(self, criteria: FitCriteria, tangents: Option<Vec<[P; 2]>>) -> Spline<P> {
-        let points = &self.polyline.points;
-        let last = points.len() - 1;
-        let mut stops = vec![0];
-        stops.extend(self.corners.iter().filter(|&&k| k > 0));
-        stops.push(last);
-        let (joints, tangents) = match tangents {
-            Some(tangents) => (points.clone(), tangents),
+    /// The fitted spline, with the given tangents before and after each point or smoothed ones.
+    pub(crate) fn fitted(self, tangents: Option<Vec<[P; 2]>>) -> Spline<P> {
+        let period = self.polyline.period();
+        let last = self.polyline.points.len() - 1;
+        let (mut joints, mut tangents) = match tangents {
+            Some(tangents) => (self.polyline.points.clone(), tangents),
             None => {
                 let smoothed = self.smoothed();
-                let at = |k: usize| smoothed[k % self.polyline.period()].tangents;
+                let at = |k: usize| smoothed[k % period].tangents;
                 let joints = (0..=last).map(|k| self.joint(k, &smoothed)).collect();
                 (joints, (0..=last).map(at).collect())
             }
         };
+        if let Some(grid) = self.criteria.grid {
+            for (joint, &point) in joints.iter_mut().zip(&self.polyline.points) {
+                let rounded = grid.nearest(*joint);
+                let is_near = (rounded - point).norm() <= self.criteria.tolerance;
+                *joint = if is_near {
+                    rounded
+                } else {
+                    grid.nearest(point)
+                };
+            }
+        }
+        let mut stops = self.corners.clone();
+        if self.criteria.monotone {
+            stops.extend(self.align_extrema(&mut tangents));
+            sort_by(&mut stops, |a, b| a.cmp(b));
+            stops.dedup();
+        }
+        // A closed spline starts at a stop.
+        let first = match stops.first() {
+            Some(&stop) if self.polyline.is_closed() => stop,
+            _ => 0,
+        };
+        stops.iter_mut().for_each(|stop| *stop -= first);
+        stops.retain(|&stop| 0 < stop && stop < last);
+        stops.insert(0, 0);
+        stops.push(last);
+        let around = |k: usize| {
+            if k + first <= last {
+                k + first
+            } else {
+                k + first - period
+            }
+        };
+        let joints: Vec<P> = (0..=last).map(|k| joints[around(k)]).collect();
+        let tangents: Vec<[P; 2]> = (0..=last).map(|k| tangents[around(k)]).collect();
+        let points: Vec<P> = (0..=last)
+            .map(|k| self.polyline.points[around(k)])
+            .collect();
         let samples = FitSamples {
             lengths: chord_lengths(&joints),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
             points: points.clone(),
             joints: joints.clone(),
-            criteria,
+            criteria: self.criteria,
         };
-        let cubics = samples.cover_all(&tangents, &stops);
-        assemble(&self.normalized, &cubics, self.polyline.is_closed(), |k| {
-            if joints[k] == points[k] {
-                self.input[k]
+        let cubics = samples.cover_all(&tangents, &stops, self.effort);
+        let on_grid = |p: P| self.criteria.grid.map_or(p, |on| on.grid.nearest(p));
+        let joint = |k: usize| {
+            on_grid(if joints[k] == points[k] {
+                self.input[around(k)]
             } else {
                 self.normalized.back(joints[k])
+            })
+        };
+        // The difference keeps handles parallel to an axis.
+        let offset = |k: usize, handle: P| (handle - joints[k]) / self.normalized.scale;
+        let handle = |k: usize, handle: P| on_grid(joint(k) + offset(k, handle));
+        assemble(&cubics, self.polyline.is_closed(), joint, handle)
+    }
+
+    /// Makes tangents parallel to the axis at the points between which a coordinate of the tangent changes sign, at the
+    /// nearest one or at both ends of a straight part. Returns the indices of these points.
+    fn align_extrema(&self, tangents: &mut [[P; 2]]) -> Vec<usize> {
+        let closed = self.polyline.is_closed();
+        let (count, rounds) = (self.polyline.period(), if closed { 2 } else { 1 });
+        let is_corner = |k: usize| self.corners.binary_search(&k).is_ok();
+        let mut stops = Vec::new();
+        for axis in 0..P::DIMENSION {
+            let aligned = |tangent: P| tangent.with_coordinate(axis, 0.0).unit();
+            for tangent in tangents.iter_mut().flatten() {
+                if tangent.coordinate(axis).abs() < ALIGNED {
+                    *tangent = aligned(*tangent);
+                }
             }
-        })
+            // The last tangent with a coordinate that is not 0, and the ends of the straight part after it.
+            let mut before = (0, 0.0);
+            let mut straight: Option<[usize; 2]> = None;
+            for k in 0..rounds * count {
+                let k = k % count;
+                for side in [0, 1] {
+                    let slope = tangents[k][side].coordinate(axis);
+                    if slope == 0.0 {
+                        straight = Some(straight.map_or([k, k], |[first, _]| [first, k]));
+                        continue;
+                    }
+                    if before.1 * slope < 0.0 {
+                        let nearest = if f64::abs(before.1) < slope.abs() {
+                            before.0
+                        } else {
+                            k
+                        };
+                        if let Some(ends) = straight {
+                            stops.extend(ends);
+                        } else if !is_corner(nearest) {
+                            tangents[nearest] = tangents[nearest].map(aligned);
+                            stops.push(nearest);
+                        }
+                    }
+                    (before, straight) = ((k, slope), None);
+                }
+            }
+        }
+        if closed {
+            tangents[count] = tangents[0];
+        }
+        stops
     }
 
     /// The smoothed positions and the tangents on both sides of each point.
@@ -301,22 +411,25 @@ struct SmoothedPoint<P> {
 /// The part of the tolerance that is reserved for rounding.
 pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
 
-/// A cubic whose handles are within this part of its length of its chord is a line.
-const STRAIGHT: f64 = 1e-9;
-
-/// The spline of fitted cubics, scaled back, with the given joints. Cubics that are straight become lines.
+/// The spline of fitted cubics: `joint` gives the joint at an index, `handle` a control point by the index of its joint
+/// and its image. Cubics that are straight become lines, those that are points are left out.
 fn assemble<P: Point>(
-    normalized: &Normalized<P>,
     cubics: &[(usize, [P; 2])],
     closed: bool,
     joint: impl Fn(usize) -> P,
+    handle: impl Fn(usize, P) -> P,
 ) -> Spline<P> {
     let mut points = vec![joint(0)];
     let mut degrees = Vec::with_capacity(cubics.len());
-    for &(to, handles) in cubics {
-        let [p1, p2] = handles.map(|p| normalized.back(p));
-        let (from, end) = (points[points.len() - 1], joint(to));
-        if is_line([from, p1, p2, end]) {
+    let mut from = 0;
+    for &(to, [p1, p2]) in cubics {
+        let (start, end) = (points[points.len() - 1], joint(to));
+        let (p1, p2) = (handle(from, p1), handle(to, p2));
+        from = to;
+        if [p1, p2, end] == [start; 3] && (to < cubics[cubics.len() - 1].0 || !degrees.is_empty()) {
+            continue;
+        }
+        if is_straight(&[start, p1, p2, end]) {
             degrees.push(1);
         } else {
             points.extend([p1, p2]);
@@ -328,15 +441,4 @@ fn assemble<P: Point>(
         points.pop();
     }
     Spline::from_parts(points, &degrees, closed)
-}
-
-/// Whether a cubic is straight and does not pass its ends.
-pub(crate) fn is_line<P: Point>([a, b, c, d]: [P; 4]) -> bool {
-    let chord = d - a;
-    let square = chord.dot(chord);
-    square > 0.0
-        && [b, c].into_iter().all(|p| {
-            let gap = p - a;
-            (0.0..=square).contains(&gap.dot(chord)) && chord.cross(gap).size() <= STRAIGHT * square
-        })
 }

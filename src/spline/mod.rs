@@ -15,6 +15,7 @@ mod derivative;
 mod edit;
 pub(crate) mod fit;
 mod frames;
+mod grid;
 mod interpolate;
 mod intersect;
 pub(crate) mod joint;
@@ -34,6 +35,7 @@ mod split;
 
 pub use bspline::BSpline;
 pub use continuity::Continuity;
+pub use cubics::FitEffort;
 pub use fit::FitOptions;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;

@@ -2,7 +2,10 @@
 
 use super::Spline;
 use super::corners::angle_between;
+use super::cubics::{FitEffort, is_monotone};
 use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, ROUNDING_SHARE, check_corner_angle};
+use super::grid::Grid;
+use crate::curve::Curve;
 use crate::curve::flatten::Polyline;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
@@ -39,6 +42,13 @@ pub struct SimplifyOptions {
     pub tolerance: f64,
     /// The smallest turn that is kept as a corner, in radians, above 0 and at most π: π/5 (36°) by default.
     pub corner_angle: f64,
+    /// Whether the extrema of each coordinate become joints with handles parallel to the axis, as in outlines of fonts:
+    /// false by default.
+    pub extrema: bool,
+    /// The number of decimals of all control points, at most 15: `None` by default, for no rounding.
+    pub precision: Option<u8>,
+    /// How much is computed: [`FitEffort::Fast`] by default.
+    pub effort: FitEffort,
 }
 
 impl SimplifyOptions {
@@ -47,6 +57,9 @@ impl SimplifyOptions {
         Self {
             tolerance,
             corner_angle: DEFAULT_CORNER_ANGLE,
+            extrema: false,
+            precision: None,
+            effort: FitEffort::Fast,
         }
     }
 
@@ -57,6 +70,27 @@ impl SimplifyOptions {
             corner_angle,
             ..self
         }
+    }
+
+    /// The options with or without joints at the extrema of each coordinate.
+    #[must_use]
+    pub const fn extrema(self, extrema: bool) -> Self {
+        Self { extrema, ..self }
+    }
+
+    /// The options with a number of decimals.
+    #[must_use]
+    pub const fn precision(self, decimals: u8) -> Self {
+        Self {
+            precision: Some(decimals),
+            ..self
+        }
+    }
+
+    /// The options with another effort.
+    #[must_use]
+    pub const fn effort(self, effort: FitEffort) -> Self {
+        Self { effort, ..self }
     }
 }
 
@@ -94,34 +128,78 @@ impl<P: Point> Spline<P> {
 
     /// [`simplify`](Self::simplify) with all options.
     ///
+    /// With `extrema`, each coordinate increases or decreases along each segment, and the handles of smooth joints at
+    /// extrema are parallel to an axis. With `precision`, all control points have that number of decimals, and the
+    /// tolerance holds for the rounded result; smooth joints may turn by as much as the rounding of their handles. A
+    /// spline with no fewer segments is returned with its extrema as joints and with rounded control points.
+    ///
     /// # Errors
-    /// As [`simplify`](Self::simplify); [`Error::Range`] for the angle.
+    /// As [`simplify`](Self::simplify); [`Error::Range`] for the angle, and for a precision p above 15 or one that can
+    /// move a point, by √2/2 · 10⁻ᵖ in 2D and √3/2 · 10⁻ᵖ in 3D, by more than 0.96 of the tolerance.
     pub fn simplify_with(&self, options: &SimplifyOptions) -> Result<Self, Error> {
         let SimplifyOptions {
             tolerance,
             corner_angle,
+            extrema,
+            precision,
+            effort: _,
         } = *options;
         check_tolerance(tolerance, self.max_abs())?;
         check_corner_angle(corner_angle)?;
         let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
+        let distance = tolerance * (1.0 - ROUNDING_SHARE) - share;
+        let grid = match precision {
+            Some(decimals) => Some(Grid::new(decimals, &self.points, tolerance)?),
+            None => None,
+        };
         let plain = self.degrees().iter().all(|&degree| degree <= 3);
-        let source = match self.vertices(share) {
-            Err(Error::TooMany { .. }) if plain => return Ok(self.clone()),
-            Err(Error::TooMany { .. }) => return self.in_cubics(tolerance),
+        let divided = if extrema {
+            let mut pieces = Vec::new();
+            for segment in self.segments() {
+                segment.push_monotone_pieces(&mut pieces);
+            }
+            Self::from_curves(&pieces, self.closed)?
+        } else {
+            self.clone()
+        };
+        let source = match divided.vertices(share) {
+            Err(Error::TooMany { .. }) if plain => return divided.rounded(grid),
+            Err(Error::TooMany { .. }) => {
+                let rounding = grid.map_or(0.0, |grid| grid.radius);
+                return divided.in_cubics(tolerance - rounding)?.rounded(grid);
+            }
             source => source?,
         };
         if source.points.len() < 2 {
-            return Ok(self.clone());
+            return divided.rounded(grid);
         }
-        let spline = source.simplified(
-            (tolerance * (1.0 - ROUNDING_SHARE) - share, tolerance),
-            corner_angle,
-            self.closed,
-        );
-        if plain && spline.segment_count() >= self.segment_count() {
-            return Ok(self.clone());
+        let spline = source.simplified(options, (distance, grid), self.closed);
+        let is_kept = |curve: Curve<P>| !extrema || is_monotone(curve.control_points());
+        if plain
+            && divided.segment_count() <= spline.segment_count()
+            && divided.segments().all(is_kept)
+        {
+            return divided.rounded(grid);
         }
         Ok(spline)
+    }
+
+    /// The spline with control points on a grid. Segments that become a point are left out.
+    fn rounded(self, grid: Option<Grid>) -> Result<Self, Error> {
+        let Some(grid) = grid else {
+            return Ok(self);
+        };
+        let rounded = |curve: Curve<P>| {
+            let points = curve.control_points().iter().map(|&p| grid.nearest(p));
+            Curve::from_points(points.collect())
+        };
+        let mut pieces: Vec<Curve<P>> = self.segments().map(rounded).collect();
+        let first = pieces[0].clone();
+        pieces.retain(|piece| piece.control_points().iter().any(|&p| p != piece.start()));
+        if pieces.is_empty() {
+            pieces.push(first);
+        }
+        Self::from_curves(&pieces, self.closed)
     }
 
     /// The distinct vertices of a polyline, and the tangents before and after each vertex.
@@ -157,13 +235,14 @@ struct Vertices<P> {
 }
 
 impl<P: Point> Vertices<P> {
-    /// The spline fitted to the polyline within a distance; the tolerance is the scale of corners.
+    /// The spline fitted to the polyline within a distance, on a grid; the tolerance is the scale of corners.
     fn simplified(
         mut self,
-        (distance, tolerance): (f64, f64),
-        corner_angle: f64,
+        options: &SimplifyOptions,
+        (distance, grid): (f64, Option<Grid>),
         closed: bool,
     ) -> Spline<P> {
+        let corner_angle = options.corner_angle;
         let last = self.points.len() - 1;
         let closed = closed && last > 1;
         if closed {
@@ -171,7 +250,9 @@ impl<P: Point> Vertices<P> {
             let around = [self.tangents[last][0], self.tangents[0][1]];
             (self.tangents[0], self.tangents[last]) = (around, around);
         }
-        let mut fitter = CurveFitter::new(&self.points, tolerance, corner_angle, closed);
+        let mut fitter = CurveFitter::new(&self.points, options.tolerance, corner_angle, closed);
+        fitter.require(distance, options.extrema, grid);
+        fitter.effort = options.effort;
         let turns = self
             .tangents
             .iter()
@@ -191,7 +272,7 @@ impl<P: Point> Vertices<P> {
                 *pair = [(before + after).unit(); 2];
             }
         }
-        fitter.within(distance, is_smooth.then_some(self.tangents))
+        fitter.fitted(is_smooth.then_some(self.tangents))
     }
 }
 

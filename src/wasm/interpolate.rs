@@ -4,7 +4,7 @@ use super::arena;
 use super::optional;
 use super::spline::{changed, write};
 use crate::curve::Curve;
-use crate::spline::{FitOptions, SimplifyOptions, Spline};
+use crate::spline::{FitEffort, FitOptions, SimplifyOptions, Spline};
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -58,20 +58,40 @@ pub fn spline_fit(
     tolerance: f64,
     corner_angle: f64,
     closed: bool,
+    best: bool,
 ) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let mut options = FitOptions::new(tolerance).closed(closed);
         options.corner_angle = optional(corner_angle).unwrap_or(options.corner_angle);
+        options.effort = effort(best);
         let spline = Spline::fit(&points, &options)?;
         Ok(write(a, &spline, dimension))
     })
 }
 
-/// Writes the simplified spline; a corner angle of 0 stands for the default.
+const fn effort(best: bool) -> FitEffort {
+    if best {
+        FitEffort::Best
+    } else {
+        FitEffort::Fast
+    }
+}
+
+/// Writes the simplified spline; a corner angle of 0 stands for the default, a precision below 0 for none.
 #[wasm_bindgen]
-pub fn spline_simplify(dimension: usize, tolerance: f64, corner_angle: f64) -> isize {
-    let mut options = SimplifyOptions::new(tolerance);
+pub fn spline_simplify(
+    dimension: usize,
+    tolerance: f64,
+    corner_angle: f64,
+    extrema: bool,
+    precision: i32,
+    best: bool,
+) -> isize {
+    let mut options = SimplifyOptions::new(tolerance)
+        .extrema(extrema)
+        .effort(effort(best));
     options.corner_angle = optional(corner_angle).unwrap_or(options.corner_angle);
+    options.precision = u8::try_from(precision).ok();
     changed(dimension, |_, spline, _| spline.simplify_with(&options))
 }

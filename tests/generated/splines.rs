@@ -5,9 +5,9 @@ use crate::check::*;
 use crate::geometry::*;
 use crate::lines::compares;
 use crate::shared::*;
-use casteljau::Spline;
 use casteljau::glam::DVec3;
-use casteljau::spline::{FitOptions, Interpolation, JointMode};
+use casteljau::spline::{FitOptions, Interpolation, JointMode, SimplifyOptions};
+use casteljau::{Error, Spline};
 use casteljau_generator::{SplineData, changed};
 
 pub(crate) fn new<P: Space>(points: Vec<P>, degree: usize, closed: bool) -> Checked {
@@ -158,10 +158,31 @@ pub(crate) fn fit<P: Space>(
 
 pub(crate) fn simplify<P: Space>(spline: Spline<P>, tolerance: f64) -> Checked {
     let simple = answer!(spline.simplify(tolerance), "tolerance");
+    let options = SimplifyOptions::new(tolerance).extrema(true);
+    let monotone = spline.simplify_with(&options)?;
+    let mut all = vec![simple, monotone];
+    match spline.simplify_with(&options.precision(2)) {
+        Err(Error::Range {
+            what: "precision", ..
+        }) => {}
+        rounded => {
+            let rounded = rounded?;
+            for p in rounded.control_points() {
+                let mut all_decimals = true;
+                p.visit(&mut |x| {
+                    all_decimals &= f64::abs(x) > 1e13 || (x * 100.0).round() / 100.0 == x
+                });
+                ensure!(all_decimals, "{p:?} has more than two decimals");
+            }
+            all.push(rounded);
+        }
+    }
     let room = tolerance + 16.0 * slack(size(), 12);
-    for (from, to) in [(&spline, &simple), (&simple, &spline)] {
-        for t in parameters(12, from.last()) {
-            at_most(to.nearest(from.eval(t))?.distance, room, t)?;
+    for simple in &all {
+        for (from, to) in [(&spline, simple), (simple, &spline)] {
+            for t in parameters(12, from.last()) {
+                at_most(to.nearest(from.eval(t))?.distance, room, t)?;
+            }
         }
     }
     Ok(())

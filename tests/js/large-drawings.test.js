@@ -11,6 +11,29 @@ const require = createRequire(import.meta.url);
 /** @param {string} file */
 const packageFile = (file) => new URL(file, `file://${require.resolve("bootstrap-icons/package.json")}`);
 
+/** @param {number[][]} points @param {number[][]} line */
+function distanceFromLine(points, line) {
+  let farthest = 0;
+  for (const [x, y] of points) {
+    let nearest = Infinity;
+    for (let k = 1; k < line.length; k++) {
+      const [[x0, y0], [x1, y1]] = [line[k - 1], line[k]];
+      const [dx, dy] = [x1 - x0, y1 - y0];
+      const part = Math.max(0, Math.min(1, ((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy || 1)));
+      nearest = Math.min(nearest, Math.hypot(x - x0 - part * dx, y - y0 - part * dy));
+    }
+    farthest = Math.max(farthest, nearest);
+  }
+  return farthest;
+}
+
+/** @param {{ points: Float64Array }} line */
+const pointsOf = ({ points }) =>
+  Array.from({ length: points.length / 2 }, (_, k) => [points[2 * k], points[2 * k + 1]]);
+
+/** @param {Path} path */
+const segmentsOf = (path) => path.subpaths.reduce((sum, { segmentCount }) => sum + segmentCount, 0);
+
 /** Of the icons, every sixth one is drawn; all of them with CASTELJAU_DEEP=1. */
 const EVERY = process.env.CASTELJAU_DEEP ? 1 : 6;
 
@@ -36,6 +59,35 @@ test("bootstrap-icons: the stroke and the offset of every path, with the areas t
     }
   }
   assert.ok(EVERY * count > 3_000 && EVERY * segments < 120_000, `${count} paths of ${segments} segments`);
+});
+
+test("bootstrap-icons simplified: within the tolerance both ways, with fewer segments", () => {
+  const folder = packageFile("icons/");
+  const kinds = [{}, { extrema: true }, { precision: 2 }, { effort: /** @type {const} */ ("best") }];
+  const counts = kinds.map(() => 0);
+  let before = 0;
+  for (const file of readdirSync(folder).filter((_, k) => k % (5 * EVERY) === 0)) {
+    for (const [, d] of readFileSync(new URL(file, folder), "utf8").matchAll(/<path[^>]*? d="([^"]*)"/g)) {
+      const path = Path.fromSVG(d);
+      before += segmentsOf(path);
+      for (const tolerance of [0.016, 0.08]) {
+        const lines = path.flatten(0.01 * tolerance).map(pointsOf);
+        for (const [k, options] of kinds.entries()) {
+          const simple = path.simplify(tolerance, options);
+          counts[k] += segmentsOf(simple);
+          for (const [index, line] of simple
+            .flatten(0.01 * tolerance)
+            .map(pointsOf)
+            .entries()) {
+            const apart = Math.max(distanceFromLine(lines[index], line), distanceFromLine(line, lines[index]));
+            assert.ok(apart <= 1.02 * tolerance, `${file}, subpath ${index}: ${apart} with ${JSON.stringify(options)}`);
+          }
+        }
+      }
+    }
+  }
+  const parts = counts.map((count) => count / (2 * before));
+  assert.ok(parts[0] < 0.9 && parts[2] < 0.95 && parts[3] <= parts[0], `${parts} of ${before} segments`);
 });
 
 /** @typedef {{ type: string, coordinates: number[][][][] | number[][][] }} Geometry */

@@ -1,7 +1,7 @@
 // Offsets, reduction, interpolation and fitting of curves and splines; tests/offset in Rust compares many with references.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "#js/index.js";
+import { Curve, Path, Spline } from "#js/index.js";
 import { near, pointsOf, refusedAll, SPACE, untyped } from "./reference.js";
 
 const ARCH = new Curve([0, 0, 0, 100, 200, 100, 200, 0]);
@@ -67,6 +67,27 @@ test("a spline along a stroke, and with fewer segments", () => {
   assert.ok(cut.simplify(1e-3).segmentCount < cut.segmentCount);
 });
 
+test("simplified: joints at the extrema, rounded control points, the closest fit", () => {
+  const circle = Path.circle([3.1, 7.3], 50).transform("rotate(30)");
+  const four = circle.simplify(0.05, { extrema: true });
+  assert.equal(four.subpaths[0].segmentCount, 4);
+  assert.ok(
+    four.subpaths[0].segments().every((curve) => Object.values(curve.extrema()).every(({ length }) => length === 0)),
+  );
+  const whole = circle.simplify(0.75, { precision: 0, extrema: true });
+  assert.ok(whole.subpaths[0].controlPoints().every(Number.isInteger));
+  const points = Array.from({ length: 200 }, (_, k) => [k / 20, Math.sin(k / 20)]);
+  /** @param {Spline} spline */
+  const farthest = (spline) => Math.max(...points.map((point) => spline.nearest(point).distance));
+  /** @type {("fast" | "best")[]} */
+  const efforts = ["fast", "best"];
+  const [fast, best] = efforts.map((effort) => Spline.fit(points, { tolerance: 0.01, effort }));
+  assert.ok(best.segmentCount <= fast.segmentCount && farthest(best) < farthest(fast));
+  const line = new Spline(points.flat(), { degree: 1 });
+  const [plain, closest] = efforts.map((effort) => line.simplify(0.01, { effort }));
+  assert.ok(closest.segmentCount <= plain.segmentCount && farthest(closest) < farthest(plain));
+});
+
 test("refusals", () => {
   const line = new Spline([0, 0, 1, 0], { degree: 1 });
   const points = pointsOf("0,0 1,2 3,1 4,4");
@@ -82,10 +103,17 @@ test("refusals", () => {
     [() => Curve.interpolate([[0, 0]]), /^points: /],
     [() => Spline.fit([[0, 0]], { tolerance: 1 }), /^points: /],
     [() => Spline.fit(points, { tolerance: 0 }), /^tolerance: /],
+    [() => Spline.fit(points, { tolerance: 1, effort: untyped("most") }), /^effort: /],
     [() => line.simplify(-1), /^tolerance: /],
+    [() => line.simplify(1, { precision: 16 }), /^precision: expected a whole number from 0 to 15, got 16/],
+    [
+      () => line.simplify(0.1, { precision: 0 }),
+      /^precision: expected decimals that round a point by at most 0.96 of the/,
+    ],
   ]);
   refusedAll(TypeError, [
     [() => ARCH.offset(untyped("1")), /^distance: /],
+    [() => line.simplify(1, { extrema: untyped("yes") }), /^extrema: /],
     [() => new Curve(SPACE).offset(1), /^offset: expected a 2D curve/],
     [() => new Spline(SPACE).offset(1), /^offset: expected a 2D spline/],
   ]);

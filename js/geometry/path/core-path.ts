@@ -868,7 +868,7 @@ export class CorePath {
    * A path of fewer lines and cubics: each subpath is simplified as by `Spline.simplify`, so the Hausdorff distance of a
    * subpath from its original is at most the tolerance.
    *
-   *     Path.fromSVG(traced).simplify(0.5).toSVG({ precision: 2 });
+   *     Path.fromSVG(traced).simplify(0.5, { precision: 1 }).toSVG({ precision: 1 });
    *
    * @param tolerance the largest distance, in the unit of the path
    */

@@ -38,12 +38,28 @@ export interface FitOptions {
   closed?: boolean;
   /** The smallest turn, in radians, that is a corner: π/5 by default, at most π */
   cornerAngle?: number;
+  /**
+   * "best" finds the smallest tolerance that needs no more segments, to 1/1000, and takes about 11 times as long: "fast"
+   * by default
+   */
+  effort?: FitEffort;
 }
+
+/** How much is computed for a fit. */
+export type FitEffort = "fast" | "best";
+
+const EFFORTS: readonly FitEffort[] = ["fast", "best"];
 
 /** Options of `simplify`. */
 export interface SimplifyOptions {
   /** The smallest turn, in radians, that is a corner: π/5 by default, at most π */
   cornerAngle?: number;
+  /** Whether the extrema of x, y and z become joints with handles parallel to the axis, as in fonts: false by default */
+  extrema?: boolean;
+  /** The number of decimals of all control points, 0 to 15; no rounding by default */
+  precision?: number;
+  /** As in `FitOptions` */
+  effort?: FitEffort;
 }
 
 /** In the order of the core */
@@ -295,16 +311,17 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     points: PointArrays<D> | PointsLike,
     options: FitOptions & { dimension?: D },
   ): Spline<D> {
-    const checked = check.options(options, ["tolerance", "closed", "cornerAngle", "dimension"]);
-    const { tolerance, cornerAngle, dimension: requested } = checked;
+    const checked = check.options(options, ["tolerance", "closed", "cornerAngle", "effort", "dimension"]);
+    const { tolerance, cornerAngle, effort = "fast", dimension: requested } = checked;
     const closed = check.optionalBoolean(checked.closed, "closed");
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     const distance = check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
+    const best = check.oneOf(effort, "effort", EFFORTS) === "best";
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed), dimension);
+    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best), dimension);
     releaseMemory();
     return spline as Spline<D>;
   }
@@ -343,17 +360,25 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * turn cannot be removed within the tolerance. If the number of segments cannot be reduced and no degree is above 3,
    * the spline is returned unchanged; segments of higher degrees become cubics, as many as the tolerance requires.
    *
+   * With `extrema`, x, y and z increase or decrease along each segment. With `precision`, the tolerance holds for the
+   * rounded result; smooth joints may turn by as much as their handles are rounded.
+   *
    * If more than 4096 vertices per segment would be needed (tolerances below about 1e-7 of its size), segments of
    * degree up to 3 are returned unchanged, and higher degrees as cubics with the same tangents, at most 4096 for each
    * segment (else a RangeError).
    *
    * @param tolerance the largest distance, in the unit of the points
+   * @throws {RangeError} for a precision p that can move points by more than 0.96 of the tolerance (√2/2 · 10⁻ᵖ in 2D)
    */
   simplify(tolerance: number, options?: SimplifyOptions): this {
-    const { cornerAngle } = check.options(options, ["cornerAngle"]);
+    const checked = check.options(options, ["cornerAngle", "extrema", "precision", "effort"]);
+    const { cornerAngle, precision, effort = "fast" } = checked;
     check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
-    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0));
+    const extrema = check.optionalBoolean(checked.extrema, "extrema");
+    const decimals = precision === undefined ? -1 : check.whole(precision, "precision", 0, 15);
+    const best = check.oneOf(effort, "effort", EFFORTS) === "best";
+    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best));
   }
 
   /**
