@@ -34,7 +34,7 @@ async function importedFiles(path, known = new Set()) {
 
 /** Tag name, class and file of each element that the index exports. */
 async function elementsOf() {
-  const files = [...(await textOf(INDEX)).matchAll(/export \{ \w+ \} from "([^"]+)"/g)].map(([, path]) =>
+  const files = [...(await textOf(INDEX)).matchAll(/export \{ \w+ \} from "(\.\/define\/[^"]+)"/g)].map(([, path]) =>
     sourceOf(INDEX, path),
   );
   const element = async (file) => {

@@ -1,6 +1,7 @@
 // The bar below the picture: native form controls that call the applet and are set from its state.
 import { element } from "../ui/dom.js";
 import { FEWEST_POINTS, JOINT_MODES, pointCount } from "./state.js";
+import { translated, translatedTable } from "../editor/translations.js";
 import type { State } from "./state.js";
 import type { JointMode } from "./state.js";
 import type { Layers } from "./state.js";
@@ -26,18 +27,18 @@ export interface Controls {
 /** Whether there are steps to undo and to redo. */
 export type Can = { undo: boolean; redo: boolean };
 
-const JOINT_NAMES: Record<JointMode, string> = { free: "Free", g1: "G1", c1: "C1" };
-const JOINT_TITLES: Record<JointMode, string> = {
+const JOINT_NAMES: Record<JointMode, string> = translatedTable({ free: "Free", g1: "G1", c1: "C1" });
+const JOINT_TITLES: Record<JointMode, string> = translatedTable({
   free: "Points move alone",
   g1: "P2, P3 and P4 stay aligned",
   c1: "P2, P3 and P4 stay aligned, and P3 stays half-way",
-};
-const LAYER_NAMES: Record<keyof Layers, string> = {
+});
+const LAYER_NAMES: Record<keyof Layers, string> = translatedTable({
   polygon: "control polygon",
   hull: "hull",
   construction: "de Casteljau at t",
   halves: "two halves at t",
-};
+});
 const T_STEP = 0.01;
 /** Up to so many points P3 is the only joint. */
 const TWO_CUBICS = 7;
@@ -56,9 +57,9 @@ export function createControls(bar: HTMLElement, port: ControlPort): Controls {
     page,
     "p",
     { className: "hint" },
-    "Drag a point. A double click adds a point.",
-    element(page, "span", { className: "keys" }, "Keys: Tab to a point, then the arrow keys."),
-    element(page, "label", { className: "keys" }, keys, "r and m on the whole page"),
+    translated("Drag a point. A double click adds a point."),
+    element(page, "span", { className: "keys" }, translated("Keys: Tab to a point, then the arrow keys.")),
+    element(page, "label", { className: "keys" }, keys, translated("r and m on the whole page")),
   );
   bar.append(buttons.row, joints.group, t.label, layers.group, hint);
   const update = (state: State, can: Can) => [joints, layers, t, buttons].forEach((part) => part.update(state, can));
@@ -71,16 +72,16 @@ function pointButtons(page: Document, port: ControlPort) {
   const key = (letter: string) => element(page, "kbd", {}, letter);
   const label = element(page, "span");
   const toggle = button("m", port.toggle, label, " ", key("m"));
-  const randomize = button("r", port.randomize, "Randomize ", key("r"));
-  const undo = button("Control+Z", port.undo, "Undo");
-  const redo = button("Control+Y", port.redo, "Redo");
-  const add = button("", port.append, "Add a point");
+  const randomize = button("r", port.randomize, translated("Randomize"), " ", key("r"));
+  const undo = button("Control+Z", port.undo, translated("Undo"));
+  const redo = button("Control+Y", port.redo, translated("Redo"));
+  const add = button("", port.append, translated("Add a point"));
   const row = element(page, "div", { className: "row" }, randomize, toggle, add, undo, redo);
   const update = (state: State, can: Can) => {
     undo.disabled = !can.undo;
     redo.disabled = !can.redo;
     const max = pointCount(state);
-    label.textContent = state.shown === FEWEST_POINTS ? `Show ${max} points` : `Show ${FEWEST_POINTS} points`;
+    label.textContent = translated("Show {0} points", state.shown === FEWEST_POINTS ? max : FEWEST_POINTS);
     toggle.disabled = max === FEWEST_POINTS;
   };
   return { row, update };
@@ -93,10 +94,10 @@ function jointSwitch(page: Document, port: ControlPort) {
   const labels = JOINT_MODES.map((mode, i) =>
     element(page, "label", { title: JOINT_TITLES[mode] }, radios[i], JOINT_NAMES[mode]),
   );
-  const legend = element(page, "legend", {}, "At P3 hold");
+  const legend = element(page, "legend", {}, translated("At P3 hold"));
   const group = element(page, "fieldset", {}, legend, ...labels);
   const update = (state: State) => {
-    legend.textContent = state.shown > TWO_CUBICS ? "At every joint hold" : "At P3 hold";
+    legend.textContent = state.shown > TWO_CUBICS ? translated("At every joint hold") : translated("At P3 hold");
     for (const radio of radios) radio.checked = radio.value === state.joint;
   };
   return { group, update };
@@ -123,7 +124,7 @@ function layerBoxes(page: Document, port: ControlPort) {
     return box;
   });
   const labels = names.map((name, i) => element(page, "label", {}, boxes[i], LAYER_NAMES[name]));
-  const group = element(page, "fieldset", {}, element(page, "legend", {}, "Show"), ...labels);
+  const group = element(page, "fieldset", {}, element(page, "legend", {}, translated("Show")), ...labels);
   const update = ({ layers }: State) => names.forEach((name, i) => (boxes[i].checked = layers[name]));
   return { group, update };
 }

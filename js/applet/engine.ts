@@ -16,6 +16,7 @@ import { createView } from "./view.js";
 import { followSize } from "../ui/canvas-size.js";
 import { Voice } from "./voice.js";
 import { isOnCurve, place, shownWords } from "./words.js";
+import { translated } from "../editor/translations.js";
 import type { Nature } from "../ui/handles.js";
 import type { State } from "./state.js";
 import type { Box } from "../editor/plane.js";
@@ -205,7 +206,7 @@ export class Engine {
   }
 
   #append(at: Point2) {
-    const added = (state: State) => `Point added. ${shownWords(state)}`;
+    const added = (state: State) => `${translated("Point added")}. ${shownWords(state)}`;
     this.#updateByUser((state) => states.appended(state, at), added);
   }
 
@@ -219,7 +220,7 @@ export class Engine {
     const seed = Math.floor(Math.random() * 2 ** 32);
     this.#updateByUser(
       (state) => states.randomized(state, generator(seed)),
-      () => "Points randomized",
+      () => translated("Points randomized"),
     );
   }
 
@@ -231,7 +232,7 @@ export class Engine {
     const { canUndo, canRedo, isOpen } = this.#editor;
     if (!(name === "undo" ? canUndo || isOpen : canRedo)) return;
     this[name]();
-    this.#voice.say(name === "undo" ? "Undone" : "Redone");
+    this.#voice.say(name === "undo" ? translated("Undone") : translated("Redone"));
     this.#fire("input");
     this.#fire("change");
   }

@@ -2,6 +2,8 @@ import { BezierApp } from "./app.js";
 import { kindOf } from "../editor/check.js";
 import { DEFAULT_BOX } from "../editor/plane.js";
 
+export { setTranslations } from "../editor/translations.js";
+
 /** Where nothing else is given. */
 const DEFAULT_ID = "beziercanvas";
 

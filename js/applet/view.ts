@@ -1,7 +1,7 @@
 // The frame around the canvas: a host element with a shadow root, in which the canvas is slotted.
 import { element } from "../ui/dom.js";
 import { adoptStyle } from "./style.js";
-import { INSTRUCTIONS, TITLE } from "./words.js";
+import { instructions, title } from "./words.js";
 import type { Box } from "../editor/plane.js";
 
 export interface View {
@@ -56,8 +56,8 @@ function createParts(page: Document) {
   const controls = make("div", { className: "controls", part: "controls" });
   const stage = make(
     "div",
-    { className: "stage", part: "stage", role: "figure", "aria-label": TITLE, "aria-describedby": "description" },
-    make("p", { className: "away" }, INSTRUCTIONS),
+    { className: "stage", part: "stage", role: "figure", "aria-label": title(), "aria-describedby": "description" },
+    make("p", { className: "away" }, instructions()),
     description,
     make("slot"),
     overlay,

@@ -2,18 +2,19 @@
 import * as commands from "./commands.js";
 import { roomiestAmong } from "./random.js";
 import { allPointsToggled } from "./state.js";
+import { translated } from "./translations.js";
 import type { Editor } from "./editor.js";
 import type { State } from "./state.js";
 
 export interface Action {
   /** The text of its button */
-  label: string;
+  label: () => string;
   /** The letter that calls it */
   key?: string;
   /** The text in the list of keys, and what it calls the key */
-  help?: readonly [key: string, text: string];
+  help?: () => readonly [key: string, text: string];
   /** What is announced afterwards */
-  done: string | ((state: State) => string);
+  done: (state: State) => string;
   /** Whether there is anything to do; always by default */
   enabled?: (editor: Editor<State>) => boolean;
   run: (editor: Editor<State>) => void;
@@ -25,49 +26,49 @@ const changeBy = (change: (state: State) => State) => (editor: Editor<State>) =>
 
 export const ACTIONS = {
   undo: {
-    label: "Undo",
-    help: ["Ctrl Z", "undo (⌘ Z)"],
-    done: "Undone",
+    label: () => translated("Undo"),
+    help: () => ["Ctrl Z", translated("undo (⌘ Z)")],
+    done: () => translated("Undone"),
     enabled: (editor) => editor.canUndo,
     run: (editor) => editor.undo("user"),
   },
   redo: {
-    label: "Redo",
-    help: ["Ctrl Y", "redo (⌘ Shift Z)"],
-    done: "Done again",
+    label: () => translated("Redo"),
+    help: () => ["Ctrl Y", translated("redo (⌘ Shift Z)")],
+    done: () => translated("Done again"),
     enabled: (editor) => editor.canRedo,
     run: (editor) => editor.redo("user"),
   },
   append: {
-    label: "Add a point",
-    done: "Point added",
+    label: () => translated("Add a point"),
+    done: () => translated("Point added"),
     run: changeBy((state) => commands.appended(state, roomiestAmong(state.box, state.points))),
   },
   insert: {
-    label: "Split at t",
+    label: () => translated("Split at t"),
     key: "i",
-    help: ["i", "cut the segment at t"],
-    done: "Split at t",
+    help: () => ["i", translated("cut the segment at t")],
+    done: () => translated("Split at t"),
     enabled: (editor) => commands.canInsert(editor.state),
     run: changeBy((state) => commands.inserted(state)),
   },
   toggle: {
-    label: "Fewer points",
+    label: () => translated("Fewer points"),
     key: "m",
-    help: ["m", "few points, all points"],
-    done: ({ shown }) => `${shown} points shown`,
+    help: () => ["m", translated("few points, all points")],
+    done: ({ shown }) => translated("{0} points shown", shown),
     run: changeBy(allPointsToggled),
   },
   randomize: {
-    label: "Randomize",
+    label: () => translated("Randomize"),
     key: "r",
-    help: ["r", "randomize"],
-    done: "Points randomized",
+    help: () => ["r", translated("randomize")],
+    done: () => translated("Points randomized"),
     run: changeBy((state) => commands.randomized(state, Math.floor(Math.random() * 2 ** 32))),
   },
   reset: {
-    label: "Reset",
-    done: "As at first",
+    label: () => translated("Reset"),
+    done: () => translated("As at first"),
     run: (editor) => editor.dispatch(() => editor.origin, { origin: "user" }),
   },
 } satisfies Record<string, Action>;

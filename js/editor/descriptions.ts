@@ -3,38 +3,44 @@ import { actionOf } from "./actions.js";
 import { modesOf } from "./commands.js";
 import type { ActionName } from "./actions.js";
 import { BASIS_NAMES } from "./state.js";
+import { translated, translatedTable } from "./translations.js";
 import type { State } from "./state.js";
 import type { Continuity, Figure } from "./figure.js";
 
-export const MODE_NAMES: Record<import("./state.js").JointMode, string> = {
+export const MODE_NAMES: Record<import("./state.js").JointMode, string> = translatedTable({
   free: "free",
   g1: "G1",
   c1: "C1",
   c2: "C2",
   g2: "G2",
   auto: "automatic",
-};
+});
 
-export const INSTRUCTIONS =
-  "Every control point is a pair of sliders, x and y. Tab goes from point to point in the order of the curve. " +
-  "The arrow keys move a point by 1 pixel, with Shift by 10, with Alt by a tenth. A question mark lists all keys.";
+export const instructions = () =>
+  translated(
+    "Every control point is a pair of sliders, x and y. Tab goes from point to point in the order of the curve. " +
+      "The arrow keys move a point by 1 pixel, with Shift by 10, with Alt by a tenth. A question mark lists all keys.",
+  );
 
 const helpOf = (...names: ActionName[]) =>
-  names.flatMap((name) => [actionOf(name).help ?? []].filter((help) => help.length));
+  names.flatMap((name) => {
+    const help = actionOf(name).help?.();
+    return help ? [help] : [];
+  });
 
 /** All keys and what they do. */
-export const KEYS = [
-  ["Tab", "next point"],
-  ["← ↑ → ↓", "move the point by 1, with Shift by 10, with Alt by 0.1"],
-  ["Enter", "at a joint: hold it another way"],
-  ["Delete", "take the point away, the curve heals; with Shift only the point"],
+export const keyList = (): (readonly [string, string])[] => [
+  ["Tab", translated("next point")],
+  ["← ↑ → ↓", translated("move the point by 1, with Shift by 10, with Alt by 0.1")],
+  ["Enter", translated("at a joint: hold it another way")],
+  ["Delete", translated("take the point away, the curve heals; with Shift only the point")],
   ...helpOf("insert", "undo", "redo", "randomize", "toggle"),
-  ["Esc", "take the drag back"],
-  ["?", "this list"],
-  ["Shift while dragging", "steps of 15°"],
-  ["Alt while dragging", "break the joint"],
-  ["Ctrl while dragging", "no snapping; Ctrl and the wheel zoom"],
-] as (readonly [string, string])[];
+  ["Esc", translated("take the drag back")],
+  ["?", translated("this list")],
+  [translated("Shift while dragging"), translated("steps of 15°")],
+  [translated("Alt while dragging"), translated("break the joint")],
+  [translated("Ctrl while dragging"), translated("no snapping; Ctrl and the wheel zoom")],
+];
 
 const RADIAN_IN_DEGREES = 180 / Math.PI;
 
@@ -61,7 +67,7 @@ export function jointFacts({ pieces, names }: Figure, joint: number, continuity:
     verdict: verdictOf(continuity),
     angle: continuity.g1 ? "0°" : degrees(continuity.angle), // rounding is no turn
     ratio: ratioOf(leg(pieces[joint - 1].curve, false), leg(pieces[joint].curve, true)),
-    at: isPoint ? names[shared] : `joint ${joint}`,
+    at: isPoint ? names[shared] : translated("joint {0}", joint),
   };
 }
 
@@ -78,18 +84,20 @@ function leg(curve: import("../index.js").Curve, start: boolean) {
 }
 
 function ratioOf(before: number, after: number) {
-  return before > 0 && after > 0 ? `1 : ${Number((after / before).toPrecision(3))}` : "no length on one side";
+  return before > 0 && after > 0
+    ? `1 : ${Number((after / before).toPrecision(3))}`
+    : translated("no length on one side");
 }
 
 /** Two digits at least, so that a small angle does not read as none. */
 function degrees(radians: number) {
-  if (!Number.isFinite(radians)) return "no tangent";
+  if (!Number.isFinite(radians)) return translated("no tangent");
   const value = Math.abs(radians) * RADIAN_IN_DEGREES;
   return `${value >= 10 ? Math.round(value) : Number(value.toPrecision(2))}°`;
 }
 
 export function jointWords({ angle, ratio }: JointFacts) {
-  return `turns by ${angle}, tangents ${ratio}`;
+  return translated("turns by {0}, tangents {1}", angle, ratio);
 }
 
 export const placeWords = ([x, y]: readonly number[]): string => `${rounded(x)}, ${rounded(y)}`;
@@ -108,20 +116,29 @@ export function description(state: State, figure: Figure, joints: readonly Joint
   const { pieces, points, names, kinds, degree } = figure;
   const kind =
     state.basis === "bezier"
-      ? `Bézier ${pieces.length === 1 ? "curve" : "curves"} of degree ${degree}`
-      : BASIS_NAMES[state.basis];
-  const places = points
-    .slice(0, MAX_NAMED)
-    .map((point, i) => `${names[i]} at ${placeWords(point)}${kinds[i] === "off" ? ", off the curve" : ""}`);
+      ? pieces.length === 1
+        ? translated("1 Bézier curve of degree {0}", degree)
+        : translated("{0} Bézier curves of degree {1}", pieces.length, degree)
+      : `${pieces.length} ${BASIS_NAMES[state.basis]}`;
+  const places = points.slice(0, MAX_NAMED).map((point, i) => {
+    const at = placeWords(point);
+    return kinds[i] === "off"
+      ? translated("{0} at {1}, off the curve", names[i], at)
+      : translated("{0} at {1}", names[i], at);
+  });
+  const more = points.length - MAX_NAMED;
   const modes = modesOf(state);
   return [
-    pieces.length ? `${pieces.length} ${kind}` : "Too few points for a curve",
-    `${places.join("; ")}${points.length > MAX_NAMED ? `; and ${points.length - MAX_NAMED} more` : ""}`,
-    ...joints.map(
-      (facts, k) =>
-        `At ${facts.at}: ${facts.verdict}, ${jointWords(facts)}${modes[k] && modes[k] !== "free" ? `, held ${MODE_NAMES[modes[k]]}` : ""}`,
-    ),
-    `t is ${state.t.toFixed(2)}`,
+    pieces.length ? kind : translated("Too few points for a curve"),
+    [...places, ...(more > 0 ? [translated("and {0} more", more)] : [])].join("; "),
+    ...joints.map((facts, k) => {
+      const { at, verdict } = facts;
+      const held = modes[k] && modes[k] !== "free" && MODE_NAMES[modes[k]];
+      return held
+        ? translated("At {0}: {1}, {2}, held {3}", at, verdict, jointWords(facts), held)
+        : translated("At {0}: {1}, {2}", at, verdict, jointWords(facts));
+    }),
+    translated("t is {0}", state.t.toFixed(2)),
     ...messages,
   ].join(". ");
 }

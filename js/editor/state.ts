@@ -2,6 +2,7 @@
 // commands.ts and returns a new state; what is refused changes nothing.
 import { finiteNumber, kindOf, pointPair } from "./check.js";
 import { DEFAULT_BOX, firstPoints } from "./plane.js";
+import { translatedTable } from "./translations.js";
 
 export type JointMode = "free" | "g1" | "c1" | "c2" | "g2" | "auto";
 export type Basis = (typeof BASES)[number];
@@ -47,7 +48,7 @@ export interface State {
 }
 
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"] as const;
-export const BASIS_NAMES: Record<Basis, string> = {
+export const BASIS_NAMES: Record<Basis, string> = translatedTable({
   bezier: "Bézier",
   hermite: "Hermite",
   "b-spline": "B-spline",
@@ -55,7 +56,7 @@ export const BASIS_NAMES: Record<Basis, string> = {
   natural: "natural spline",
   centripetal: "centripetal",
   matrix: "own matrix",
-};
+});
 export const MODES = ["free", "g1", "c1", "c2", "g2", "auto"] as readonly JointMode[];
 export const LABELS = ["P0", "P1", "b0", "p0", "none"] as const;
 export const LAYER_NAMES = [

@@ -37,9 +37,24 @@ export const CONTROLS = {
   reflect: true,
 };
 
-/** The groups of controls that a value of `controls` names; none means all. */
-export function controlGroups(controls: string | boolean | null): string[] {
-  return typeof controls === "string" ? controls.split(/\s+/).filter(Boolean) : [];
+/** Groups of controls by their names, each with its parts; none means all. */
+export type ControlGroups = Map<string, string[]>;
+
+/** The groups that a value of `controls` names: "t show:polygon,hull" is the group t and two parts of the group show. */
+export function controlGroups(controls: string | boolean | null): ControlGroups {
+  const words = typeof controls === "string" ? controls.split(/\s+/).filter(Boolean) : [];
+  return new Map(
+    words.map((word) => {
+      const [name, parts = ""] = word.split(":");
+      return [name, parts.split(",").filter(Boolean)];
+    }),
+  );
+}
+
+/** Whether a group that is shown has a part. */
+export function hasPart(groups: ControlGroups, group: string, part: string): boolean {
+  const parts = groups.get(group) ?? [];
+  return !parts.length || parts.includes(part);
 }
 
 /**

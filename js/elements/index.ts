@@ -7,6 +7,7 @@ export { BezierEasing } from "./define/easing.js";
 export { BezierEquation } from "./define/equation.js";
 export { BezierSurface } from "./define/surface.js";
 
+export { setTranslations } from "../editor/translations.js";
 export type { BezierElementTagNameMap } from "./tag-names.js";
 export type { BezierAppletElement, BezierSurfaceElement, AppletFigure, SurfaceFigure, SurfaceView } from "./types.js";
 export type {

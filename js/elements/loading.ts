@@ -1,8 +1,9 @@
 // What draws is a file of its own for each kind of element: pages with none of a kind in sight never fetch it.
+import { translated } from "../editor/translations.js";
 
 /** What is said where it could not be fetched. */
-export const MISSING =
-  "The part that draws could not be loaded. It is asked for again when the picture comes back into view.";
+export const missing = () =>
+  translated("The part that draws could not be loaded. It is asked for again when the picture comes back into view.");
 
 /**
  * Fetches a module once for all elements of the page. Where that failed, the next call tries again.

@@ -111,7 +111,10 @@ export interface SurfaceProperties {
   probe: string | null;
   /** The patch whose control points can be dragged; null for none */
   patch: number | null;
-  /** Whether the control panel is shown; some of the words "shape shading place model mesh show edit files" show only these groups */
+  /**
+   * Whether the control panel is shown; some of the words "shape shading place model mesh show probe edit files" show only
+   * these groups, "place:u show:surface,net" only these parts of them
+   */
   controls: string | boolean | null;
   /** Whether the surface rotates; it does not start by itself for users who prefer reduced motion */
   turn: boolean;
@@ -207,7 +210,7 @@ export interface AppletProperties {
   view: { x: number; y: number; width: number; height: number };
   /**
    * Whether the control panel is shown; some of the words "joints t points curve show save coordinates zoom" show only
-   * these groups
+   * these groups, "show:polygon,hull" only these parts of one
    */
   controls: string | boolean | null;
   /** Whether the points cannot be moved */

@@ -3,13 +3,14 @@ import * as pen from "../ui/pen.js";
 import { Curve } from "../paths.js";
 import { along, faint, hollows, through } from "./draw-context.js";
 import { hue } from "./theme.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
 
 export const polygon = {
   name: "polygon",
-  title: "Control polygon",
+  title: () => translated("Control polygon"),
 
   derive({ points, kinds }: Figure) {
     const waits = kinds.indexOf("wait");
@@ -25,7 +26,7 @@ export const polygon = {
 /** Of the points that hold the curve in: a B-spline's own, else those of the Bézier form. */
 export const hull = {
   name: "hull",
-  title: "Convex hull",
+  title: () => translated("Convex hull"),
   costly: true as const,
 
   derive({ pieces, points }: Figure, { basis }: State) {
@@ -47,7 +48,7 @@ const MAX_HOLLOWS_DEGREE = 12;
 /** Every level between the control points and the point at t, each with its hue. */
 export const construction = {
   name: "construction",
-  title: "De Casteljau at t",
+  title: () => translated("De Casteljau at t"),
   costly: true as const,
 
   derive: ({ pieces }: Figure, { t }: State) => pieces.map(({ curve }) => curve.deCasteljau(t)),
@@ -74,7 +75,7 @@ function drawOwnPolygon(context: DrawContext, flat: Float64Array, colour: string
 
 export const halves = {
   name: "halves",
-  title: "Halves at t",
+  title: () => translated("Halves at t"),
 
   derive: ({ pieces }: Figure, { t }: State) => pieces.map(({ curve }) => curve.split(t)),
 

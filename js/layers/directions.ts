@@ -2,6 +2,7 @@
 import { stroke, TANGENT_WIDTH } from "../ui/pen.js";
 import { arrowheads } from "./base.js";
 import { addThrough, faint, isSeen, lines, through } from "./draw-context.js";
+import { translated } from "../editor/translations.js";
 import type { Curve } from "../index.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
@@ -15,13 +16,23 @@ const STEPS = 8;
 /** No more arrows than these on all pieces together. */
 const MAX_ARROWS = 400;
 
-export const tangents = arrows("tangents", "Tangents", "handle", (tx, ty) => [tx, ty]);
-export const normals = arrows("normals", "Normals", "level1", (tx, ty) => [-ty, tx]);
+export const tangents = arrows(
+  "tangents",
+  () => translated("Tangents"),
+  "handle",
+  (tx, ty) => [tx, ty],
+);
+export const normals = arrows(
+  "normals",
+  () => translated("Normals"),
+  "level1",
+  (tx, ty) => [-ty, tx],
+);
 
 /** A layer of arrows: short ones at even steps of t, a long one at t. */
 function arrows(
   name: string,
-  title: string,
+  title: () => string,
   role: "handle" | "level1",
   turned: (tx: number, ty: number) => [number, number],
 ) {
@@ -107,7 +118,7 @@ const TOOTH_OPACITY = 0.55;
 /** On the outer side of the bend; where two pieces meet the teeth tell how the curvature jumps. */
 export const comb = {
   name: "comb",
-  title: "Curvature comb",
+  title: () => translated("Curvature comb"),
   costly: true as const,
 
   derive({ pieces, degree }: Figure, { box }: State) {
@@ -135,7 +146,9 @@ export const comb = {
   },
 
   describe: ({ sharpest }: ReturnType<typeof combOf>) =>
-    sharpest > 0 ? `Sharpest bend: radius ${Number((1 / sharpest).toPrecision(3))} px` : "No bend",
+    sharpest > 0
+      ? translated("Sharpest bend: radius {0} px", Number((1 / sharpest).toPrecision(3)))
+      : translated("No bend"),
 };
 
 /**

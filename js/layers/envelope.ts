@@ -3,6 +3,7 @@ import { CURVE_WIDTH, stroke } from "../ui/pen.js";
 import { Curve } from "../paths.js";
 import { BEYOND } from "../editor/state.js";
 import { along, dashed, faint, lines } from "./draw-context.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 
@@ -14,7 +15,7 @@ const STRING_OPACITY = 0.7;
 /** The last line of the construction, at many t: the curve is what all of them touch. */
 export const envelope = {
   name: "envelope",
-  title: "String art",
+  title: () => translated("String art"),
   costly: true as const,
 
   derive({ pieces }: Figure) {
@@ -47,7 +48,7 @@ export function envelopeLines(curve: Curve, count: number): Float64Array {
 
 export const extrapolation = {
   name: "extrapolation",
-  title: "Beyond 0 and 1",
+  title: () => translated("Beyond 0 and 1"),
   costly: true as const,
 
   derive: ({ pieces }: Figure) =>

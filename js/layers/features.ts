@@ -3,6 +3,7 @@ import { POLYGON_WIDTH, stroke, TANGENT_WIDTH } from "../ui/pen.js";
 import { strokesAcross } from "./base.js";
 import { dashed, hollows } from "./draw-context.js";
 import { pointsAndDirections } from "./directions.js";
+import { translated } from "../editor/translations.js";
 import type { Curve } from "../index.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
@@ -12,7 +13,7 @@ const INFLECTION_HALF = 10;
 
 export const bounds = {
   name: "bounds",
-  title: "Exact boxes",
+  title: () => translated("Exact boxes"),
   costly: true as const,
 
   derive: ({ pieces }: Figure) => ({
@@ -37,9 +38,13 @@ export const bounds = {
   },
 
   describe({ boxes }: { boxes: ReturnType<Curve["bounds"]>[] }) {
-    const range = (axis: "x" | "y") =>
-      `${axis} from ${short(Math.min(...boxes.map(({ min }) => min[axis])))} to ${short(Math.max(...boxes.map(({ max }) => max[axis])))}`;
-    return boxes.length ? `Exact box: ${range("x")}, ${range("y")}` : "";
+    const range = (axis: "x" | "y") => [
+      short(Math.min(...boxes.map(({ min }) => min[axis]))),
+      short(Math.max(...boxes.map(({ max }) => max[axis]))),
+    ];
+    return boxes.length
+      ? translated("Exact box: x from {0} to {1}, y from {2} to {3}", ...range("x"), ...range("y"))
+      : "";
   },
 };
 
@@ -54,7 +59,7 @@ function boxOf(points: Float64Array): Box {
 
 export const extrema = {
   name: "extrema",
-  title: "Extrema",
+  title: () => translated("Extrema"),
   costly: true as const,
 
   derive({ pieces }: Figure) {
@@ -72,7 +77,10 @@ export const extrema = {
     hollows(context, points, context.theme.level1);
   },
 
-  describe: ({ ts }: { ts: number[][] }) => list("Extrema", ts),
+  describe({ ts }: { ts: number[][] }) {
+    const all = listed(ts);
+    return all ? translated("Extrema at t = {0}", all) : translated("Extrema: none inside");
+  },
 };
 
 /**
@@ -90,7 +98,7 @@ export function extremaOf(curve: Curve): { ts: number[]; points: number[]; strok
 
 export const inflections = {
   name: "inflections",
-  title: "Inflections",
+  title: () => translated("Inflections"),
   costly: true as const,
 
   derive({ pieces }: Figure) {
@@ -111,8 +119,12 @@ export const inflections = {
     );
   },
 
-  describe: ({ ts, kinds }: { ts: number[][]; kinds: string[] }) =>
-    kinds.length ? `${list("Inflections", ts)} (${few(kinds).join(", ")})` : "",
+  describe({ ts, kinds }: { ts: number[][]; kinds: string[] }) {
+    if (!kinds.length) return "";
+    const all = listed(ts);
+    const found = all ? translated("Inflections at t = {0}", all) : translated("Inflections: none inside");
+    return `${found} (${few(kinds).join(", ")})`;
+  },
 };
 
 /** More than these are not listed. */
@@ -121,11 +133,11 @@ const MAX_LISTED = 6;
 /**
  * @param ts of each piece
  */
-function list(what: string, ts: number[][]) {
+function listed(ts: number[][]) {
   const all = ts.flatMap((each, k) =>
-    each.map((t) => (ts.length > 1 ? `${t.toFixed(3)} on piece ${k + 1}` : t.toFixed(3))),
+    each.map((t) => (ts.length > 1 ? translated("{0} on piece {1}", t.toFixed(3), k + 1) : t.toFixed(3))),
   );
-  return all.length ? `${what} at t = ${few(all).join(", ")}` : `${what}: none inside`;
+  return few(all).join(", ");
 }
 
 function few(all: string[]) {

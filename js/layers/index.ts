@@ -12,6 +12,7 @@ import { continuityLabels } from "./continuity.js";
 import * as ways from "./directions.js";
 import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Role } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
@@ -24,7 +25,7 @@ export interface Layer {
   /** By which it is switched; else it is always there */
   name?: string;
   /** What a switch says */
-  title?: string;
+  title?: () => string;
   /** What is drawn, asked of the core, in the plane's numbers */
   derive: (figure: Figure, state: State) => any;
   draw: (context: DrawContext, data: any, figure: Figure, state: State) => void;
@@ -68,7 +69,7 @@ const ALL: readonly Layer[] = [
 ];
 
 /** The layers that can be switched, from the back to the front. */
-export const LAYERS = ALL.filter(({ name }) => name) as readonly (Layer & { name: LayerName; title: string })[];
+export const LAYERS = ALL.filter(({ name }) => name) as readonly (Layer & { name: LayerName; title: () => string })[];
 
 /**
  * Draws everything on a cleared canvas.
@@ -89,7 +90,7 @@ export function drawFigure(paper: import("../ui/pen.js").Paper<Role>, state: Sta
   if (part !== figure)
     messages.push({
       name: "",
-      words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces`,
+      words: translated("Layers are drawn on the first {0} of {1} pieces", part.pieces.length, figure.pieces.length),
     });
   return messages;
 }
@@ -108,6 +109,8 @@ function drawLayer(
     return words ? [{ name, words }] : [];
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
-    return [{ name, words: `${title ?? "The curve"} cannot be drawn here: ${error.message}` }];
+    return [
+      { name, words: translated("{0} cannot be drawn here: {1}", title?.() ?? translated("The curve"), error.message) },
+    ];
   }
 }

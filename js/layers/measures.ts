@@ -4,6 +4,7 @@ import { strokesAcross } from "./base.js";
 import { short } from "./features.js";
 import { along, dashed, hollows, lines } from "./draw-context.js";
 import { pointsAndDirections } from "./directions.js";
+import { translated } from "../editor/translations.js";
 import type { Curve } from "../index.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
@@ -13,7 +14,7 @@ export type Found = { t: number; point: { x: number; y: number }; distance: numb
 
 export const nearest = {
   name: "nearest",
-  title: "Nearest to the pointer",
+  title: () => translated("Nearest to the pointer"),
 
   derive(
     { pieces, spline }: Figure,
@@ -34,11 +35,11 @@ export const nearest = {
   },
 
   describe(data: { found: Found; pieces: number } | null) {
-    if (!data) return "Nearest point: point at a place of the picture";
+    if (!data) return translated("Nearest point: point at a place of the picture");
     const { t, distance } = data.found;
     const k = Math.min(Math.floor(t), data.pieces - 1);
-    const where = data.pieces > 1 ? `${(t - k).toFixed(3)} on piece ${k + 1}` : t.toFixed(3);
-    return `Nearest point: t = ${where}, ${short(distance)} px away`;
+    const where = data.pieces > 1 ? translated("{0} on piece {1}", (t - k).toFixed(3), k + 1) : t.toFixed(3);
+    return translated("Nearest point: t = {0}, {1} px away", where, short(distance));
   },
 };
 
@@ -55,7 +56,7 @@ const FINEST_OFFSET = 1e-6;
 
 export const offset = {
   name: "offset",
-  title: "Offset curve",
+  title: () => translated("Offset curve"),
   costly: true as const,
 
   derive({ pieces, spline }: Figure, { offset, view, box }: State) {
@@ -72,14 +73,16 @@ export const offset = {
   },
 
   describe: ({ curves, distance }: { curves: Curve[]; distance: number }) =>
-    `Offset curve at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
+    curves.length === 1
+      ? translated("Offset curve at {0} px: one piece", short(distance))
+      : translated("Offset curve at {0} px: {1} pieces", short(distance), curves.length),
 };
 
 const TICK_HALF = 7;
 
 export const ticks = {
   name: "ticks",
-  title: "Equal lengths",
+  title: () => translated("Equal lengths"),
   costly: true as const,
 
   derive({ pieces, spline }: Figure, { ticks }: State) {
@@ -108,5 +111,5 @@ export const ticks = {
   },
 
   describe: ({ length, ticks }: { length: number | null; ticks: number }) =>
-    length === null ? "" : `Length ${short(length)} px, a tick every ${short(length / ticks)} px`,
+    length === null ? "" : translated("Length {0} px, a tick every {1} px", short(length), short(length / ticks)),
 };

@@ -2,6 +2,7 @@
 import * as pen from "../ui/pen.js";
 import { isSeen } from "./draw-context.js";
 import { selected } from "./weights.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
@@ -15,7 +16,7 @@ const MAX_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
 
 export const names = {
   name: "names",
-  title: "Names in the construction",
+  title: () => translated("Names in the construction"),
 
   derive: (figure: Figure, state: State) => namesOf(figure, state),
 

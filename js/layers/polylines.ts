@@ -5,6 +5,7 @@ import { deviation, treeOf } from "./halving.js";
 import { addThrough, hollows, through } from "./draw-context.js";
 import { hue } from "./theme.js";
 import { drawDiagram } from "./tree.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
@@ -15,7 +16,7 @@ const MAX_MARKS = 300;
 
 export const tree = {
   name: "tree",
-  title: "Recursive halving",
+  title: () => translated("Recursive halving"),
   costly: true as const,
 
   derive: (figure: Figure, state: State) => treeOf(figure, state),
@@ -33,12 +34,17 @@ export const tree = {
   },
 
   describe: ({ segments, error, tolerance }: ReturnType<typeof treeOf>) =>
-    `Halved until D1 − D2 < ${Number(tolerance.toPrecision(3))}: ${count(segments)}, greatest error ${small(error)} px`,
+    translated(
+      "Halved until D1 − D2 < {0}: {1}, greatest error {2} px",
+      Number(tolerance.toPrecision(3)),
+      count(segments),
+      small(error),
+    ),
 };
 
 export const segments = {
   name: "segments",
-  title: "Polyline of even steps",
+  title: () => translated("Polyline of even steps"),
   costly: true as const,
 
   derive({ pieces }: Figure, { segments }: State) {
@@ -56,11 +62,11 @@ export const segments = {
   },
 
   describe: ({ segments, error }: { segments: number; error: number }) =>
-    `Even steps of t: ${count(segments)}, greatest error ${small(error)} px`,
+    translated("Even steps of t: {0}, greatest error {1} px", count(segments), small(error)),
 };
 
 function count(segments: number) {
-  return segments === 1 ? "1 segment" : `${segments} segments`;
+  return segments === 1 ? translated("1 segment") : translated("{0} segments", segments);
 }
 
 function small(error: number) {

@@ -2,6 +2,7 @@
 import { RIM_WIDTH, stroke } from "../ui/pen.js";
 import { Curve } from "../paths.js";
 import { isSeen } from "./draw-context.js";
+import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { Piece } from "../editor/figure.js";
@@ -15,7 +16,7 @@ const MIN_READ = 0.005;
 
 export const weights = {
   name: "weights",
-  title: "Weights at t",
+  title: () => translated("Weights at t"),
 
   derive: (figure: Figure, state: State) => weightsAt(figure, state),
 
@@ -24,7 +25,7 @@ export const weights = {
   },
 
   describe: ({ values }: ReturnType<typeof weightsAt>) =>
-    values.length ? `Weights at t: ${[...values].map(read).join(", ")}` : "",
+    values.length ? translated("Weights at t: {0}", [...values].map(read).join(", ")) : "",
 };
 
 /** The points of the selected piece and their weights, which sum to the point at t. */

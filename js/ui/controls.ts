@@ -25,10 +25,11 @@ export function slider(
   { min, max, step }: { min: number; max: number; step: number },
   act: (value: number, done: boolean) => void,
 ) {
+  const shown = step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : String(Number(value.toFixed(1)));
   const to = (done: boolean) => (event: Event) => act(Number((event.target as HTMLInputElement).value), done);
   return html`<label class="line"><span>${label}</span>
     <input type="range" name=${name} min=${Math.min(min, value)} max=${Math.max(max, value)} step=${step} .value=${String(value)} @input=${to(false)} @change=${to(true)}>
-    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : Number(value.toFixed(1))}</span></label>`;
+    <span class="value" aria-hidden="true">${shown.replace("-", "−")}</span></label>`;
 }
 
 export function box(label: string, checked: boolean, act: (on: boolean) => void) {

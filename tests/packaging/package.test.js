@@ -21,7 +21,7 @@ test("the tarball holds dist and the texts, nothing else", async () => {
     /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface|applet|bernstein|coordinates|easing|equation))?\.js(\.map)?$/,
     /^dist\/elements\/(applet|bernstein|coordinates|easing|equation|surface)\.js(\.map)?$/,
     /^dist\/node\/(index|paths|shared-[a-z-]+)\.js$/,
-    /^dist\/(casteljau\.wasm|custom-elements\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,
+    /^dist\/(casteljau\.wasm|custom-elements\.json|texts\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,
     /^(package\.json|README\.md|docs\/(applet\.png|migration\.md)|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/,
   ];
   assert.deepEqual(

@@ -51,11 +51,8 @@ test("two copies of the bundle on one page: the first defines, both work", async
   assert.equal(new Set(names).size, names.length, `${names}`);
   const made = await page.evaluate(async () => {
     const [first, second] = await Promise.all([import("/dist/elements.js"), import("/copy/elements.js")]);
-    return Object.entries(second).map(([name, type]) => [
-      name,
-      type === first[name],
-      new type() instanceof HTMLElement,
-    ]);
+    const classes = Object.entries(second).filter(([name]) => name.startsWith("Bezier"));
+    return classes.map(([name, type]) => [name, type === first[name], new type() instanceof HTMLElement]);
   });
   assert.ok(made.length > 0);
   for (const [name, same, element] of made) assert.ok(same && element, String(name));

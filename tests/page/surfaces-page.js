@@ -14,7 +14,7 @@ export async function open(t, options = {}) {
     () =>
       customElements.get("bezier-surface") &&
       customElements.get("lesson-task") &&
-      customElements.get("surface-controls"),
+      customElements.get("surface-reading"),
   );
   return page;
 }
@@ -30,5 +30,6 @@ export async function near(page, id) {
   return element;
 }
 
-/** The controls of a figure. */
-export const controls = (page, id) => page.locator(`surface-controls[for="${id}"]`);
+/** The controls of a figure, and the line that says what it shows. */
+export const controls = (page, id) => page.locator(`#${id}`);
+export const reading = (page, id) => page.locator(`surface-reading[for="${id}"]`);

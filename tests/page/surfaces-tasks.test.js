@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { done, task } from "./chapter-page.js";
-import { controls, near, open } from "./surfaces-page.js";
+import { controls, near, open, reading } from "./surfaces-page.js";
 import { boxOf, frames } from "./browser.js";
 import { dragFrom } from "./gestures.js";
 
@@ -49,7 +49,7 @@ test("a patch is split elsewhere, and an edge between two patches made smooth", 
   }, before);
   const joint = await near(page, "joint-surface");
   await task(page, "smooth-joint");
-  await controls(page, "joint-surface")
+  await reading(page, "joint-surface")
     .getByText(/is 3\d\.\d°\./)
     .waitFor();
   const handle = joint.locator('.handle[data-index="4"]');
@@ -64,7 +64,7 @@ test("steps, and the surface that grows", async (t) => {
   const page = await open(t);
   await near(page, "evaluation-surface");
   const steps = controls(page, "evaluation-surface");
-  for (const words of [/2 of 4: evaluate the curves of the other rows/, /3 of 4/, /4 of 4/]) {
+  for (const words of [/2\/4: The curves of the other rows/, /3\/4/, /4\/4/]) {
     await steps.getByRole("button", { name: "Next step" }).click();
     await steps.getByText(words).waitFor();
   }
@@ -85,7 +85,7 @@ test("by tolerance the disc gets more than two triangles, and the crack closes",
   await near(page, "disc-surface");
   const triangles = () => page.evaluate(() => document.querySelector("#disc-surface").figure.mesh.triangles);
   assert.equal(await triangles(), 2, "flat, so the recursion stops at once");
-  await controls(page, "disc-surface").getByRole("button", { name: "by tolerance" }).click();
+  await controls(page, "disc-surface").getByRole("combobox", { name: "Fineness" }).selectOption("tolerance");
   await page.waitForFunction(() => document.querySelector("#disc-surface").figure.mesh.triangles > 20);
   await page.locator("crack-strip").scrollIntoViewIfNeeded();
   await page.locator("crack-strip").getByRole("slider", { name: "Right patch" }).press("ArrowRight");
@@ -114,7 +114,7 @@ test("the spout is clicked, a patch with a collapsed side chosen in the table", 
     return [left + 0.785 * width, top + 0.5 * height];
   });
   await page.mouse.click(x, y);
-  await controls(page, "ray-surface")
+  await reading(page, "ray-surface")
     .getByText(/^Patch 1[67] \(spout\), u = 0\.\d\d/)
     .waitFor();
   await page.evaluate(() => (document.querySelector("#ray-surface").patch = 19));
@@ -157,12 +157,12 @@ test("a patch file is written and shown; what is none is refused in words", asyn
 test("a point is moved, and the nearest place of the pot follows", async (t) => {
   const page = await open(t);
   await near(page, "nearest-surface");
-  const words = () => controls(page, "nearest-surface").locator(".note").innerText();
+  const words = () => reading(page, "nearest-surface").locator(".note").innerText();
   const before = await words();
   assert.match(before, /on patch \d+, at u = 0\.\d\d, v = [01]\.\d\d/);
   await controls(page, "nearest-surface").getByRole("slider", { name: "z" }).fill("4");
   await page.waitForFunction(
-    (before) => document.querySelector('surface-controls[for="nearest-surface"] .note').textContent !== before,
+    (before) => document.querySelector('surface-reading[for="nearest-surface"] .note').textContent !== before,
     before,
   );
   const { distance, expected } = await page.evaluate(() => {

@@ -88,6 +88,7 @@ fn bundles() -> Result<()> {
             "xtask/no-dom.js",
             "xtask/notices.js",
             "xtask/source-map.js",
+            "xtask/texts.js",
             "package.json",
             "package-lock.json",
             "Cargo.lock",
@@ -100,6 +101,7 @@ fn bundles() -> Result<()> {
         "slim.js",
         "casteljau.wasm",
         "custom-elements.json",
+        "texts.json",
         "easing.js",
         "casteljau.global.js",
         "THIRD-PARTY-NOTICES.txt",
@@ -120,6 +122,7 @@ fn bundles() -> Result<()> {
             fs::create_dir_all(root.join("dist"))?;
             shell::run(&mut shell::node(&["xtask/bundle.js"]))?;
             shell::run(&mut shell::node(&["xtask/manifest.js"]))?;
+            shell::run(&mut shell::node(&["xtask/texts.js"]))?;
             fs::copy(
                 glue::folder().join("casteljau.wasm"),
                 root.join("dist/casteljau.wasm"),

@@ -12,6 +12,7 @@ import { Player } from "../../ui/playback.js";
 import { jointsOf } from "../../editor/joints.js";
 import * as states from "../../editor/state.js";
 import { MODE_NAMES, placeWords } from "../../editor/descriptions.js";
+import { translated } from "../../editor/translations.js";
 import type { ActionName } from "../../editor/actions.js";
 import type { State } from "../../editor/state.js";
 import type { Point2 } from "../../editor/state.js";
@@ -118,16 +119,15 @@ export class AppletActions {
     const { editor } = this.host;
     const before = editor.state;
     if (name === "undo" || name === "redo") this.stage?.cancel();
-    const words = () => (typeof done === "string" ? done : done(editor.state));
     this.do(
       () => run(editor),
-      () => (editor.state === before ? "" : words()),
+      () => (editor.state === before ? "" : done(editor.state)),
     );
     if (name === "append" && editor.state !== before) this.focusPoint(editor.state.shown - 1);
   }
 
   appendAt(at: Point2) {
-    if (this.change((state) => commands.appended(state, at), "Point added"))
+    if (this.change((state) => commands.appended(state, at), translated("Point added")))
       this.focusPoint(this.host.editor.state.shown - 1);
   }
 
@@ -136,7 +136,7 @@ export class AppletActions {
    */
   removeAt(index: number, bare = false) {
     const name = this.host.currentFigure().names[index];
-    return this.change((state) => commands.removed(state, index, bare), `${name} removed`);
+    return this.change((state) => commands.removed(state, index, bare), translated("{0} removed", name));
   }
 
   /** The keyboard goes to a point, also to one that has just come. */
@@ -149,7 +149,7 @@ export class AppletActions {
     const { names, degree } = this.host.currentFigure();
     this.change(
       (state) => commands.withJoint(state, joint, mode),
-      `${names[joint * degree]} held: ${MODE_NAMES[mode as states.JointMode]}`,
+      translated("{0} held: {1}", names[joint * degree], MODE_NAMES[mode as states.JointMode]),
     );
   }
 
@@ -168,14 +168,14 @@ export class AppletActions {
 
   /** What came by drop or paste. */
   take(text: string) {
-    if (!this.host.readonly) this.change((state) => withText(state, text), "Opened");
+    if (!this.host.readonly) this.change((state) => withText(state, text), translated("Opened"));
   }
 
   /** The words for some points and where they are. */
   places(indices: number[]) {
     const { names, points } = this.host.currentFigure();
     const there = indices.filter((index) => index < points.length); // the page may have taken some away meanwhile
-    return there.map((index) => `${names[index]} at ${placeWords(points[index])}`).join(". ");
+    return there.map((index) => translated("{0} at {1}", names[index], placeWords(points[index]))).join(". ");
   }
 
   zoom(factor: number) {
@@ -195,7 +195,7 @@ export class AppletActions {
       removeSelected: () => void this.removeAt(this.selected),
       tapping: () => {
         this.tapping = !this.tapping;
-        this.host.say(this.tapping ? "Tap a point, then the place where it shall be." : "", true);
+        this.host.say(this.tapping ? translated("Tap a point, then the place where it shall be.") : "", true);
         this.host.requestUpdate();
       },
       help: () => this.host.renderRoot.querySelector("dialog")?.showModal(),
@@ -227,8 +227,9 @@ export class AppletActions {
       joints: jointsOf(figure),
       modes: this.host.joints,
       messages: this.messages,
-      shows: (group) => !wanted.length || wanted.includes(group),
-      isComplete: !wanted.length,
+      groups: wanted,
+      shows: (group) => !wanted.size || wanted.has(group),
+      isComplete: !wanted.size,
       readonly: this.host.readonly,
       playing: this.player.playing,
       tapping: this.tapping,
@@ -270,9 +271,9 @@ export class AppletActions {
   async #copy() {
     try {
       await navigator.clipboard.writeText(codeOf(this.host.editor.state, this.host.currentFigure(), this.#language));
-      this.host.say("Copied.", true);
+      this.host.say(translated("Copied."), true);
     } catch {
-      this.host.say("The page may not write to the clipboard: mark the code and copy it.");
+      this.host.say(translated("The page may not write to the clipboard: mark the code and copy it."));
     }
     this.speaker?.say("");
   }

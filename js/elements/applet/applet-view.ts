@@ -1,5 +1,6 @@
 // The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
 import { isForText } from "../../ui/keys.js";
+import { translated } from "../../editor/translations.js";
 import { Speaker, setText } from "../../ui/announcer.js";
 import { AppletActions } from "./actions.js";
 import * as commands from "../../editor/commands.js";
@@ -68,7 +69,7 @@ export class AppletView extends AppletActions {
       this.messages.map((messages) => messages.words),
     );
     setText(this.host.renderRoot.querySelector("#description") as HTMLElement, words);
-    const truths = joints.map(({ at, verdict }) => `At ${at}: ${verdict}`);
+    const truths = joints.map(({ at, verdict }) => translated("At {0}: {1}", at, verdict));
     const news = [this.message, ...truths].filter((each) => each && !this.announced.includes(each));
     this.announced = [this.message, ...truths];
     return news.join(". ");

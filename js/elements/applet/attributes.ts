@@ -1,4 +1,5 @@
 // The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
+import { followTranslations } from "../follow-translations.js";
 import { LitElement } from "lit";
 import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
 import { withJoints } from "../../editor/commands.js";
@@ -54,6 +55,8 @@ export class AppletAttributes extends LitElement {
 
   constructor() {
     super();
+    // The layers and joints are described anew for a new state.
+    followTranslations(this, () => this.editor.show({ ...this.editor.state }));
     this.controls = null;
     this.readonly = false;
     this.hotkeys = "on";

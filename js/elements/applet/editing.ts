@@ -5,6 +5,7 @@ import * as commands from "../../editor/commands.js";
 import { FIELDS, jsonOf, stateOf } from "../../editor/schema.js";
 import { figureOf } from "../../editor/figure.js";
 import { BASIS_NAMES, firstState, allPointsToggled } from "../../editor/state.js";
+import { translated } from "../../editor/translations.js";
 import type { State } from "../../editor/state.js";
 import type { Point2 } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
@@ -193,7 +194,9 @@ export class AppletEditing extends AppletAttributes {
 
   /** @internal What the picture is called. */
   get name() {
-    return this.label || `${BASIS_NAMES[this.editor.state.basis]} curve with control points that can be moved`;
+    return (
+      this.label || translated("{0} curve with control points that can be moved", BASIS_NAMES[this.editor.state.basis])
+    );
   }
 
   /**

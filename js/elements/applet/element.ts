@@ -2,7 +2,7 @@ import { css, html } from "lit";
 import { adoptProperties } from "../adopt.js";
 import { AppletEditing } from "./editing.js";
 import { FIELDS } from "../../editor/schema.js";
-import { MISSING } from "../loading.js";
+import { missing } from "../loading.js";
 import { loadDrawing } from "./loading.js";
 import { reportOf } from "./report.js";
 
@@ -66,10 +66,10 @@ export class BezierApplet extends AppletEditing {
     this.#near = true;
     try {
       await this.#loaded();
-      if (this.message === MISSING) this.say("");
+      if (this.message === missing()) this.say("");
     } catch {
       this.#near = false;
-      this.say(MISSING);
+      this.say(missing());
     }
     this.requestUpdate();
   }

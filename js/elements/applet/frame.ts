@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { panel } from "./panel.js";
 import { keys } from "./tools.js";
-import { INSTRUCTIONS } from "../../editor/descriptions.js";
+import { instructions } from "../../editor/descriptions.js";
 
 /**
  * Everything in the shadow root.
@@ -47,14 +47,14 @@ export function frame({
         ${picture(cursor)}
       </div>
       <p class=${good ? "message good" : "message"} part="message" ?hidden=${!message}>${message}</p>
-      ${port ? panel(port) : nothing} ${keys}
+      ${port ? panel(port) : nothing} ${keys()}
       <p class="away" role="status"></p>
       <span class="probe" hidden></span>
     </div>
     <slot name="caption"></slot>`;
 }
 
-const picture = (cursor: string) => html`<p class="away">${INSTRUCTIONS}</p>
+const picture = (cursor: string) => html`<p class="away">${instructions()}</p>
   <p class="away" id="description"></p>
   <canvas part="canvas" aria-hidden="true" width="1" height="1"></canvas>
   <div class=${`overlay ${cursor}`} part="overlay"></div>`;

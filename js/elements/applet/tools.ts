@@ -1,16 +1,17 @@
 import { html } from "lit";
 import { button, icon } from "../../ui/controls.js";
-import { KEYS } from "../../editor/descriptions.js";
+import { keyList } from "../../editor/descriptions.js";
+import { translated } from "../../editor/translations.js";
 
 /** The buttons on the picture. */
 export function tools({ zoom, act }: Pick<import("./panel.js").PanelPort, "zoom" | "act">) {
-  return html`<div class="tools" role="group" aria-label="Zoom">
-    ${button(icon("M12 5v14M5 12h14"), () => zoom(2), { name: "Closer" })} ${button(icon("M5 12h14"), () => zoom(1 / 2), { name: "Farther" })}
-    ${button(icon("M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5"), act.home, { name: "Whole picture" })}
+  return html`<div class="tools" role="group" aria-label=${translated("Zoom")}>
+    ${button(icon("M12 5v14M5 12h14"), () => zoom(2), { name: translated("Closer") })} ${button(icon("M5 12h14"), () => zoom(1 / 2), { name: translated("Farther") })}
+    ${button(icon("M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5"), act.home, { name: translated("Whole picture") })}
   </div>`;
 }
 
 /** All keys. */
-export const keys = html`<dialog aria-labelledby="keys"><h2 id="keys">Keys</h2>
-  <dl>${KEYS.map(([key, words]) => html`<dt><kbd>${key}</kbd></dt><dd>${words}</dd>`)}</dl>
-  <form method="dialog"><button>Close</button></form></dialog>`;
+export const keys = () => html`<dialog aria-labelledby="keys"><h2 id="keys">${translated("Keys")}</h2>
+  <dl>${keyList().map(([key, words]) => html`<dt><kbd>${key}</kbd></dt><dd>${words}</dd>`)}</dl>
+  <form method="dialog"><button>${translated("Close")}</button></form></dialog>`;

@@ -6,19 +6,20 @@ import { slider } from "./slider.js";
 import { style } from "./style.js";
 import { isVector, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MAX_DEGREE, weightsAt } from "./weights.js";
+import { translated, translatedTable } from "../../editor/translations.js";
 import type { BezierBernstein } from "./bernstein.js";
 import type { Frame, Line } from "./plot.js";
 import type { Subject } from "./subject.js";
 import type { Basis } from "./weights.js";
 
 const DEFAULTS = { degree: 3, t: 0.5, basis: "bezier" as Basis };
-const TITLES: Record<string, string> = {
+const TITLES: Record<string, string> = translatedTable({
   bezier: "Bernstein polynomials",
   hermite: "Hermite weights",
   "b-spline": "B-spline weights",
   "catmull-rom": "Catmull-Rom weights",
   matrix: "Weights of the matrix",
-};
+});
 /** So many values are read out; of more, the greatest. */
 const MAX_SPOKEN = 8;
 /** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
@@ -90,11 +91,12 @@ export class BernsteinView {
     const { frame, lines } = this.#plot;
     const values = weightsAt(subject, t);
     const marked = [this.#selected, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
-    const title = `${TITLES[basis]}${basis === "bezier" || basis === "b-spline" ? ` of degree ${degree}` : ""}`;
+    const hasDegree = basis === "bezier" || basis === "b-spline";
+    const title = hasDegree ? translated("{0} of degree {1}", TITLES[basis], degree) : TITLES[basis];
     return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
       ${this.#picture({ frame, lines, values, marked, t, names, title })}
       ${slider(t, frame.x, (to, done) => this.#host.setT(to, done))}
-      <ul part="values" aria-label="Values at t">${values.map((value, i) => this.#entry(names[i], value, i, marked))}</ul>
+      <ul part="values" aria-label=${translated("Values at t")}>${values.map((value, i) => this.#entry(names[i], value, i, marked))}</ul>
       <p class="sum quiet" part="sum">${sumWords(basis, values)}</p>
     </div>`;
   }
@@ -206,11 +208,15 @@ function spoken(values: number[], names: string[], t: number) {
   const spoken = values.map((value, i) => ({ name: names[i], value }));
   if (spoken.length > MAX_SPOKEN) spoken.sort((a, b) => b.value - a.value).splice(3);
   const list = spoken.map(({ name, value }) => `${name} ${shown(value)}`).join(", ");
-  return `At t = ${shown(t)}: ${values.length > MAX_SPOKEN ? "the greatest are " : ""}${list}.`;
+  return values.length > MAX_SPOKEN
+    ? translated("At t = {0}: the greatest are {1}.", shown(t), list)
+    : translated("At t = {0}: {1}.", shown(t), list);
 }
 
 /** What the weights of points sum to; vectors do not count. */
 function sumWords(basis: string, values: number[]) {
   const sum = values.reduce((all, value, i) => (isVector(basis, i) ? all : all + value), 0);
-  return `Sum of the weights${basis === "hermite" ? " of the two points" : ""}: ${shown(sum, 9)}`;
+  return basis === "hermite"
+    ? translated("Sum of the weights of the two points: {0}", shown(sum, 9))
+    : translated("Sum of the weights: {0}", shown(sum, 9));
 }

@@ -1,7 +1,8 @@
 // What all companions have in common: they wait until they are near, tell what the user does, and say what is wrong.
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
-import { MISSING } from "../loading.js";
+import { followTranslations } from "../follow-translations.js";
+import { missing } from "../loading.js";
 import type { LazyView, View, ViewClass } from "./loading.js";
 
 /** Root margin for lazy loading. */
@@ -43,6 +44,7 @@ export class Companion extends LitElement {
 
   constructor() {
     super();
+    followTranslations(this);
     this.theme = "auto";
     this.label = "";
   }
@@ -144,9 +146,9 @@ export class Companion extends LitElement {
     try {
       const View = await (this.constructor as typeof Companion).view.load();
       this.view ??= this.#dressed(View);
-      this.say(this.#said === MISSING ? "" : this.#said);
+      this.say(this.#said === missing() ? "" : this.#said);
     } catch {
-      this.say(MISSING);
+      this.say(missing());
     }
     this.requestUpdate();
   }

@@ -2,6 +2,7 @@ import { css, html } from "lit";
 import { Fields } from "./fields.js";
 import { readPoints } from "./numbers.js";
 import { style } from "./style.js";
+import { translated } from "../../editor/translations.js";
 import type { BezierCoordinates } from "./coordinates.js";
 import type { Point2 } from "./points.js";
 
@@ -42,10 +43,10 @@ export class CoordinatesView {
   content() {
     const places = this.#host.places();
     const names = this.#host.target?.figure?.names ?? [];
-    const title = this.#host.label || "Control points";
+    const title = this.#host.label || translated("Control points");
     return html`<div class="frame" part="frame"><div class="scroll" role="group" tabindex="0" aria-label=${title}><table part="table">
       <caption>${title}</caption>
-      <thead><tr><th scope="col">Point</th>${AXES.map((axis) => html`<th scope="col"><i>${axis}</i></th>`)}</tr></thead>
+      <thead><tr><th scope="col">${translated("Point")}</th>${AXES.map((axis) => html`<th scope="col"><i>${axis}</i></th>`)}</tr></thead>
       <tbody>${places.map((_, i) => this.#row(names[i] || `P${i}`, i))}</tbody>
     </table></div></div>`;
   }
@@ -78,7 +79,10 @@ export class CoordinatesView {
     try {
       this.#place(readPoints(text), indexOf(key), true);
     } catch (error) {
-      this.#fields.say(key, `Pasted text: ${error instanceof Error ? error.message : error}. Nothing is changed.`);
+      this.#fields.say(
+        key,
+        translated("Pasted text: {0}. Nothing is changed.", error instanceof Error ? error.message : error),
+      );
       return true;
     }
     this.#fields.clear();

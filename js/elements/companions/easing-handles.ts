@@ -3,11 +3,11 @@ import { arrowStep } from "../../ui/keys.js";
 import { capture } from "../../ui/capture.js";
 import { shown } from "./numbers.js";
 import { across, down, placeAt, rounded, SQUARE } from "./timing.js";
+import { translated } from "../../editor/translations.js";
 import type { Handles, Heights } from "./timing.js";
 
 /** What an arrow key moves a handle by; ten times that with Shift, a tenth with Alt. */
 const KEY_STEP = 0.01;
-const NAMES = ["First handle", "Second handle"];
 
 export interface DragPort {
   handles: () => Handles;
@@ -95,7 +95,7 @@ export function handle(which: number, handles: Handles, heights: Heights, drag: 
   const slider = (axis: string, value: number, range: number[], place: (value: number) => [number, number]) => {
     const slid = (event: Event) =>
       drag.to(which, ...place(Number((event.target as HTMLInputElement).value)), event.type === "change");
-    return html`<input type="range" aria-label="${NAMES[which]} ${axis}" tabindex=${axis === "x" ? 0 : -1} min=${range[0]} max=${range[1]} step="0.01" .value=${String(value)} aria-valuetext=${shown(value)} @input=${slid} @change=${slid}>`;
+    return html`<input type="range" aria-label=${which ? translated("Second handle {0}", axis) : translated("First handle {0}", axis)} tabindex=${axis === "x" ? 0 : -1} min=${range[0]} max=${range[1]} step="0.01" .value=${String(value)} aria-valuetext=${shown(value)} @input=${slid} @change=${slid}>`;
   };
   // The place as a property: a strict policy forbids the attribute.
   return html`<div class="handle" part="handle" data-index=${which} .style=${`left: ${(100 * across(x)) / SQUARE.width}%; top: ${(100 * down(heights, y)) / SQUARE.height}%`}

@@ -5,7 +5,8 @@ import { HandleDrag, handle } from "./easing-handles.js";
 import { picture } from "./easing-picture.js";
 import { Preview } from "./preview.js";
 import { style } from "./style.js";
-import { checkAbscissa, heightsOf, presetOf, PRESETS, readTiming, timingText } from "./timing.js";
+import { checkAbscissa, heightsOf, presetOf, PRESETS, PRESET_NAMES, readTiming, timingText } from "./timing.js";
+import { translated } from "../../editor/translations.js";
 import type { BezierEasing } from "./easing.js";
 import type { Handles, Heights } from "./timing.js";
 
@@ -102,17 +103,17 @@ export class EasingView {
   }
 
   content() {
-    const name = this.#host.nameFor("Easing");
+    const name = this.#host.nameFor(translated("Easing"));
     if (!this.#drag.busy) this.#heights = heightsOf(this.#host.handles);
     const [handles, heights, off] = [this.#host.handles, this.#heights, this.#host.off];
     return html`<div class="frame parts ${this.#host.value ? "" : "unset"}" part="frame" role="group" aria-label=${name}>
       <div class="stage" part="stage">${picture(handles, heights, `${name}: ${timingText(handles)}`)}
         ${off ? nothing : [0, 1].map((which) => handle(which, handles, heights, this.#drag))}</div>
       <div class="side">
-        <label class="preset" part="preset">Preset <select ?disabled=${off} @change=${(event: Event) => this.#preset((event.target as HTMLSelectElement).value)}>${this.#options()}</select></label>
+        <label class="preset" part="preset">${translated("Preset")} <select ?disabled=${off} @change=${(event: Event) => this.#preset((event.target as HTMLSelectElement).value)}>${this.#options()}</select></label>
         <div class="numbers">${COORDINATES.map((each, k) => html`<label><i>${each[0]}<sub>${each[1]}</sub></i>${this.#fields.field(String(k), each, { step: "0.01", decimals: 4, disabled: off })}</label>`)}</div>
-        <div class="play"><button type="button" @click=${() => this.#play()}>Play</button><div class="track" part="track" aria-hidden="true"><div class="ball" part="ball"></div></div></div>
-        <output part="value" aria-live="off">${this.#host.value || "nothing chosen"}</output>
+        <div class="play"><button type="button" @click=${() => this.#play()}>${translated("Play")}</button><div class="track" part="track" aria-hidden="true"><div class="ball" part="ball"></div></div></div>
+        <output part="value" aria-live="off">${this.#host.value || translated("nothing chosen")}</output>
       </div>
     </div>`;
   }
@@ -122,8 +123,12 @@ export class EasingView {
     const option = (word: string, text: string) =>
       html`<option value=${word} .selected=${word === selected}>${text}</option>`;
     const first =
-      selected === "none" ? option("none", "choose one") : selected === "" ? option("", "your own") : nothing;
-    return [first, ...Object.keys(PRESETS).map((word) => option(word, word))];
+      selected === "none"
+        ? option("none", translated("choose one"))
+        : selected === ""
+          ? option("", translated("your own"))
+          : nothing;
+    return [first, ...Object.keys(PRESETS).map((word) => option(word, PRESET_NAMES[word] ?? word))];
   }
 
   #preset(word: string) {

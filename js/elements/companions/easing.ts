@@ -1,9 +1,8 @@
 import { FormField } from "./form-field.js";
 import { LazyView } from "./loading.js";
 import { PRESETS, readTiming, timingText } from "./timing.js";
+import { translated } from "../../editor/translations.js";
 import type { Handles } from "./timing.js";
-
-const MISSING = "Choose an easing.";
 
 /** `<bezier-easing>`; what can be set from outside is documented in types.js. */
 export class BezierEasing extends FormField {
@@ -90,7 +89,7 @@ export class BezierEasing extends FormField {
     this.internals.setFormValue(this.value, this.value);
     this.internals.setValidity(
       { valueMissing: missing, customError: this.#custom !== "" },
-      this.#custom || (missing ? MISSING : ""),
+      this.#custom || (missing ? translated("Choose an easing.") : ""),
     );
   }
 }

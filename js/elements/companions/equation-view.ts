@@ -20,18 +20,19 @@ import { slider } from "./slider.js";
 import { style } from "./style.js";
 import { bezierForm, inPoints, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weights.js";
+import { translated, translatedTable } from "../../editor/translations.js";
 import type { BezierEquation } from "./equation.js";
 import type { Check } from "./points.js";
 import type { Subject } from "./subject.js";
 
 const FORMS = ["sum", "matrix", "casteljau"];
-const BASIS_NAMES: Record<string, string> = {
+const BASIS_NAMES: Record<string, string> = translatedTable({
   bezier: "Bézier",
   hermite: "Hermite",
   "b-spline": "B-spline",
   "catmull-rom": "Catmull-Rom",
   matrix: "own numbers",
-};
+});
 /** Of higher degrees, a page has no room for the matrix, */
 const MAX_MATRIX = 10;
 /** and of de Casteljau's triangle for the last levels only. */
@@ -79,7 +80,7 @@ export class EquationView {
 
   content() {
     const subject = this.#subject();
-    if (!subject) return html`<p class="quiet">No curve yet.</p>`;
+    if (!subject) return html`<p class="quiet">${translated("No curve yet.")}</p>`;
     const form = this.#host.checked(
       "form",
       this.#host.form,
@@ -92,7 +93,7 @@ export class EquationView {
     return html`<div class="frame" part="frame">
       ${slider(subject.t, [Math.min(0, subject.t), Math.max(1, subject.t)], (t, done) => this.#host.setT(t, done))}
       ${form === "matrix" ? this.#chooser(subject) : nothing}
-      <div class="scroll" part="equation" role="group" tabindex="0" aria-label=${this.#host.label || "Equation"}>${body}</div>
+      <div class="scroll" part="equation" role="group" tabindex="0" aria-label=${this.#host.label || translated("Equation")}>${body}</div>
     </div>`;
   }
 
@@ -101,7 +102,7 @@ export class EquationView {
     const option = (word: string) =>
       html`<option value=${word} .selected=${word === basis}>${BASIS_NAMES[word]}</option>`;
     const onChange = (event: Event) => this.#setBasis((event.target as HTMLSelectElement).value);
-    return html`<label class="bar">Basis <select @change=${onChange}>${words.map(option)}</select></label>`;
+    return html`<label class="bar">${translated("Basis")} <select @change=${onChange}>${words.map(option)}</select></label>`;
   }
 
   #matrixForm(subject: Subject) {
@@ -109,20 +110,23 @@ export class EquationView {
     const { basis, degree, t, points, names } = subject;
     const numbers = degree <= MAX_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
     if (!numbers)
-      return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MAX_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
+      return html`<p class="quiet">${translated("The matrix is shown up to degree {0}; this is degree {1}.", basis === "bezier" ? MAX_MATRIX : MATRIX_DEGREE, degree)}</p>`;
     const weights = throughMatrix(numbers, t);
     const column = matrix(names.map((each) => [name(each)]));
     const editable = this.#host.editable && numbers.length === 16;
     const before = html`<math>${symbol}${sign("=")}${powers(degree)}</math>`;
     const cell = (_: unknown, k: number) =>
-      this.#fields.field(String(k), `Row ${(k >> 2) + 1}, column ${(k & 3) + 1}`, { step: "0.1", decimals: 4 });
+      this.#fields.field(String(k), translated("Row {0}, column {1}", (k >> 2) + 1, (k & 3) + 1), {
+        step: "0.1",
+        decimals: 4,
+      });
     const amid = editable
-      ? html`<div class="cells" role="group" aria-label="Matrix">${numbers.map(cell)}</div>`
-      : html`<math aria-label=${`the matrix ${rowsSpoken(numbers)}`}>${square(numbers)}</math>`;
+      ? html`<div class="cells" role="group" aria-label=${translated("Matrix")}>${numbers.map(cell)}</div>`
+      : html`<math aria-label=${translated("the matrix {0}", rowsSpoken(numbers))}>${square(numbers)}</math>`;
     const row = matrix([weights.map(number)]);
     const at = numbersAt(points, weights);
     return html`<div class="product">${before}${amid}<math>${column}</math></div>
-      <math display="block" aria-label=${`The powers of t times the matrix are the weights ${weights.map((x) => shown(x)).join(", ")}`}>${matrix([t0(degree, t)])}<mi>M</mi>${sign("=")}${row}</math>
+      <math display="block" aria-label=${translated("The powers of t times the matrix are the weights {0}", weights.map((x) => shown(x)).join(", "))}>${matrix([t0(degree, t)])}<mi>M</mi>${sign("=")}${row}</math>
       <math display="block" aria-label=${spoken(t, at)}>${point(t)}${sign("=")}${row}${matrix(points.map((p) => p.map(number)))}${sign("=")}${pair(at)}</math>`;
   }
 
@@ -181,7 +185,7 @@ function sumForm(subject: Subject) {
   const numeric = (i: number, axis: 0 | 1) => mathml`${plus(i, weights[i] < 0)}
       <mtd>${number(i ? Math.abs(weights[i]) : weights[i], decimals)}${sign("·")}${factor(points[i][axis])}</mtd>`;
   const head = (letter: string) => mathml`<mrow><mi>${letter}</mi><mo>(</mo>${number(t)}<mo>)</mo></mrow>`;
-  return html`<math class="lines" aria-label=${`${spoken(t, at)}, from ${weights.map((w, i) => `${shown(w)} ${names[i]}`).join(" plus ")}`}><mtable>
+  return html`<math class="lines" aria-label=${translated("{0}, from {1}", spoken(t, at), weights.map((w, i) => `${shown(w)} ${names[i]}`).join(translated(" plus ")))}><mtable>
     <mtr><mtd class="sign"></mtd><mtd>${symbol}</mtd><mtd class="sign"></mtd><mtd>${head("x")}</mtd><mtd class="sign"></mtd><mtd>${head("y")}</mtd></mtr>
     ${points.map((_, i) => mathml`<mtr>${plus(i)}<mtd>${formula(i)}${name(names[i])}</mtd>${numeric(i, 0)}${numeric(i, 1)}</mtr>`)}
     <mtr class="total"><mtd></mtd><mtd></mtd><mtd class="sign">${sign("=")}</mtd><mtd>${number(at[0])}</mtd><mtd class="sign">${sign("=")}</mtd><mtd>${number(at[1])}</mtd></mtr>
@@ -210,10 +214,10 @@ function casteljauForm({ curve, names, basis, t }: Subject) {
     mathml`<mtd>${levels[level][i] && mathml`${own(level, i)}${sign("=")}${pair(levels[level][i])}`}</mtd>`;
   const columns = Array.from({ length: levels.length - first }, (_, k) => first + k);
   const at = levels[levels.length - 1][0];
-  return html`<math display="block" aria-label="Each point lies between two of the level before, at t of the way"><mrow><msubsup><mi>b</mi><mi>i</mi><mi>k</mi></msubsup>${sign("=")}
+  return html`<math display="block" aria-label=${translated("Each point lies between two of the level before, at t of the way")}><mrow><msubsup><mi>b</mi><mi>i</mi><mi>k</mi></msubsup>${sign("=")}
       ${number(1 - t)}<msubsup><mi>b</mi><mi>i</mi><mrow><mi>k</mi><mo>−</mo><mn>1</mn></mrow></msubsup>${sign("+")}${number(t)}<msubsup><mi>b</mi><mrow><mi>i</mi><mo>+</mo><mn>1</mn></mrow><mrow><mi>k</mi><mo>−</mo><mn>1</mn></mrow></msubsup></mrow></math>
-    ${first ? html`<p class="quiet">The last ${columns.length} of ${levels.length} levels:</p>` : nothing}
-    <math class="lines" aria-label=${`De Casteljau: ${levels.length - 1} steps. ${spoken(t, at)}`}><mtable>
+    ${first ? html`<p class="quiet">${translated("The last {0} of {1} levels:", columns.length, levels.length)}</p>` : nothing}
+    <math class="lines" aria-label=${translated("De Casteljau: {0} steps. {1}", levels.length - 1, spoken(t, at))}><mtable>
       ${levels[first].map((_, i) => mathml`<mtr>${columns.map((level) => cell(level, i))}</mtr>`)}
     </mtable></math>`;
 }
@@ -224,7 +228,8 @@ function numbersAt(points: number[][], weights: number[]) {
 
 const t0 = (degree: number, t: number) => Array.from({ length: degree + 1 }, (_, k) => number(t ** (degree - k)));
 
-const spoken = (t: number, at: number[]) => `B of ${shown(t)} is x ${shown(at[0])}, y ${shown(at[1])}`;
+const spoken = (t: number, at: number[]) =>
+  translated("B of {0} is x {1}, y {2}", shown(t), shown(at[0]), shown(at[1]));
 
 function rowsSpoken(numbers: number[]) {
   const size = Math.sqrt(numbers.length);

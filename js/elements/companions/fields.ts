@@ -2,6 +2,7 @@
 import { html, noChange, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { quoted, readNumber } from "./numbers.js";
+import { translated } from "../../editor/translations.js";
 
 /** What the fields are for. Keys name them. */
 export interface FieldsPort {
@@ -65,7 +66,7 @@ export class Fields {
       return this.#write(key, value, true);
     }
     const { validity, value: text } = event.target as HTMLInputElement;
-    this.#refuse(key, validity?.badInput ? "what is none" : quoted(text));
+    this.#refuse(key, validity?.badInput ? translated("what is none") : quoted(text));
   }
 
   /** The user leaves: the last good value is shown again. */
@@ -104,7 +105,7 @@ export class Fields {
   #refuse(key: string, came: string) {
     const good = this.#port.read(key);
     if (this.#edited.key === key && good !== this.#edited.before) this.#port.write(key, good, true); // what was typed before counts
-    this.say(key, `Expected a number, got ${came}; ${Number(good.toFixed(3))} is kept.`);
+    this.say(key, translated("Expected a number, got {0}; {1} is kept.", came, Number(good.toFixed(3))));
   }
 
   /** Says something at a field. */

@@ -1,5 +1,6 @@
 // The text of a timing function, and the picture of it in numbers.
 import { quoted, readNumber } from "./numbers.js";
+import { translatedTable } from "../../editor/translations.js";
 
 /** X1, y1, x2, y2 */
 export type Handles = [number, number, number, number];
@@ -16,6 +17,13 @@ export const PRESETS: Record<string, Handles> = {
   "wind up": [0.36, 0, 0.66, -0.56],
   both: [0.68, -0.6, 0.32, 1.6],
 };
+/** What those that are no keywords are called. */
+export const PRESET_NAMES: Record<string, string> = translatedTable({
+  "gentle stop": "gentle stop",
+  overshoot: "overshoot",
+  "wind up": "wind up",
+  both: "both",
+});
 /** So many of them are words of CSS. */
 const KEYWORDS = 5;
 

@@ -1,6 +1,7 @@
 // The attributes of the element and their properties.
 import { LitElement } from "lit";
 import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
+import { followTranslations } from "../follow-translations.js";
 import { Memo } from "./memo.js";
 import { SettingsReader } from "./settings.js";
 
@@ -68,6 +69,7 @@ export class SurfaceAttributes extends LitElement {
 
   constructor() {
     super();
+    followTranslations(this);
     this.model = "teapot";
     this.parts = null;
     this.height = "squashed";

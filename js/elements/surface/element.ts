@@ -15,6 +15,7 @@ import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { AutoRotation } from "./auto-rotation.js";
 import { MODEL_NAMES, STATES } from "./words.js";
+import { translated } from "../../editor/translations.js";
 import type { View } from "./camera.js";
 import type { Edits } from "./subject.js";
 import type { Facts } from "./geometry.js";
@@ -378,12 +379,15 @@ export class BezierSurface extends SurfaceAttributes {
     const settings = this.settings();
     const name =
       this.label ||
-      `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
+      translated(
+        "{0}, in three dimensions",
+        this.#subject.given ? translated("A surface of Bézier patches") : MODEL_NAMES[settings.model],
+      );
     const zoomed = (factor: number) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
       blank: !this.#drawn,
-      message: this.#files.message || STATES[this.#state],
+      message: this.#files.message || STATES[this.#state](),
       facts: this.#facts,
       key: this.#key,
       tools: {

@@ -2,7 +2,7 @@ import { html, nothing } from "lit";
 import { panel } from "./panel.js";
 import { readout } from "./readout.js";
 import { tools } from "./tools.js";
-import { INSTRUCTIONS } from "./words.js";
+import { instructions } from "./words.js";
 
 /**
  * Everything in the shadow root.
@@ -49,7 +49,7 @@ export function frame({
       ${tools(parts.tools)}
       <p class="message" role="status">${message}</p>
     </div>
-    <p class="away" id="help">${INSTRUCTIONS}</p>
+    <p class="away" id="help">${instructions()}</p>
     ${readout(facts)} ${parts.panel ? panel(parts.panel) : ""}
     <span class="probe" hidden></span>
   </div>`;

@@ -1,5 +1,6 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
+import { hasPart } from "../attribute-text.js";
 import { box, button, choice, slider } from "../../ui/controls.js";
 import {
   AXES,
@@ -18,18 +19,22 @@ import {
   EVALUATION_NAMES,
   figures,
   DETAIL_NAMES,
+  HEIGHT_NAMES,
   LAYER_NAMES,
   MODEL_NAMES,
+  PART_NAMES,
   SHADING_NAMES,
   STEP_WORDS,
 } from "./words.js";
+import { translated } from "../../editor/translations.js";
+import type { ControlGroups } from "../attribute-text.js";
 import type { Settings } from "./settings.js";
 
 /** What the controls know and do. */
 export interface PanelPort {
   settings: Settings;
   /** The groups of controls that are wanted; none means all, with what is used less behind "More" */
-  groups: string[];
+  groups: ControlGroups;
   /** The surface's radius */
   size: number;
   setDetail: (kind: "segments" | "tolerance" | "pixels" | "flatness") => void;
@@ -51,6 +56,8 @@ export interface PanelPort {
 const KINDS = ["obj", "stl", "glb"] as const;
 const UV_STEP = 0.01;
 const DETAIL_KINDS = ["segments", "tolerance", "pixels", "flatness"];
+/** How far a point in space can be moved, in radii of the surface. */
+const REACH = 1.5;
 /** The range of the tolerance, in radii of the surface. */
 const [FINEST, COARSEST] = [1e-4, 0.2];
 
@@ -62,19 +69,20 @@ const GROUPS: Record<string, (port: PanelPort) => unknown> = {
   model: (port) => (port.named ? modelControls(port) : nothing),
   mesh: meshControls,
   show: layerControls,
+  probe: probeControls,
   edit: editControls,
   files: fileControls,
 };
 
 export function panel(port: PanelPort) {
-  if (port.groups.length) {
-    const wanted = Object.entries(GROUPS).filter(([name]) => port.groups.includes(name));
+  if (port.groups.size) {
+    const wanted = Object.entries(GROUPS).filter(([name]) => port.groups.has(name));
     return html`<div class="controls" part="controls">${wanted.map(([, group]) => group(port))}</div>`;
   }
   return html`<div class="controls" part="controls">
-    <fieldset class="wide main"><legend class="away">Picture</legend>${GROUPS.shape(port)} ${shadingControl(port)}</fieldset> ${placeControls(port)}
-    <details class="more"><summary>More</summary><div class="body">
-      ${GROUPS.model(port)} ${meshControls(port)} ${layerControls(port)} ${editControls(port)} ${fileControls(port)}
+    <fieldset class="wide main"><legend class="away">${translated("Picture")}</legend>${GROUPS.shape(port)} ${shadingControl(port)}</fieldset> ${placeControls(port)}
+    <details class="more"><summary>${translated("More")}</summary><div class="body">
+      ${GROUPS.model(port)} ${meshControls(port)} ${layerControls(port)} ${probeControls(port)} ${editControls(port)} ${fileControls(port)}
     </div></details>
   </div>`;
 }
@@ -102,27 +110,28 @@ function propertySlider(
 }
 
 function shadingControl(port: PanelPort) {
-  return select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port);
+  return select("shading", translated("Shading"), SHADINGS, port.settings.shading, SHADING_NAMES, port);
 }
 
 function shapeControl(port: PanelPort) {
-  return select("model", "Shape", MODELS, port.settings.model, MODEL_NAMES, port);
+  return select("model", translated("Shape"), MODELS, port.settings.model, MODEL_NAMES, port);
 }
 
 function ownControls(port: PanelPort) {
-  return html`<p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
-      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[port.settings.model].toLowerCase()}</button>`;
+  return html`<p class="note">${port.patches === 1 ? translated("A surface of your own, of one patch.") : translated("A surface of your own, of {0} patches.", port.patches)}</p>
+      <button type="button" @click=${port.backToModel}>${translated("Back to the {0}", MODEL_NAMES[port.settings.model].toLowerCase())}</button>`;
 }
 
 function modelControls(port: PanelPort) {
   const { settings, set } = port;
   const { model, parts } = settings;
+  const has = (part: string) => hasPart(port.groups, "model", part);
   const part = (each: import("./settings.js").Part) =>
-    box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
-  return html`<fieldset><legend>Model</legend>
-    ${model === "teapot" ? select("height", "Height", HEIGHTS, settings.height, { squashed: "squashed, as usual", original: "Newell’s, 4/3 as tall" }, port) : nothing}
-    ${select("up", "Upright", AXES, settings.up, { z: "z", y: "y" }, port)}
-    ${model === "teapot" ? PARTS.map(part) : nothing}
+    box(PART_NAMES[each], parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
+  return html`<fieldset><legend>${translated("Model")}</legend>
+    ${model === "teapot" && has("height") ? select("height", translated("Height"), HEIGHTS, settings.height, HEIGHT_NAMES, port) : nothing}
+    ${has("up") ? select("up", translated("Upright"), AXES, settings.up, { z: "z", y: "y" }, port) : nothing}
+    ${model === "teapot" && has("parts") ? PARTS.map(part) : nothing}
   </fieldset>`;
 }
 
@@ -139,13 +148,16 @@ function decades(name: string, label: string, value: number, min: number, max: n
 function meshControls(port: PanelPort) {
   const { settings } = port;
   const { detail } = settings;
-  return html`<fieldset><legend>Mesh</legend>
-    ${choice("Fineness", DETAIL_KINDS, Object.keys(detail)[0], DETAIL_NAMES, (kind) => port.setDetail(kind as Parameters<typeof port.setDetail>[0]))}
-    ${"segments" in detail ? propertySlider("segments", "Segments", settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
-    ${"tolerance" in detail ? decades("tolerance", "Tolerance", detail.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
-    ${"pixels" in detail ? decades("pixels", "Pixels", detail.pixels, 0.1, 30, port) : nothing}
-    ${"flatness" in detail ? decades("flatness", "Flatness", detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
-    ${"segments" in detail ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
+  const has = (part: string) => hasPart(port.groups, "mesh", part);
+  const [kind] = Object.keys(detail);
+  const kinds = DETAIL_KINDS.filter((each) => each === kind || has(each));
+  return html`<fieldset><legend>${translated("Mesh")}</legend>
+    ${kinds.length > 1 ? choice(translated("Fineness"), kinds, kind, DETAIL_NAMES, (kind) => port.setDetail(kind as Parameters<typeof port.setDetail>[0])) : nothing}
+    ${"segments" in detail ? propertySlider("segments", translated("Segments"), settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
+    ${"tolerance" in detail ? decades("tolerance", translated("Tolerance"), detail.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"pixels" in detail ? decades("pixels", translated("Pixels"), detail.pixels, 0.1, 30, port) : nothing}
+    ${"flatness" in detail ? decades("flatness", translated("Flatness"), detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"segments" in detail && has("evaluation") ? select("evaluation", translated("Computed"), EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
 }
 
@@ -154,10 +166,11 @@ function layerControls(port: PanelPort) {
     settings: { layers, lines },
     set,
   } = port;
+  const has = (part: string) => hasPart(port.groups, "show", part);
   const layer = (each: import("./settings.js").Layer) =>
     box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
-  return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
-    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? propertySlider("lines", "Strips", lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
+  return html`<fieldset><legend>${translated("Show")}</legend>${LAYERS.filter(has).map(layer)}
+    ${has("lines") && ["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? propertySlider("lines", translated("Strips"), lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }
 
 /** The sliders of u and v, where something is shown at them. */
@@ -166,24 +179,38 @@ function placeControls(port: PanelPort) {
   const steps = layers.has("casteljau");
   if (!steps && !layers.has("derivatives") && !layers.has("place") && !swept) return nothing;
   const unit = { min: 0, max: 1, step: UV_STEP };
-  return html`<fieldset class="wide"><legend>${steps ? "De Casteljau on the grid" : "Place"}</legend>
-    ${propertySlider("u", html`<i>u</i>`, u, unit, port)} ${propertySlider("v", html`<i>v</i>`, v, unit, port)}
-    ${steps ? stepper(port) : nothing}
+  const has = (part: string) => hasPart(port.groups, "place", part);
+  return html`<fieldset class="wide"><legend>${steps ? translated("De Casteljau on the grid") : translated("Place")}</legend>
+    ${has("u") ? propertySlider("u", html`<i>u</i>`, u, unit, port) : nothing}
+    ${has("v") ? propertySlider("v", html`<i>v</i>`, v, unit, port) : nothing}
+    ${steps && has("step") ? stepper(port) : nothing}
   </fieldset>`;
 }
 
 function stepper({ settings: { step }, set }: PanelPort) {
   return html`<div class="row">
-      <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>Step back</button>
-      <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>Next step</button>
+      <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>${translated("Step back")}</button>
+      <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>${translated("Next step")}</button>
     </div>
-    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS[step - 1]}</p>`;
+    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS[step - 1]()}</p>`;
+}
+
+/** The sliders of a point in space. */
+function probeControls({ settings: { probe }, size, set }: PanelPort) {
+  if (!probe) return nothing;
+  const unit = 10 ** Math.floor(Math.log10(size));
+  const reach = Math.ceil((REACH * size) / unit) * unit;
+  const range = { min: -reach, max: reach, step: unit / 20 };
+  const moved = (k: number) => (to: number, done: boolean) =>
+    set("probe", probe.map((x, i) => (i === k ? to : x)).join(" "), done ? "change" : "input");
+  const axis = (name: string, k: number) => slider(html`<i>${name}</i>`, name, probe[k], range, moved(k));
+  return html`<fieldset class="wide"><legend>${translated("Point")}</legend>${["x", "y", "z"].map(axis)}</fieldset>`;
 }
 
 function editControls({ edited, can, step, restore }: PanelPort) {
-  return html`<fieldset><legend>Changes</legend><div class="row">
-    ${button("Undo", () => step("undo"), { off: !can.undo })} ${button("Redo", () => step("redo"), { off: !can.redo })}
-    ${button("Undo all moves", restore, { off: !edited })}
+  return html`<fieldset><legend>${translated("Changes")}</legend><div class="row">
+    ${button(translated("Undo"), () => step("undo"), { off: !can.undo })} ${button(translated("Redo"), () => step("redo"), { off: !can.redo })}
+    ${button(translated("Undo all moves"), restore, { off: !edited })}
   </div></fieldset>`;
 }
 
@@ -193,9 +220,9 @@ function fileControls({ savePicture, saveMesh, open }: PanelPort) {
     if (input.files?.[0]) open(input.files[0]);
     input.value = ""; // the same file can be selected again
   };
-  return html`<fieldset><legend>Files</legend><div class="row">
-    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${openSelected}></label>
-  </div><div class="row" role="group" aria-label="Save as">
+  return html`<fieldset><legend>${translated("Files")}</legend><div class="row">
+    <label class="file">${translated("Open a patch file")}<input type="file" accept=".bpt,.txt,text/plain" @change=${openSelected}></label>
+  </div><div class="row" role="group" aria-label=${translated("Save as")}>
     <button type="button" @click=${savePicture}>PNG</button>
     ${KINDS.map((kind) => html`<button type="button" @click=${() => saveMesh(kind)}>${kind.toUpperCase()}</button>`)}
   </div></fieldset>`;

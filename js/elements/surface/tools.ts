@@ -1,4 +1,5 @@
 import { html, svg } from "lit";
+import { translated } from "../../editor/translations.js";
 
 const path = (d: string) => svg`<path d=${d} />`;
 const PAUSE = path("M8 5v14M16 5v14");
@@ -24,7 +25,7 @@ export function tools({
   const button = (name: string, act: () => void, picture: unknown) =>
     html`<button type="button" aria-label=${name} title=${name} @click=${act}><svg viewBox="0 0 24 24" aria-hidden="true">${picture}</svg></button>`;
   return html`<div class="tools" part="tools">
-    ${button(turning ? "Stop turning" : "Turn", toggle, turning ? PAUSE : ROUND)}
-    ${button("Nearer", nearer, PLUS)} ${button("Farther", farther, MINUS)} ${button("First view", home, HOUSE)}
+    ${button(turning ? translated("Stop turning") : translated("Turn"), toggle, turning ? PAUSE : ROUND)}
+    ${button(translated("Nearer"), nearer, PLUS)} ${button(translated("Farther"), farther, MINUS)} ${button(translated("First view"), home, HOUSE)}
   </div>`;
 }

@@ -19,7 +19,7 @@ export function svg(tag, attributes = {}, ...children) {
 export const chain = (points) => points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(" ");
 
 /**
- * A slider with its label and its value, as in <surface-controls>.
+ * A slider with its label and its value, as in <attribute-slider>.
  *
  * @param {string} label
  * @param {{ min: number, max: number, step: number, value: number, name: string }} range

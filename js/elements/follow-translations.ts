@@ -1,0 +1,10 @@
+import { translations } from "../editor/translations.js";
+import type { ReactiveControllerHost } from "lit";
+
+/** Draws an element on the page again when the page gives other texts; `update` if it does not suffice to render it. */
+export function followTranslations(host: ReactiveControllerHost, update = () => host.requestUpdate()) {
+  host.addController({
+    hostConnected: () => translations.addEventListener("change", update),
+    hostDisconnected: () => translations.removeEventListener("change", update),
+  });
+}
