@@ -141,22 +141,29 @@ fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
 ///
 /// A line that is cut keeps its number for its first part; the other parts get new numbers. After the first pass only
 /// lines that were cut are compared, with all. Nearly parallel lines may need hundreds of passes that cut a few lines
-/// each, so the tree of all lines is built again only when the trees of added lines together have had as many leaves.
+/// each, so the added lines get trees of their own; a tree is built again with those after it when they have half as many
+/// lines, and each line is in O(log n) built trees.
 fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
     if let Some(last) = lines.last_mut() {
         last.next = usize::MAX;
     }
     let mut work = steps_for(lines.len());
     let mut changed: Vec<usize> = (0..lines.len()).collect();
-    // Lines only get shorter, so the boxes of the tree still contain them.
-    let (mut tree, mut in_tree, mut leaves) = (tree_of(lines.iter()), lines.len(), 0);
-    for _ in 0..MAX_PASSES {
-        let later = tree_of(lines[in_tree..].iter());
+    // The pass before which each line was cut.
+    let mut cut_before = vec![0; lines.len()];
+    // Trees of consecutive lines, each with more than twice as many as the next one. Lines only get shorter, so the boxes
+    // still contain them.
+    let mut trees = vec![(0, tree_of(lines.iter()))];
+    for pass in 0..MAX_PASSES {
         let of_changed = tree_of(changed.iter().map(|&k| &lines[k]));
         let mut cuts = Vec::new();
-        for (first, tree) in [(0, &tree), (in_tree, &later)] {
+        for (first, tree) in &trees {
             tree.pairs_with(&of_changed, &mut work, |i, j| {
-                cut_pair(&lines, [first + i, changed[j]], &mut cuts);
+                let (i, j) = (first + i, changed[j]);
+                // Two lines that were cut are found twice.
+                if i < j || cut_before[i] != pass {
+                    cut_pair(&lines, [i, j], &mut cuts);
+                }
             });
         }
         Error::unless_within("steps of the division on a grid", &work)?;
@@ -166,7 +173,10 @@ fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
             return Ok(order.map(|k| lines[k]).collect());
         }
         work.raise_limit(STEPS_PER_ITEM, cuts.len());
+        let mut first = lines.len();
         changed = cut(&mut lines, cuts);
+        cut_before.resize(lines.len(), 0);
+        changed.iter().for_each(|&k| cut_before[k] = pass + 1);
         if lines.len() > MAX_CHORDS {
             let needed = lines.len();
             return Err(Error::too_many(
@@ -175,9 +185,14 @@ fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
                 needed,
             ));
         }
-        leaves += lines.len() - in_tree;
-        if leaves > in_tree {
-            (tree, in_tree, leaves) = (tree_of(lines.iter()), lines.len(), 0);
+        while let Some(&(start, _)) = trees.last()
+            && 2 * (lines.len() - first) >= first - start
+        {
+            first = start;
+            trees.pop();
+        }
+        if first < lines.len() {
+            trees.push((first, tree_of(lines[first..].iter())));
         }
     }
     let passes = "passes of the division on a grid";
@@ -191,9 +206,6 @@ fn tree_of<'a>(lines: impl Iterator<Item = &'a Line>) -> BoxTree {
 
 /// Adds the corners at which two lines are cut: ends of the other one in whose cell a line runs, and their crossing.
 fn cut_pair(lines: &[Line], pair: [usize; 2], cuts: &mut Vec<(usize, DVec2)>) {
-    if pair[0] == pair[1] {
-        return;
-    }
     let [a, b] = pair.map(|k| lines[k].ends);
     let mut add = |k: usize, p: DVec2| {
         if !lines[k].ends.contains(&p) {
