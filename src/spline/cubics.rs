@@ -17,7 +17,8 @@ pub(crate) struct FitCriteria<P> {
     /// The maximum distance between a point and its foot on a cubic.
     pub(crate) tolerance: f64,
     /// Whether the polyline between the points counts too: the bound of the distance between the cubic and its chord
-    /// from foot to foot is then added to the distances of the points.
+    /// from foot to foot is then added to the distances of the points. Otherwise the cubic may be farther from an edge
+    /// than the tolerance, by a sixth of its length or a quarter of the tolerance.
     pub(crate) between: bool,
     /// Whether each coordinate of the control points must be in order, so that the ends have its extrema.
     pub(crate) monotone: bool,
@@ -76,6 +77,13 @@ const DAMPING: f64 = 1e-6;
 const SHORTEST_HANDLE: f64 = 1.0 / 64.0;
 const LONGEST_HANDLE: f64 = 1.5;
 
+/// How much farther than the tolerance a cubic may be from the edge between two sampled points, in lengths of the edge:
+/// the height of an arc that turns by 74°.
+const BETWEEN: f64 = 1.0 / 6.0;
+
+/// The same in tolerances, where the points are as close together as their noise is large.
+const NOISE: f64 = 0.25;
+
 /// How far, in tolerances, a point may lie from the part of the cubic after the feet of the points before it.
 const MAX_STEP_BACK: f64 = 3.0;
 
@@ -94,8 +102,8 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
 #[derive(Default)]
 struct Cover<P> {
     cubics: Vec<(usize, [P; 2])>,
-    /// The number of edges that no cubic with the tangents of its ends approximates; lines take their place.
-    lines: usize,
+    /// The number of edges along which no cubic satisfies the criteria.
+    failures: usize,
 }
 
 impl<P: Point> FitSamples<P> {
@@ -121,13 +129,27 @@ impl<P: Point> FitSamples<P> {
         let (mut from, mut step) = (first, last - first);
         while from < last {
             let (to, handles) = self.longest(from, last, step);
-            cover.lines += usize::from(handles.is_none());
-            let straight = [self.joints[from], self.joints[to]];
-            cover.cubics.push((to, handles.unwrap_or(straight)));
+            cover.failures += usize::from(handles.is_none());
+            let handles = handles.unwrap_or_else(|| self.short_handles(from, to));
+            cover.cubics.push((to, handles));
             step = to - from;
             from = to;
         }
         cover
+    }
+
+    /// The inner control points where no cubic satisfies the criteria, between two consecutive points: of a line, or within
+    /// the distance that is allowed between samples, with the tangents of both ends.
+    fn short_handles(&self, from: usize, to: usize) -> [P; 2] {
+        let (start, end) = (self.joints[from], self.joints[to]);
+        if self.criteria.between {
+            return [start, end];
+        }
+        let length = BETWEEN * (end - start).norm();
+        [
+            start + self.tangents[from] * length,
+            end - self.tangents[to] * length,
+        ]
     }
 
     /// The cubics for the tolerance; with the best effort for the smallest one that needs no more of them.
@@ -142,7 +164,7 @@ impl<P: Point> FitSamples<P> {
         for _ in 0..=bisections {
             let next = self.cover(first, last);
             let is_worse = best.as_ref().is_some_and(|best| {
-                next.cubics.len() > best.cubics.len() || next.lines > best.lines
+                next.cubics.len() > best.cubics.len() || next.failures > best.failures
             });
             if is_worse {
                 low = self.criteria.tolerance;
@@ -291,12 +313,13 @@ impl<P: Point> FitSamples<P> {
             } else {
                 (forward, distance(u))
             };
-            let share = if self.criteria.between {
-                sag(cubic, last.0, u)
-            } else {
+            let room = if self.criteria.between {
                 0.0
+            } else {
+                let edge = (p - self.points[index - 1]).norm();
+                (BETWEEN * edge).max(NOISE * tolerance)
             };
-            if off.max(last.1) + share > tolerance {
+            if off > tolerance || off.max(last.1) + sag(cubic, last.0, u) > tolerance + room {
                 return false;
             }
             last = (u, off);
@@ -389,9 +412,22 @@ fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
     u
 }
 
-/// A bound of the distance between a cubic and its chord over [u0, u1]: h²/8 times the maximum of the second
-/// derivative.
+/// A bound of the Hausdorff distance between a cubic and its chord over [u0, u1]: h²/8 times the maximum of the second
+/// derivative, of its component across the chord if the cubic advances along the chord throughout.
 fn sag<P: Point>(cubic: &[P; 4], u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
-    at(cubic, u0).2.norm().max(at(cubic, u1).2.norm()) * h * h * 0.125
+    let [(p, v0, a0), (q, v1, a1)] = [at(cubic, u0), at(cubic, u1)];
+    let chord = (q - p).unit();
+    // The derivative along the chord as a quadratic Bézier polynomial.
+    let advances = [v0, v0 + a0 * (0.5 * h), v1]
+        .iter()
+        .all(|v| v.dot(chord) >= 0.0);
+    let across = |a: P| {
+        if advances {
+            a - chord * a.dot(chord)
+        } else {
+            a
+        }
+    };
+    across(a0).norm().max(across(a1).norm()) * h * h * 0.125
 }

@@ -1,6 +1,7 @@
 //! Corners of fitted splines: those of known shapes are kept, noise adds none.
 
 use crate::offset::reference::{dense, farthest};
+use crate::support::measure::from_polyline;
 use crate::support::{Rng, bezier, real, refused, spline};
 use casteljau::Spline;
 use casteljau::glam::DVec2;
@@ -214,4 +215,34 @@ fn the_corner_angle_selects_corners() {
 fn a_straight_curve_that_stops_goes_on() {
     let offset = bezier("0 0, -3 0, -2 0, -1 0, -4 0").offset(1.0);
     assert_eq!(offset, Ok(spline("0 -1, -4 -1", 1, false)));
+}
+
+/// Between two points at a distance L, a fitted spline stays within the tolerance plus L/6 of their edge.
+#[test]
+fn fits_of_sparse_points_stay_near_the_edges() {
+    let mut rng = Rng(77);
+    for round in 0..200 {
+        let count = 5 + round % 30;
+        // In order of x, so that the nearest place of a point is that after the one before it.
+        let points: Vec<DVec2> = (0..count)
+            .map(|k| DVec2::new(12.0 * real(k), 20.0 * rng.signed()))
+            .collect();
+        let tolerance = 0.2 + rng.signed().abs();
+        let fitted = Spline::fit(&points, &FitOptions::new(tolerance)).expect("finite");
+        let end = real(fitted.segment_count());
+        let mut feet: Vec<f64> = points
+            .iter()
+            .map(|&p| fitted.nearest(p).expect("finite").t)
+            .collect();
+        (feet[0], feet[count - 1]) = (0.0, end);
+        for (edge, t) in points.windows(2).zip(feet.windows(2)) {
+            let length = edge[0].distance(edge[1]);
+            let room = tolerance + (length / 6.0).max(0.25 * tolerance);
+            for k in 0..=16 {
+                let p = fitted.eval(t[0] + (t[1] - t[0]) * real(k) / 16.0);
+                let distance = from_polyline(p, edge);
+                assert!(distance <= room, "{round}: {distance} above {room}");
+            }
+        }
+    }
 }

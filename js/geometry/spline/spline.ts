@@ -302,7 +302,8 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
   /**
    * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
    * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
-   * other joints are smooth; consecutive equal points count once. The tolerance must be at least the noise of the points
+   * other joints are smooth; consecutive equal points count once. Between two points at a distance L the spline lies within
+   * the tolerance plus L/6 of their edge, or plus a quarter of the tolerance if that is more. The tolerance must be at least the noise of the points
    * (about 1 for positions of a mouse in pixels): otherwise the spline follows the noise with many short segments.
    *
    * @param points at least 2
