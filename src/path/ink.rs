@@ -286,7 +286,7 @@ impl Piece {
     fn new(run: &[InkPoint], handles: [DVec2; 2], tolerance: f64) -> Self {
         let [first, last] = [run[0], run[run.len() - 1]];
         let points = [first.position, handles[0], handles[1], last.position];
-        let curve = if is_straight(&points) {
+        let curve = if is_straight(&points, tolerance) {
             Curve::from_slice(&[points[0], points[3]])
         } else {
             Curve::from_slice(&points)

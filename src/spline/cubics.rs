@@ -11,6 +11,9 @@
 use super::grid::NormalizedGrid;
 use crate::geometry::point::{CrossProduct, Point};
 
+/// The part of the tolerance that is reserved for rounding.
+pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
+
 /// The criteria that each cubic must satisfy.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct FitCriteria<P> {
@@ -210,7 +213,8 @@ impl<P: Point> FitSamples<P> {
         let (t0, t1) = (self.tangents[from], self.tangents[to]);
         let mut samples = self.samples(from, to);
         // The handles of a line would leave it on the grid, so it has none.
-        let is_line = self.criteria.grid.is_some() && is_straight(&self.points[from..=to]);
+        let is_line = self.criteria.grid.is_some()
+            && is_straight(&self.points[from..=to], self.criteria.tolerance);
         let (mut a, mut b) = (chord_length / 3.0, chord_length / 3.0);
         let mut previous = f64::INFINITY;
         for round in 0..MAX_ROUNDS {
@@ -337,18 +341,21 @@ pub(crate) fn is_monotone<P: Point>(points: &[P]) -> bool {
     })
 }
 
-/// Points within this part of the length of a chord are on it.
+/// Points within this part of the length of a chord and of the tolerance are on it.
 const STRAIGHT: f64 = 1e-9;
+const STRAIGHT_SHARE: f64 = 0.5 * ROUNDING_SHARE;
 
 /// Whether all points lie on the chord from the first to the last one.
-pub(crate) fn is_straight<P: Point>(points: &[P]) -> bool {
+pub(crate) fn is_straight<P: Point>(points: &[P], tolerance: f64) -> bool {
     let (start, end) = (points[0], points[points.len() - 1]);
     let chord = end - start;
     let square = chord.dot(chord);
+    let length = square.sqrt();
+    let room = (STRAIGHT * length).min(STRAIGHT_SHARE * tolerance) * length;
     square > 0.0
         && points.iter().all(|&p| {
             let gap = p - start;
-            (0.0..=square).contains(&gap.dot(chord)) && chord.cross(gap).size() <= STRAIGHT * square
+            (0.0..=square).contains(&gap.dot(chord)) && chord.cross(gap).size() <= room
         })
 }
 

@@ -2,7 +2,9 @@
 
 use super::Spline;
 use super::corners::{angle_between, corners};
-use super::cubics::{FitCriteria, FitEffort, FitSamples, chord_lengths, is_straight};
+use super::cubics::{
+    FitCriteria, FitEffort, FitSamples, ROUNDING_SHARE, chord_lengths, is_straight,
+};
 use super::grid::{Grid, NormalizedGrid};
 use super::polyline::SampledPolyline;
 use super::smoothing::smoothed;
@@ -296,7 +298,9 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         // The difference keeps handles parallel to an axis.
         let offset = |k: usize, handle: P| (handle - joints[k]) / self.normalized.scale;
         let handle = |k: usize, handle: P| on_grid(joint(k) + offset(k, handle));
-        assemble(&cubics, self.polyline.is_closed(), joint, handle)
+        let tolerance = self.criteria.tolerance / self.normalized.scale;
+        let closed = self.polyline.is_closed();
+        assemble(&cubics, closed, tolerance, joint, handle)
     }
 
     /// Makes tangents parallel to the axis at the points between which a coordinate of the tangent changes sign, at the
@@ -409,14 +413,12 @@ struct SmoothedPoint<P> {
     tangents: [P; 2],
 }
 
-/// The part of the tolerance that is reserved for rounding.
-pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
-
 /// The spline of fitted cubics: `joint` gives the joint at an index, `handle` a control point by the index of its joint
 /// and its image. Cubics that are straight become lines, those that are points are left out.
 fn assemble<P: Point>(
     cubics: &[(usize, [P; 2])],
     closed: bool,
+    tolerance: f64,
     joint: impl Fn(usize) -> P,
     handle: impl Fn(usize, P) -> P,
 ) -> Spline<P> {
@@ -430,7 +432,7 @@ fn assemble<P: Point>(
         if [p1, p2, end] == [start; 3] && (to < cubics[cubics.len() - 1].0 || !degrees.is_empty()) {
             continue;
         }
-        if is_straight(&[start, p1, p2, end]) {
+        if is_straight(&[start, p1, p2, end], tolerance) {
             degrees.push(1);
         } else {
             points.extend([p1, p2]);

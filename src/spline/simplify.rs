@@ -2,8 +2,8 @@
 
 use super::Spline;
 use super::corners::angle_between;
-use super::cubics::{FitEffort, is_monotone};
-use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, ROUNDING_SHARE, check_corner_angle};
+use super::cubics::{FitEffort, ROUNDING_SHARE, is_monotone};
+use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, check_corner_angle};
 use super::grid::Grid;
 use crate::curve::Curve;
 use crate::curve::flatten::Polyline;

@@ -246,3 +246,17 @@ fn fits_of_sparse_points_stay_near_the_edges() {
         }
     }
 }
+
+/// A cubic that is straight but for more than the tolerance stays a cubic.
+#[test]
+fn lines_keep_a_fine_tolerance() {
+    let points: Vec<DVec2> = (0..200)
+        .map(|k| {
+            let x = 4000.0 * real(k) / 199.0 - 2000.0;
+            DVec2::new(x, 1e-6 * (x / 700.0).sin())
+        })
+        .collect();
+    let tolerance = 1e-9;
+    let fitted = Spline::fit(&points, &FitOptions::new(tolerance)).expect("finite");
+    is_within(&fitted, &points, tolerance);
+}
