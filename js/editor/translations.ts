@@ -46,9 +46,9 @@ const textOf = (english: string) => given[english] ?? english;
  * takes the texts when it is called. Texts that are not given stay English, as do messages about wrong attributes and
  * files.
  *
- * @param texts by the English ones, which `casteljau/texts.json` lists; {0}, {1} … stand for names and numbers. They take
- *   the place of those of an earlier call.
- * @throws {TypeError} for anything else
+ * @param texts the keys are the English texts, which `casteljau/texts.json` lists; {0}, {1} … stand for names and numbers.
+ *   A later call replaces all texts of an earlier one.
+ * @throws {TypeError} if `texts` is not an object whose values are strings
  */
 export function setTranslations(texts: Record<string, string>) {
   const isTable = typeof texts === "object" && texts !== null;

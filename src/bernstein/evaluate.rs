@@ -22,6 +22,9 @@ pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
 
 /// The point at t by de Casteljau's algorithm, for one to 65 control points.
 pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
+    if let [p] = *points {
+        return p;
+    }
     let mut row = [P::default(); MAX_DEGREE + 1];
     let count = points.len();
     row[..count].copy_from_slice(points);

@@ -42,6 +42,11 @@ impl<P: Point> Chord<P> {
 }
 
 impl Curve<DVec2> {
+    /// Whether the curve is more than a point.
+    pub(crate) fn has_size(&self) -> bool {
+        self.points.iter().any(|&p| p != self.points[0])
+    }
+
     /// The unit vector along a straight curve, from its start to the farthest control point; `None` if the curve bends
     /// or is a point.
     pub(crate) fn straight_direction(&self) -> Option<DVec2> {

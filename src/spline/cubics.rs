@@ -41,7 +41,7 @@ pub enum FitEffort {
     /// the others: the default.
     #[default]
     Fast,
-    /// As many segments as with [`Fast`](Self::Fast), but as close to the points as that number allows: between two corners
+    /// No more segments than with [`Fast`](Self::Fast), but as close to the points as that number allows: between two corners
     /// the smallest tolerance is found by bisection, to 1/1000. Takes about 11 times as long.
     Best,
 }

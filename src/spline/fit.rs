@@ -91,8 +91,11 @@ impl<P: Point> Spline<P> {
     /// point lies at most three tolerances from the part of the spline that follows the previous points. Between two points
     /// at a distance L, where the spline does not step back, it lies within the tolerance plus L/6 of their edge (the height
     /// of an arc that turns by 74°), or plus a quarter of the tolerance if that is more. The handles are at most 1.5 times as
-    /// long as the chord length of their points. An open spline starts at the first point and ends at the last. The other joints are input points, or lie
-    /// within the tolerance of one where the points have noise.
+    /// long as the chord length of their points.
+    ///
+    /// An open spline starts at the first point and ends at the last; a closed spline starts at its first corner, or at the
+    /// first point if it has no corners. The other joints are input points, or lie within the tolerance of one where the
+    /// points have noise.
     ///
     /// Turns by more than the corner angle are kept as corners. They are measured over arms of 8, 16 and 32 tolerances, so noise within the tolerance adds no
     /// corners, and a bend that a smooth curve follows within the tolerance is not a corner. Where neighbouring points are

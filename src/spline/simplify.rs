@@ -103,7 +103,7 @@ impl<P: Point> Spline<P> {
     /// tolerance. For each cubic the distance at each vertex is checked, and the distance of the cubic from its chords
     /// between the feet of the vertices must be within the rest of the tolerance. If the result does not have fewer
     /// segments and no segment is above degree 3, the spline is returned unchanged. A spline that is a point is returned
-    /// unchanged too.
+    /// unchanged too. A closed spline that is replaced starts at its first corner, or where it started if it has none.
     ///
     /// The work grows slightly faster than the number of vertices of the polyline. If more than 4096 vertices per
     /// segment were needed (tolerances below about 10⁻⁷ of the size of a segment), the number of segments is not
@@ -129,7 +129,8 @@ impl<P: Point> Spline<P> {
     /// [`simplify`](Self::simplify) with all options.
     ///
     /// With `extrema`, each coordinate increases or decreases along each segment, and the handles of smooth joints at
-    /// extrema are parallel to an axis. With `precision`, all control points have that number of decimals, and the
+    /// extrema are parallel to an axis; a closed spline without corners starts at an extremum. Segments above degree 3 at
+    /// tolerances below about 10⁻⁷ of their size are monotone only up to the tolerance. With `precision`, all control points have that number of decimals, and the
     /// tolerance holds for the rounded result; smooth joints may turn by as much as the rounding of their handles. A
     /// spline with no fewer segments is returned with its extrema as joints and with rounded control points.
     ///

@@ -303,8 +303,9 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
    * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
    * other joints are smooth; consecutive equal points count once. Between two points at a distance L the spline lies within
-   * the tolerance plus L/6 of their edge, or plus a quarter of the tolerance if that is more. The tolerance must be at least the noise of the points
-   * (about 1 for positions of a mouse in pixels): otherwise the spline follows the noise with many short segments.
+   * the tolerance plus L/6 of their edge, or plus a quarter of the tolerance if that is more. The tolerance must be at
+   * least the noise of the points (about 1 for positions of a mouse in pixels): otherwise the spline follows the noise with
+   * many short segments. A closed spline starts at its first corner, or at the first point if it has none.
    *
    * @param points at least 2
    */
@@ -359,9 +360,11 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * A spline of fewer lines and cubics whose Hausdorff distance from this one is at most the tolerance. Turns by more
    * than `cornerAngle` over arms of 8, 16 or 32 tolerances stay corners, the other joints are smooth, or lie where the
    * turn cannot be removed within the tolerance. If the number of segments cannot be reduced and no degree is above 3,
-   * the spline is returned unchanged; segments of higher degrees become cubics, as many as the tolerance requires.
+   * the spline is returned unchanged; segments of higher degrees are replaced by as many cubics as the tolerance
+   * requires. A closed spline that is replaced starts at its first corner, or where it started if it has none.
    *
-   * With `extrema`, x, y and z increase or decrease along each segment. With `precision`, the tolerance holds for the
+   * With `extrema`, x, y and z increase or decrease along each segment (segments above degree 3 at tolerances below about
+   * 1e-7 of their size: up to the tolerance), and a closed spline without corners starts at an extremum. With `precision`, the tolerance holds for the
    * rounded result; smooth joints may turn by as much as their handles are rounded.
    *
    * If more than 4096 vertices per segment would be needed (tolerances below about 1e-7 of its size), segments of

@@ -2,7 +2,7 @@
 
 use super::dash::Pattern;
 use super::options::Pen;
-use super::{StrokeCap, StrokeOptions, has_size};
+use super::{StrokeCap, StrokeOptions, check_width};
 use crate::bernstein::product::product_of;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
@@ -53,6 +53,7 @@ impl Path {
         options: &StrokeOptions,
     ) -> Result<bool, Error> {
         check_points("p", &[p])?;
+        check_width(width)?;
         let pen = self.pen(width, options)?;
         let pattern = Pattern::new(&options.dash, options.dash_offset)?;
         let Some(pen) = pen else {
@@ -80,7 +81,7 @@ impl Path {
 
 /// Whether the stroke of a subpath contains a point. `tangent` is the direction of a subpath that is a point.
 fn covers(spline: &Spline<DVec2>, tangent: DVec2, p: DVec2, pen: &Pen) -> bool {
-    let curves: Vec<Curve<DVec2>> = spline.segments().filter(has_size).collect();
+    let curves: Vec<Curve<DVec2>> = spline.segments().filter(Curve::has_size).collect();
     let (Some(first), Some(last)) = (curves.first(), curves.last()) else {
         let center = spline.control_points()[0];
         return in_cap(p - center, tangent, pen) || in_cap(p - center, -tangent, pen);
@@ -127,7 +128,7 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
     let outside = if from.perp_dot(to) >= 0.0 { -1.0 } else { 1.0 };
     let normals = [from, to].map(|tangent| tangent.perp() * outside);
     let cos = from.dot(to);
-    match pen.miter(cos) {
+    match pen.miter(pen.radius, cos) {
         Some(_) => normals.iter().all(|n| q.dot(*n) <= pen.radius),
         // Below the line through the ends of both normals; nothing where the path turns back.
         None => {

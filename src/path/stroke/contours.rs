@@ -1,9 +1,11 @@
 //! Strokes of points, and contours that are too thin to be kept.
 
 use super::options::{Pen, StrokeCap};
-use super::outline::{cap, push_closed};
+use super::outline::{add_cap, push_closed};
+use super::section::{Disc, RIGHT};
 use crate::path::Path;
 use crate::spline::Spline;
+use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
 
 /// A part of the stroke thinner than this part of half the width is an error of approximation.
@@ -11,20 +13,28 @@ const THIN_PART: f64 = 0.25;
 
 /// Appends the stroke of a point: two caps back to back.
 pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen) {
-    if pen.cap == StrokeCap::Butt {
-        return;
+    let disc = Disc {
+        center,
+        tangent,
+        radius: pen.radius,
+        slope: 0.0,
+    };
+    match pen.cap {
+        StrokeCap::Butt => {}
+        StrokeCap::Square => {
+            let (ahead, aside) = (tangent * pen.radius, tangent.perp() * pen.radius);
+            let corners = [ahead - aside, ahead + aside, aside - ahead, -ahead - aside];
+            path.push(&corners.map(|by| center + by), [1; 4], true);
+        }
+        StrokeCap::Round => {
+            let mut dot = SplineBuilder::default();
+            dot.start(disc.point(RIGHT));
+            for sign in [1.0, -1.0] {
+                add_cap(&mut dot, disc, sign, pen.cap, pen);
+            }
+            push_closed(path, dot);
+        }
     }
-    let mut dot = cap(center, tangent, pen);
-    let back = cap(center, -tangent, pen);
-    if pen.cap == StrokeCap::Square {
-        // The caps meet in the middle of two sides, which need no corner there.
-        let corners = [&dot.points[1..3], &back.points[1..3]].concat();
-        path.push(&corners, [1; 4], true);
-        return;
-    }
-    dot.points.extend(&back.points[1..]);
-    dot.degrees.extend(&back.degrees);
-    push_closed(path, dot);
 }
 
 /// Appends a disk.

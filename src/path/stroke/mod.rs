@@ -1,9 +1,8 @@
 //! Strokes, dashes, offsets of regions, and rounded corners.
 //!
-//! The stroke of a path is the region that a segment of the normal, half the width to both sides, sweeps along the
-//! path, together with joins and caps. The offset curves of both sides bound it ([`outline`]). Where a side bends more
-//! tightly than half the width, its offset runs backwards; there the outline alone can leave out points ahead of a butt
-//! cap or next to a bevel, and [`folds`] adds the missing parts.
+//! The stroke of a path is the union of discs around its points, with joins and caps in place of what the discs cover at
+//! corners and ends. A subpath is divided into sections ([`subpath`], [`section`]), each with two sides ([`side`]), and
+//! these are joined to an outline ([`outline`]). The width may vary along the path.
 //!
 //! Sources: Nehab, "Converting stroked primitives to filled primitives" (SIGGRAPH 2020); Levien and Uguray,
 //! "GPU-friendly stroke expansion" (HPG 2024).
@@ -12,17 +11,14 @@ mod contains;
 mod contours;
 mod corner_arc;
 mod dash;
-mod folds;
 mod offset;
 mod options;
 mod outline;
 mod profile;
 mod round_corners;
+mod section;
 mod side;
-mod side_boundary;
-mod variable;
-mod variable_pen;
-mod variable_side;
+mod subpath;
 
 pub use offset::OffsetOptions;
 pub use options::{CornerOptions, StrokeCap, StrokeOptions};
@@ -31,7 +27,6 @@ pub use profile::{WidthInterpolation, WidthPosition, WidthProfile};
 use super::Path;
 use super::boolean::BooleanOperation;
 use super::winding::FillRule;
-use crate::curve::Curve;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::spline::Spline;
@@ -39,8 +34,6 @@ use crate::spline::offset::curve::offset_tolerance;
 use dash::Pattern;
 use glam::DVec2;
 use options::Pen;
-use outline::Outline;
-use profile::Radii;
 
 impl Path {
     /// The region that a stroke of the path covers.
@@ -70,12 +63,10 @@ impl Path {
     /// below 1, and for a tolerance that is not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the
     /// largest coordinate plus half the width; for dashes as [`dash`](Self::dash); [`Error::TooMany`] for
     /// outlines of more than 512 segments and 64 for each curve of the path, unless `simple` is false, and otherwise
-    /// as [`Curve::offset`] and [`union`](Self::union).
+    /// as [`Curve::offset`](crate::Curve::offset) and [`union`](Self::union).
     pub fn stroke(&self, width: f64, options: &StrokeOptions) -> Result<Self, Error> {
-        let Some(pen) = self.pen(width, options)? else {
-            return Ok(Self::default());
-        };
-        self.strokes(&pen, options)?.finish(&pen, options.simple)
+        check_width(width)?;
+        self.stroke_with(&WidthProfile::constant(width), options)
     }
 
     /// The region that a stroke of varying width covers.
@@ -105,8 +96,8 @@ impl Path {
     ///
     /// # Errors
     /// [`Error::Count`] for a profile without stops; [`Error::Item`] for positions that are not ascending from 0 to 1, and
-    /// for a width that is negative or not finite; [`Error::TooMany`] for more than 2¹⁷ attempted cubics for one subpath;
-    /// otherwise as [`stroke`](Self::stroke).
+    /// for a width that is negative or not finite; [`Error::TooMany`] for more than 2¹⁷ attempted cubics for one side of a
+    /// curve; otherwise as [`stroke`](Self::stroke).
     ///
     /// Source of the envelope: Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181
     /// (1997).
@@ -115,7 +106,7 @@ impl Path {
         profile: &WidthProfile,
         options: &StrokeOptions,
     ) -> Result<Self, Error> {
-        match self.variable(profile, options)? {
+        match self.outlines(profile, options)? {
             Some((strokes, pen)) => strokes.finish(&pen, options.simple),
             None => Ok(Self::default()),
         }
@@ -151,15 +142,15 @@ impl Path {
         options: &StrokeOptions,
     ) -> Result<bool, Error> {
         check_points("p", &[p])?;
-        let strokes = self.variable(profile, options)?;
+        let strokes = self.outlines(profile, options)?;
         Ok(
             strokes
                 .is_some_and(|(strokes, _)| strokes.overlapping().contains(p, FillRule::NonZero)),
         )
     }
 
-    /// The outlines of strokes of varying width; `None` if they are empty.
-    fn variable(
+    /// The outlines of all strokes; `None` if they are empty.
+    fn outlines(
         &self,
         profile: &WidthProfile,
         options: &StrokeOptions,
@@ -170,20 +161,12 @@ impl Path {
         let Some(pen) = pen else {
             return Ok(None);
         };
-        let radii = |scale, closed| Radii::new(profile, scale, closed);
-        let strokes = self.variable_strokes(radii, &pen, pattern.as_ref())?;
+        let strokes = self.strokes(profile, &pen, pattern.as_ref())?;
         Ok(Some((strokes, pen)))
     }
 
     /// The checked parameters of a stroke; `None` if it is empty.
     fn pen(&self, width: f64, options: &StrokeOptions) -> Result<Option<Pen>, Error> {
-        if !(width >= 0.0 && width.is_finite()) {
-            return Err(Error::Range {
-                what: "width",
-                expected: "a finite number, at least 0",
-                got: width,
-            });
-        }
         options.check()?;
         let radius = 0.5 * width;
         let diagonal = || {
@@ -198,60 +181,40 @@ impl Path {
             miter_limit: options.miter_limit,
             cap: options.cap,
             tolerance,
+            unit: 1.0,
         };
         Ok((radius > 0.0 && !self.is_empty()).then_some(pen))
     }
-
-    /// The outlines of the strokes of all subpaths or their dashes.
-    fn strokes(&self, pen: &Pen, options: &StrokeOptions) -> Result<Strokes, Error> {
-        let mut strokes = Strokes::default();
-        let pattern = Pattern::new(&options.dash, options.dash_offset)?;
-        let mut count = 0;
-        for spline in self.subpaths() {
-            match &pattern {
-                None => strokes.add(&spline, DVec2::X, pen)?,
-                Some(pattern) => {
-                    for dash in pattern.dashes(&spline, &mut count)? {
-                        strokes.add(&dash.spline, dash.tangent, pen)?;
-                    }
-                }
-            }
-        }
-        Ok(strokes)
-    }
 }
 
-/// The largest number of segments of outlines whose union a stroke computes: for each curve that is stroked, and in
-/// addition for any number of them. More mean that the tolerance is tiny compared with the turns of the outline.
+fn check_width(width: f64) -> Result<(), Error> {
+    if (0.0..=f64::MAX).contains(&width) {
+        return Ok(());
+    }
+    Err(Error::Range {
+        what: "width",
+        expected: "a finite number, at least 0",
+        got: width,
+    })
+}
+
+/// The largest number of segments of outlines whose union a stroke computes: for each part of a curve that is stroked,
+/// and in addition for any number of them. More mean that the tolerance is tiny compared with the turns of the outline.
 const SEGMENTS_PER_CURVE: usize = 64;
 const FURTHER_SEGMENTS: usize = 1 << 9;
 
 /// The parts of a stroke.
 #[derive(Default)]
 struct Strokes {
-    /// The number of curves that are stroked; of those with a varying width, the number of their parts.
+    /// The number of parts of curves that are stroked.
     curve_count: usize,
     /// The outlines; their winding numbers are non-negative except in the folds.
     outlines: Path,
-    /// The parts that are swept backwards, where the outlines alone can leave them out.
+    /// The parts that are swept backwards, where the outlines alone can leave them out; see [`side`].
     folds: Path,
 }
 
 impl Strokes {
-    /// Adds the stroke of a subpath, which has a given tangent if it is a point.
-    fn add(&mut self, spline: &Spline<DVec2>, tangent: DVec2, pen: &Pen) -> Result<(), Error> {
-        let curves: Vec<Curve<DVec2>> = spline.segments().filter(has_size).collect();
-        self.curve_count += curves.len().max(1);
-        if curves.is_empty() {
-            contours::push_dot(&mut self.outlines, spline.control_points()[0], tangent, pen);
-            return Ok(());
-        }
-        let outline = Outline::new(&curves, spline.is_closed(), pen)?;
-        folds::push_folds(&mut self.folds, &curves, &outline, pen)?;
-        outline.push_to(&mut self.outlines);
-        Ok(())
-    }
-
     fn finish(self, pen: &Pen, simple: bool) -> Result<Path, Error> {
         if simple {
             self.region(pen)
@@ -285,10 +248,4 @@ impl Strokes {
         };
         Ok(contours::without_thin(&union, pen))
     }
-}
-
-/// Whether a curve is more than a point.
-fn has_size(curve: &Curve<DVec2>) -> bool {
-    let points = curve.control_points();
-    points.iter().any(|&p| p != points[0])
 }

@@ -199,19 +199,30 @@ pub(super) struct Pen {
     pub(super) miter_limit: f64,
     pub(super) cap: StrokeCap,
     pub(super) tolerance: f64,
+    /// The scale of the radius and the tolerance.
+    pub(super) unit: f64,
 }
 
 impl Pen {
-    /// The factor of the sum of two unit normals at a corner that gives the tip of its miter; `None` for a join that is
-    /// not a miter, or exceeds the limit of miters or that of
-    /// coordinates.
+    /// The pen in coordinates that are multiplied by a scale.
+    pub(super) fn scaled(&self, scale: f64) -> Self {
+        Self {
+            radius: self.radius * scale,
+            tolerance: self.tolerance * scale,
+            unit: self.unit * scale,
+            ..*self
+        }
+    }
+
+    /// The factor of the sum of two unit normals of a disc that gives the tip of a miter; `None` for a join that is not
+    /// a miter, or exceeds the limit of miters or that of coordinates.
     ///
     /// The tip is 1/cos(θ/2) radii away, and 1 + cos θ = 2cos²(θ/2).
-    pub(super) fn miter(&self, cos: f64) -> Option<f64> {
+    pub(super) fn miter(&self, radius: f64, cos: f64) -> Option<f64> {
         let twice = 1.0 + cos;
         let within = twice * self.miter_limit * self.miter_limit >= 2.0;
-        let reach = self.radius / twice;
-        (self.join == OffsetJoin::Miter && within && reach <= 0.125 * MAX_COORDINATE)
+        let reach = radius / twice;
+        (self.join == OffsetJoin::Miter && within && reach <= 0.125 * MAX_COORDINATE * self.unit)
             .then_some(reach)
     }
 }

@@ -1,162 +1,283 @@
 //! The outline of the stroke of one subpath.
 //!
-//! Two chains of offset curves, on the left and on the right. At a corner the outer side has a join, and the inner side
-//! passes through the corner, so that the outline is a sum of the outlines of the segments' strokes and of the joins.
+//! Let r be the radius as a function of arc length, T and N the tangent and the normal. The discs touch their envelope at
+//! c − r r′ T ± r √(1 − r′²) N: the left and the right side, which are offset curves if r is constant. Where |r′| ≥ 1 one
+//! disc contains the others, and both sides pass through it on the same line.
+//!
+//! The outline consists of two chains of sides, on the left and on the right. Where the direction changes, the outer side
+//! has a join, and the inner side passes through the corner, so that the outline is a sum of the outlines of the parts and
+//! of the joins. Where r′ changes suddenly, both sides follow on the circle.
+//!
+//! Source of the envelope: Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181
+//! (1997).
 
 use super::options::{Pen, StrokeCap};
-use super::side_boundary::add_sides;
-use crate::curve::Curve;
+use super::section::{Disc, LEFT, RIGHT, RunKind, Section, SectionEvaluator};
+use super::side::{Side, push_line};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::path::Path;
 use crate::spline::OffsetJoin;
-use crate::spline::offset::{SMOOTH_PART, end_tangent, start_tangent};
+use crate::spline::offset::SMOOTH_PART;
+use crate::spline::offset::offset_curve::add_arc;
 use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
+use std::f64::consts::PI;
 
-/// The outline of a subpath.
-pub(super) struct Outline {
+/// The outline of a subpath under construction.
+pub(super) struct Outline<'a> {
+    pen: &'a Pen,
     left: SplineBuilder,
     right: SplineBuilder,
-    pub(super) closed: bool,
-    /// The points and directions beyond which the stroke ends with less than a half disk: butt caps and bevels.
-    pub(super) blunt_ends: Vec<(DVec2, DVec2)>,
-    caps: [SplineBuilder; 2],
+    /// The first and the last disc so far, and whether the sections there have straight sides.
+    ends: Option<[(Disc, bool); 2]>,
+    /// The discs beyond which the stroke ends with less than a half disc, at butt caps and bevels; their tangents point
+    /// out of the stroke.
+    blunt_ends: Vec<Disc>,
+    /// The intervals of sections in which a side runs backwards.
+    backward: Vec<(Section<'a>, f64, [f64; 2])>,
 }
 
-impl Outline {
-    /// Expects curves that are not points.
-    pub(super) fn new(curves: &[Curve<DVec2>], closed: bool, pen: &Pen) -> Result<Self, Error> {
-        let mut outline = Self {
+impl<'a> Outline<'a> {
+    pub(super) fn new(pen: &'a Pen) -> Self {
+        Self {
+            pen,
             left: SplineBuilder::default(),
             right: SplineBuilder::default(),
-            closed,
+            ends: None,
             blunt_ends: Vec::new(),
-            caps: Default::default(),
-        };
-        let own = pen.tolerance * (1.0 - SMOOTH_PART);
-        for (k, curve) in curves.iter().enumerate() {
-            if k > 0 {
-                outline.join(&curves[k - 1], curve, false, pen);
-            }
-            let sides = [&mut outline.left, &mut outline.right];
-            add_sides(sides, curve, pen.radius, own)?;
+            backward: Vec::new(),
         }
-        let (first, last) = (&curves[0], &curves[curves.len() - 1]);
+    }
+
+    fn sides(&mut self) -> [(f64, &mut SplineBuilder); 2] {
+        [(LEFT, &mut self.left), (RIGHT, &mut self.right)]
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.pen.tolerance * (1.0 - SMOOTH_PART)
+    }
+
+    /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a
+    /// reversal of a curve.
+    pub(super) fn add(&mut self, section: Section<'a>, is_corner: bool) -> Result<(), Error> {
+        let evaluator = SectionEvaluator::new(&section);
+        let discs = [0.0, 1.0].map(|t| evaluator.at(t));
+        let [from, to] = discs.map(|disc| (disc, section.is_straight()));
+        match self.ends {
+            Some([_, last]) => self.connect(last, from, is_corner, false),
+            None => {
+                for (side, chain) in self.sides() {
+                    chain.start(from.0.point(side));
+                }
+            }
+        }
+        let tolerance = self.tolerance();
+        let signs = evaluator.signs();
+        let mut backward = Vec::new();
+        for (side, chain) in self.sides() {
+            let of_side = Side {
+                evaluator: &evaluator,
+                ends: discs,
+                side,
+                tolerance,
+            };
+            for run in evaluator.runs(&signs, side) {
+                match run.kind {
+                    RunKind::Forward => of_side.add(run.span, 1.0, chain)?,
+                    RunKind::Inside => push_line(chain, of_side.point(run.span[1])),
+                    RunKind::Backward => {
+                        of_side.add_midway(run.span, chain);
+                        backward.push((side, run.span));
+                    }
+                }
+            }
+        }
+        let first = self.ends.map_or(from, |[first, _]| first);
+        self.ends = Some([first, to]);
+        for (side, span) in backward {
+            self.backward.push((section.clone(), side, span));
+        }
+        Ok(())
+    }
+
+    /// Connects both sides where the direction or r′ changes; `is_last`: at the end of a closed subpath.
+    fn connect(
+        &mut self,
+        (from, from_line): (Disc, bool),
+        (to, to_line): (Disc, bool),
+        is_corner: bool,
+        is_last: bool,
+    ) {
+        let (pen, center, radius) = (self.pen, to.center, to.radius);
+        // A turn by 180° is a left turn, also if the sine is −0.
+        let sin = from.tangent.perp_dot(to.tangent) + 0.0;
+        let outer = if sin >= 0.0 { RIGHT } else { LEFT };
+        let turns = Point::norm(to.tangent - from.tangent) * radius > SMOOTH_PART * pen.tolerance;
+        if !turns && from.slope == to.slope {
+            return;
+        }
+        let is_round = !is_corner || pen.join == OffsetJoin::Round;
+        let mut is_blunt = false;
+        for (side, chain) in self.sides() {
+            let normals = [from.normal(side), to.normal(side)];
+            if turns && side != outer {
+                push_line(chain, center);
+            } else if turns && !is_round {
+                if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
+                    let tip = center + (normals[0] + normals[1]) * reach;
+                    push_tip(chain, tip, from_line);
+                    if to_line {
+                        if is_last {
+                            chain.points[0] = tip;
+                        }
+                        continue;
+                    }
+                } else {
+                    is_blunt = true;
+                }
+            } else {
+                let turn = sin.atan2(from.tangent.dot(to.tangent));
+                let spread = to.angle() - from.angle();
+                push_arc(chain, (center, radius), normals, turn + side * spread, pen);
+                continue;
+            }
+            push_line(chain, to.point(side));
+        }
+        if is_blunt {
+            self.blunt_ends.push(from);
+        }
+    }
+
+    /// The contours. `surrounds`: whether both sides of a closed subpath may surround points in the same direction.
+    pub(super) fn finish(
+        mut self,
+        closed: bool,
+        cap: StrokeCap,
+        surrounds: bool,
+    ) -> Result<Contours, Error> {
+        let mut contours = Contours::default();
+        let Some([first, last]) = self.ends else {
+            return Ok(contours);
+        };
         if closed {
-            outline.join(last, first, true, pen);
-        } else {
-            let ends = [
-                (last.end(), end_tangent(last)),
-                (first.start(), -start_tangent(first)),
-            ];
-            outline.caps = ends.map(|(end, tangent)| cap(end, tangent, pen));
-            if pen.cap == StrokeCap::Butt {
-                outline.blunt_ends.extend(ends);
-            }
+            self.connect(last, first, true, true);
+        } else if cap == StrokeCap::Butt {
+            let back = Disc {
+                tangent: -first.0.tangent,
+                slope: -first.0.slope,
+                ..first.0
+            };
+            self.blunt_ends.extend([last.0, back]);
         }
-        Ok(outline)
-    }
-
-    /// Connects both sides of two consecutive segments; of the last and the first one if `is_last`.
-    fn join(&mut self, before: &Curve<DVec2>, after: &Curve<DVec2>, is_last: bool, pen: &Pen) {
-        let (corner, from, to) = (after.start(), end_tangent(before), start_tangent(after));
-        if Point::norm(to - from) * pen.radius <= SMOOTH_PART * pen.tolerance {
-            return;
-        }
-        // A turn by 180° is a left turn.
-        let turns_left = from.perp_dot(to) >= 0.0;
-        let (outer, inner, distance) = if turns_left {
-            (&mut self.right, &mut self.left, -pen.radius)
-        } else {
-            (&mut self.left, &mut self.right, pen.radius)
-        };
-        inner.line_to(corner);
-        inner.line_to(corner - to.perp() * distance);
-        if pen.join == OffsetJoin::Round {
-            outer.add_arc_about(corner, from, to, distance, pen.tolerance);
-            return;
-        }
-        let Some(reach) = pen.miter(from.dot(to)) else {
-            self.blunt_ends.push((corner, from));
-            outer.line_to(corner + to.perp() * distance);
-            return;
-        };
-        let tip = corner + (from + to).perp() * reach.copysign(distance);
-        let lines = [before, after].map(|curve| curve.degree() == 1);
-        push_miter(outer, tip, corner + to.perp() * distance, lines, is_last);
-    }
-
-    /// Appends the contours: one for an open subpath, two for a closed one.
-    pub(super) fn push_to(self, path: &mut Path) {
+        let tolerance = self.tolerance();
         let Self {
+            pen,
             mut left,
             mut right,
-            caps: [end, start],
-            closed,
+            blunt_ends,
+            backward,
             ..
         } = self;
+        if !blunt_ends.is_empty() {
+            for (section, side, span) in &backward {
+                let evaluator = &SectionEvaluator::new(section);
+                let side = Side {
+                    evaluator,
+                    ends: [0.0, 1.0].map(|t| evaluator.at(t)),
+                    side: *side,
+                    tolerance,
+                };
+                if surrounds || side.is_near(*span, &blunt_ends) {
+                    contours.folds.push(side.fold(*span)?);
+                }
+            }
+        }
+        contours.surrounds = surrounds && blunt_ends.is_empty();
         left.points.reverse();
         left.degrees.reverse();
         if closed {
-            for side in [right, left] {
-                push_closed(path, side);
-            }
-            return;
+            contours.outlines.extend([right, left]);
+            return Ok(contours);
         }
-        for part in [end, left, start] {
-            append(&mut right, &part);
-        }
-        push_closed(path, right);
+        add_cap(&mut right, last.0, 1.0, cap, pen);
+        right.points.extend(&left.points[1..]);
+        right.degrees.extend(&left.degrees);
+        add_cap(&mut right, first.0, -1.0, cap, pen);
+        contours.outlines.push(right);
+        Ok(contours)
     }
 }
 
-/// Appends the sides of a miter, from the end of the chain to the start of what follows. `lines` tells whether the
-/// segments before and after the corner are lines, which are extended to the tip; after the last corner of a closed
-/// chain the segment after it is the first one.
-fn push_miter(chain: &mut SplineBuilder, tip: DVec2, next: DVec2, lines: [bool; 2], is_last: bool) {
-    let end = chain.points.len() - 1;
-    if lines[0] {
-        chain.points[end] = tip;
-    } else {
-        chain.line_to(tip);
-    }
-    if !lines[1] {
-        chain.line_to(next);
-    } else if is_last {
-        chain.points[0] = tip;
+/// The contours of the stroke of a subpath; each ends where it starts.
+#[derive(Default)]
+pub(super) struct Contours {
+    pub(super) outlines: Vec<SplineBuilder>,
+    /// The parts that are swept backwards, where the outlines can leave them out.
+    pub(super) folds: Vec<SplineBuilder>,
+    /// Whether the points within all discs may be left out. They are within the first one.
+    pub(super) surrounds: bool,
+}
+
+/// Appends the tip of a miter; a line before it is extended.
+fn push_tip(chain: &mut SplineBuilder, tip: DVec2, extends: bool) {
+    match chain.points.last_mut() {
+        Some(end) if extends => *end = tip,
+        _ => push_line(chain, tip),
     }
 }
 
-/// Appends a chain that starts where another one ends.
-fn append(chain: &mut SplineBuilder, next: &SplineBuilder) {
-    if chain.points.is_empty() {
-        chain.points.extend(&next.points);
-    } else {
-        chain.points.extend(&next.points[1..]);
+/// Appends an arc about a centre while the normal turns by an angle, unless it is too short to matter.
+fn push_arc(
+    chain: &mut SplineBuilder,
+    (center, radius): (DVec2, f64),
+    normals: [DVec2; 2],
+    angle: f64,
+    pen: &Pen,
+) {
+    if angle.abs() * radius <= SMOOTH_PART * pen.tolerance {
+        return;
     }
-    chain.degrees.extend(&next.degrees);
+    let tangents = normals.map(|normal| -normal.perp());
+    let before = chain.points.len();
+    let centers = [center; 2];
+    add_arc(
+        centers,
+        tangents,
+        angle,
+        radius,
+        pen.tolerance,
+        &mut chain.points,
+    );
+    let count = (chain.points.len() - before) / 3;
+    chain.degrees.extend(std::iter::repeat_n(3, count));
+}
+
+/// Appends a cap to a chain that ends on one side of a disc: around the front if `sign` is 1, around the rear if it is −1.
+pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: StrokeCap, pen: &Pen) {
+    let (from, to) = (-sign, sign);
+    match cap {
+        StrokeCap::Round => {
+            let normals = [end.normal(from), end.normal(to)];
+            let angle = if sign > 0.0 {
+                end.angle()
+            } else {
+                PI - end.angle()
+            };
+            push_arc(chain, (end.center, end.radius), normals, 2.0 * angle, pen);
+        }
+        StrokeCap::Square => {
+            let ahead = end.tangent * (sign * end.radius);
+            push_line(chain, end.point(from) + ahead);
+            push_line(chain, end.point(to) + ahead);
+        }
+        StrokeCap::Butt => {}
+    }
+    push_line(chain, end.point(to));
 }
 
 /// Appends a closed subpath that ends where it starts.
 pub(super) fn push_closed(path: &mut Path, mut chain: SplineBuilder) {
     chain.points.pop();
     path.push(&chain.points, chain.degrees.iter().copied(), true);
-}
-
-/// The cap at an end with a tangent that points out of the stroke, from the right to the left.
-pub(super) fn cap(end: DVec2, tangent: DVec2, pen: &Pen) -> SplineBuilder {
-    let (normal, ahead) = (tangent.perp() * pen.radius, tangent * pen.radius);
-    let mut cap = SplineBuilder::default();
-    cap.start(end - normal);
-    if pen.cap == StrokeCap::Round {
-        cap.add_arc_about(end, tangent, -tangent, -pen.radius, pen.tolerance);
-        return cap;
-    }
-    if pen.cap == StrokeCap::Square {
-        cap.line_to(end - normal + ahead);
-        cap.line_to(end + normal + ahead);
-    }
-    cap.line_to(end + normal);
-    cap
 }

@@ -184,15 +184,28 @@ impl Radii {
     pub(super) fn new(profile: &WidthProfile, scale: f64, closed: bool) -> Self {
         let radius = |&(position, width): &(f64, f64)| [position, 0.5 * width * scale, 0.0];
         let mut stops: Vec<[f64; 3]> = profile.stops.iter().map(radius).collect();
+        let is_constant = stops.iter().all(|stop| stop[1] == stops[0][1]);
+        if is_constant {
+            stops.truncate(1);
+        }
         if profile.interpolation == WidthInterpolation::Smooth {
             set_slopes(&mut stops);
         }
         Self {
-            at: profile.at,
+            // Without a change of the width, positions do not matter, and lengths need not be found.
+            at: if is_constant {
+                WidthPosition::T
+            } else {
+                profile.at
+            },
             closed,
             stops,
             interpolation: profile.interpolation,
         }
+    }
+
+    pub(super) fn is_constant(&self) -> bool {
+        self.stops.len() == 1
     }
 
     /// The positions of the stops between two positions.

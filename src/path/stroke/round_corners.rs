@@ -1,7 +1,6 @@
 //! Corners of a path replaced by arcs.
 
 use super::corner_arc::{CornerArc, corner_arc, is_corner};
-use super::has_size;
 use super::options::CornerOptions;
 use crate::curve::Curve;
 use crate::geometry::check::{check_tolerance, clamp_to_limit};
@@ -130,7 +129,7 @@ impl<'a> RoundedSubpath<'a> {
     fn new(part: Subpath<'a>, radius: f64, chosen: Option<Vec<f64>>) -> Self {
         let segments = part.segments().map(Curve::from_slice).enumerate();
         let (places, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
-            segments.filter(|(_, curve)| has_size(curve)).unzip();
+            segments.filter(|(_, curve)| curve.has_size()).unzip();
         let count = curves.len();
         let total = part.segment_count();
         // Segments that are points may follow segment k: the joints at both of their ends are those of the corner.
