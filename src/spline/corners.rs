@@ -17,6 +17,7 @@ use super::local_fit::{Parabola, TwoLines};
 use super::polyline::{Cluster, SampledPolyline};
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
+use crate::numeric::trigonometry::cos_sin;
 use std::ops::Range;
 
 /// Arm lengths in tolerances. A direction over the shortest one has an error of a few degrees if the noise is as large as
@@ -57,6 +58,7 @@ pub(crate) fn corners<P: Point>(
         own,
         tolerance,
         angle,
+        cosines: [0.5 * angle, angle].map(|angle| cos_sin(angle).0),
     };
     let mut found = Vec::new();
     let mut taken = vec![false; detector.own.len()];
@@ -80,6 +82,8 @@ struct CornerDetector<P> {
     max_in_arm: usize,
     tolerance: f64,
     angle: f64,
+    /// The cosines of half the angle and of the angle.
+    cosines: [f64; 2],
 }
 
 /// A corner at a cluster.
@@ -138,7 +142,8 @@ impl<P: Point> CornerDetector<P> {
             return self.sparse_corner(k);
         }
         let mean = |index: usize| self.clusters[index].mean;
-        if angle_between(mean(k) - mean(k - before), mean(k + after) - mean(k)) < 0.5 * self.angle {
+        let arms = [mean(k) - mean(k - before), mean(k + after) - mean(k)];
+        if !turns_more(arms, self.cosines[0]) {
             return None;
         }
         let mut samples: Vec<(P, f64)> = Vec::with_capacity(2 * MAX_SAMPLES + 1);
@@ -153,7 +158,7 @@ impl<P: Point> CornerDetector<P> {
         let lines = TwoLines::fitted(&samples);
         // The cheapest tests first: most clusters are no corners.
         if lines.apex.norm() > self.tolerance
-            || angle_between(lines.before, lines.after) <= self.angle
+            || !turns_more([lines.before, lines.after], self.cosines[1])
         {
             return None;
         }
@@ -162,7 +167,7 @@ impl<P: Point> CornerDetector<P> {
         if off > limit {
             return None;
         }
-        let ratio = Parabola::fitted(&samples).squares(&samples) / (off + 1e-4 * limit);
+        let ratio = Parabola::fitted(&samples).squares / (off + 1e-4 * limit);
         (ratio >= MIN_RATIO).then_some(Corner {
             cluster: k,
             apex: here.mean + lines.apex,
@@ -174,14 +179,18 @@ impl<P: Point> CornerDetector<P> {
 
     /// The number of clusters in an arm.
     fn arm(&self, k: usize, arm: f64, at: impl Fn(usize) -> Option<usize>) -> Option<usize> {
-        let distance = |steps: usize| {
-            at(steps).map(|index| (self.clusters[index].mean - self.clusters[k].mean).norm())
+        let here = self.clusters[k].mean;
+        let is_within = |steps: usize, far: f64| {
+            at(steps).map(|index| {
+                let gap = self.clusters[index].mean - here;
+                gap.dot(gap) < far * far
+            })
         };
-        if distance(1)? >= ARMS[0] * self.tolerance {
+        if !is_within(1, ARMS[0] * self.tolerance)? {
             return Some(1);
         }
         let mut steps = 1;
-        while steps < self.max_in_arm && distance(steps + 1).is_some_and(|far| far <= arm) {
+        while steps < self.max_in_arm && is_within(steps + 1, arm) == Some(true) {
             steps += 1;
         }
         let steps = steps.max(MIN_IN_ARM.min(self.max_in_arm));
@@ -230,6 +239,11 @@ impl<P: Point> CornerDetector<P> {
 fn spread(count: usize) -> impl Iterator<Item = usize> {
     let samples = count.min(MAX_SAMPLES);
     (1..=samples).map(move |i| i * count / samples)
+}
+
+/// Whether two vectors differ by more than the angle with a given cosine. A vector of length 0 has no angle.
+fn turns_more<P: Point>([u, v]: [P; 2], cosine: f64) -> bool {
+    u.dot(v) < cosine * (u.dot(u) * v.dot(v)).sqrt()
 }
 
 /// 2 atan2(|u − v|, |u + v|) for unit vectors, which is accurate for small and for large angles.

@@ -57,7 +57,7 @@ pub(crate) struct FitSamples<P> {
 }
 
 /// The maximum number of points used for least squares; all points are checked.
-const MAX_SAMPLES: usize = 48;
+const MAX_SAMPLES: usize = 16;
 
 /// Iterations of least squares, and of Newton's method for a foot.
 const MAX_ROUNDS: usize = 6;

@@ -34,8 +34,11 @@ impl<P: Point> TwoLines<P> {
 
     /// The sum of the squared distances.
     pub(crate) fn squares(&self, samples: &[(P, f64)]) -> f64 {
-        let at = |x: f64| self.apex + self.before * x.min(0.0) + self.after * x.max(0.0);
-        squares(samples, at)
+        let square = |&(p, x): &(P, f64)| {
+            let off = p - self.apex - self.before * x.min(0.0) - self.after * x.max(0.0);
+            off.dot(off)
+        };
+        samples.iter().map(square).sum()
     }
 }
 
@@ -46,6 +49,8 @@ pub(crate) struct Parabola<P> {
     skew: f64,
     spread: f64,
     coefficients: [P; 3],
+    /// The sum of the squared distances of the samples.
+    pub(crate) squares: f64,
 }
 
 impl<P: Point> Parabola<P> {
@@ -55,19 +60,24 @@ impl<P: Point> Parabola<P> {
         let middle = samples.iter().map(|&(_, x)| x).sum::<f64>() / count;
         let (mut s2, mut s3, mut s4) = (0.0, 0.0, 0.0);
         let (mut mean, mut first) = (P::default(), P::default());
+        let mut whole = 0.0;
         for &(p, x) in samples {
             let y = x - middle;
             (s2, s3, s4) = (s2 + y * y, s3 + y * y * y, s4 + y * y * y * y);
             mean += p;
             first += p * y;
+            whole += p.dot(p);
         }
+        let mean = mean / count;
+        // What an orthogonal basis explains is subtracted from Σ p².
+        let rest = whole - count * mean.dot(mean);
         if s2 == 0.0 {
-            let coefficients = [mean / count, P::default(), P::default()];
             return Self {
                 middle,
                 skew: 0.0,
                 spread: 0.0,
-                coefficients,
+                coefficients: [mean, P::default(), P::default()],
+                squares: rest.max(0.0),
             };
         }
         let (skew, spread) = (s3 / s2, s2 / count);
@@ -79,7 +89,9 @@ impl<P: Point> Parabola<P> {
             second += p * q;
             norm += q * q;
         }
+        let mut rest = rest - first.dot(first) / s2;
         let second = if norm > MIN_NORM * s4 {
+            rest -= second.dot(second) / norm;
             second / norm
         } else {
             P::default()
@@ -88,7 +100,8 @@ impl<P: Point> Parabola<P> {
             middle,
             skew,
             spread,
-            coefficients: [mean / count, first / s2, second],
+            coefficients: [mean, first / s2, second],
+            squares: rest.max(0.0),
         }
     }
 
@@ -102,22 +115,7 @@ impl<P: Point> Parabola<P> {
         let [_, b, c] = self.coefficients;
         b + c * (2.0 * (x - self.middle) - self.skew)
     }
-
-    /// The sum of the squared distances.
-    pub(crate) fn squares(&self, samples: &[(P, f64)]) -> f64 {
-        squares(samples, |x| self.value(x))
-    }
 }
 
 /// Below this ratio to Σ y⁴, the values of the quadratic basis polynomial at all samples are rounding errors.
 const MIN_NORM: f64 = 1e-9;
-
-fn squares<P: Point>(samples: &[(P, f64)], at: impl Fn(f64) -> P) -> f64 {
-    samples
-        .iter()
-        .map(|&(p, x)| {
-            let off = p - at(x);
-            off.dot(off)
-        })
-        .sum()
-}

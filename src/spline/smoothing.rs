@@ -86,10 +86,9 @@ fn first_half<P: Point>(clusters: &[Cluster<P>], k: usize, range: f64) -> usize 
     before.max(after).max(1)
 }
 
-/// A parabola and the sum of the squared distances of its points.
+/// A parabola and the number of its samples.
 struct Fit<P> {
     parabola: Parabola<P>,
-    squares: f64,
     /// The number of points beyond the three that determine a parabola.
     excess: usize,
 }
@@ -108,16 +107,14 @@ impl<P: Point> Fit<P> {
                 cluster.length - clusters[k].length,
             );
         }
-        let parabola = Parabola::fitted(&samples[..used]);
         Self {
-            squares: parabola.squares(&samples[..used]),
-            parabola,
+            parabola: Parabola::fitted(&samples[..used]),
             excess: used.saturating_sub(3),
         }
     }
 
     fn variance(&self) -> f64 {
-        self.squares / self.excess.max(1) as f64
+        self.parabola.squares / self.excess.max(1) as f64
     }
 
     /// The standard deviation above which a larger range is refused: the present one and its standard error.

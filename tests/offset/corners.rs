@@ -260,3 +260,32 @@ fn lines_keep_a_fine_tolerance() {
     let fitted = Spline::fit(&points, &FitOptions::new(tolerance)).expect("finite");
     is_within(&fitted, &points, tolerance);
 }
+
+/// Noise within half the tolerance, on smooth strokes of 100 to 4000 points, takes at most 30 % more segments.
+#[test]
+fn noise_within_half_the_tolerance_takes_few_segments() {
+    let mut rng = Rng(103);
+    let (mut of_exact, mut of_noisy) = (0, 0);
+    for round in 0..crate::support::cases(60, 5_000) {
+        let count = [100, 400, 1500, 4000][round % 4];
+        let [a, b, c, d] = [(); 4].map(|()| rng.unit());
+        let wave = |k: usize| {
+            let t = 4.0 * real(k) / real(count);
+            let x = 100.0 * t + 60.0 * (3.0 * a * t + 6.0 * b).sin();
+            let y = 100.0 * c * (4.0 * d * t).sin() + 20.0 * b * (13.0 * c * t).sin();
+            DVec2::new(x, y)
+        };
+        let exact: Vec<DVec2> = (0..count).map(wave).collect();
+        let options = FitOptions::new(1.0);
+        let mut in_disc = || DVec2::from_angle(TAU * rng.unit()) * (0.5 * rng.unit().sqrt());
+        let noisy: Vec<DVec2> = exact.iter().map(|&p| p + in_disc()).collect();
+        let [own, other] =
+            [&exact, &noisy].map(|points| Spline::fit(points, &options).expect("finite"));
+        is_within(&other, &noisy, 1.0);
+        of_exact += own.segment_count();
+        of_noisy += other.segment_count();
+    }
+    let ratio = real(of_noisy) / real(of_exact);
+    println!("{of_noisy} segments with noise, {of_exact} without: {ratio}");
+    assert!(ratio <= 1.3, "{ratio}");
+}
