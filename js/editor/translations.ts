@@ -1,10 +1,15 @@
 // The texts that people read. Each is written in English where it is used, which is also its key; a page can give another
 // one in its place. `xtask/texts.js` lists them all in dist/texts.json.
 
-let given: Record<string, string> = {};
+/** A property of the global object, so that several bundles on a page have the same texts. */
+const SHARED = Symbol.for("casteljau.translations");
+
+const owner = globalThis as { [SHARED]?: { texts: Record<string, string>; changes: EventTarget } };
+owner[SHARED] ??= { texts: {}, changes: new EventTarget() };
+const shared = owner[SHARED];
 
 /** Fires `change` when the page has given other texts. */
-export const translations = new EventTarget();
+export const translations = shared.changes;
 
 /**
  * A text in the language of the page.
@@ -39,7 +44,7 @@ export function translatedTable<T extends Record<string, string>>(english: T): T
   return table;
 }
 
-const textOf = (english: string) => given[english] ?? english;
+const textOf = (english: string) => shared.texts[english] ?? english;
 
 /**
  * Gives the texts of the elements and the applet in another language. Elements on the page are drawn again; `bezierApp`
@@ -57,6 +62,6 @@ export function setTranslations(texts: Record<string, string>) {
     const [name, value] = wrong;
     throw new TypeError(`${name}: expected ${isTable ? "a string" : "an object of strings"}, got ${String(value)}`);
   }
-  given = { ...texts };
+  shared.texts = { ...texts };
   translations.dispatchEvent(new Event("change"));
 }

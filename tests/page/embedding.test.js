@@ -56,6 +56,18 @@ test("two copies of the bundle on one page: the first defines, both work", async
   });
   assert.ok(made.length > 0);
   for (const [name, same, element] of made) assert.ok(same && element, String(name));
+  const undo = await page.evaluate(async () => {
+    const applet = document.querySelector("bezier-applet");
+    applet.controls = true;
+    const texts = [];
+    for (const given of [{ Undo: "Annuler" }, {}]) {
+      (await import("/copy/elements.js")).setTranslations(given);
+      await applet.updateComplete;
+      texts.push(/Annuler/.test(applet.shadowRoot.innerHTML));
+    }
+    return texts;
+  });
+  assert.deepEqual(undo, [true, false], "the texts of the copy that did not define the elements");
 });
 
 test("under a strict policy every kind of element is drawn, styled, and the console is clean", async (t) => {
