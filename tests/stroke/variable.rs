@@ -418,3 +418,31 @@ fn sides_next_to_reversals_have_few_cubics() {
     let outline = line.stroke_with(&profile, &options).expect("few segments");
     assert!(outline.segment_count() < 150, "{}", outline.segment_count());
 }
+
+/// Where the radius changes faster than the path advances, next to a corner, all joins contain the disc at the corner.
+#[test]
+fn corners_between_fast_changes_keep_their_disc() {
+    for d in ["M0 0H10L20 2", "M0 0H10L20 9", "M20 2L10 0H0", "M0 0H10V10"] {
+        let bent = path(d);
+        let corner = bent.subpath(0).unwrap().eval(1.0);
+        for stops in [
+            [(0.0, 2.0), (0.5, 60.0), (1.0, 2.0)],
+            [(0.0, 60.0), (0.5, 2.0), (1.0, 2.0)],
+        ] {
+            let profile = WidthProfile::new(&stops).at(WidthPosition::T);
+            let discs = Discs::new(&bent, &profile);
+            for join in [OffsetJoin::Round, OffsetJoin::Miter, OffsetJoin::Bevel] {
+                let options = round(1e-3).join(join);
+                let outline = bent.stroke_with(&profile, &options).expect("few segments");
+                for k in 0..200 {
+                    let far = DVec2::from_angle(0.7 * real(k)) * (40.0 * real(k) / 200.0);
+                    let distance = discs.distance(corner + far);
+                    if distance.abs() > 0.02 {
+                        let contains = outline.contains(corner + far, FillRule::NonZero);
+                        assert_eq!(contains, distance < 0.0, "{d}, {join:?}: {far}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -101,7 +101,7 @@ impl<'a> Outline<'a> {
         Ok(())
     }
 
-    /// Connects both sides where the direction or r′ changes; `is_last`: at the end of a closed subpath.
+    /// Connects both sides where r′ and the direction change; `is_last`: at the end of a closed subpath.
     fn connect(
         &mut self,
         (from, from_line): (Disc, bool),
@@ -110,43 +110,55 @@ impl<'a> Outline<'a> {
         is_last: bool,
     ) {
         let (pen, center, radius) = (self.pen, to.center, to.radius);
+        // First r′ changes, and both sides follow on the circle; then the direction.
+        let via = Disc {
+            tangent: from.tangent,
+            ..to
+        };
+        if from.slope != to.slope {
+            let spread = to.angle() - from.angle();
+            for (side, chain) in self.sides() {
+                let normals = [from.normal(side), via.normal(side)];
+                push_arc(chain, (center, radius), normals, side * spread, pen);
+            }
+        }
         // A turn by 180° is a left turn, also if the sine is −0.
-        let sin = from.tangent.perp_dot(to.tangent) + 0.0;
-        let outer = if sin >= 0.0 { RIGHT } else { LEFT };
-        let turns = Point::norm(to.tangent - from.tangent) * radius > SMOOTH_PART * pen.tolerance;
-        if !turns && from.slope == to.slope {
+        let sin = via.tangent.perp_dot(to.tangent) + 0.0;
+        let (outer, inner) = if sin >= 0.0 {
+            (RIGHT, LEFT)
+        } else {
+            (LEFT, RIGHT)
+        };
+        if Point::norm(to.tangent - via.tangent) * radius <= SMOOTH_PART * pen.tolerance {
             return;
         }
-        let is_round = !is_corner || pen.join == OffsetJoin::Round;
-        let mut is_blunt = false;
-        for (side, chain) in self.sides() {
-            let normals = [from.normal(side), to.normal(side)];
-            if turns && side != outer {
-                push_line(chain, center);
-            } else if turns && !is_round {
-                if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
-                    let tip = center + (normals[0] + normals[1]) * reach;
-                    push_tip(chain, tip, from_line);
-                    if to_line {
-                        if is_last {
-                            chain.points[0] = tip;
-                        }
-                        continue;
-                    }
-                } else {
-                    is_blunt = true;
+        let [own, other] = if outer == RIGHT {
+            [&mut self.right, &mut self.left]
+        } else {
+            [&mut self.left, &mut self.right]
+        };
+        push_line(other, center);
+        push_line(other, to.point(inner));
+        let normals = [via.normal(outer), to.normal(outer)];
+        let has_sides = to.slope.abs() < 1.0;
+        if !is_corner || pen.join == OffsetJoin::Round || !has_sides {
+            let turn = sin.atan2(via.tangent.dot(to.tangent));
+            push_arc(own, (center, radius), normals, turn, pen);
+            return;
+        }
+        if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
+            let tip = center + (normals[0] + normals[1]) * reach;
+            push_tip(own, tip, from_line && from.slope == to.slope);
+            if to_line {
+                if is_last {
+                    own.points[0] = tip;
                 }
-            } else {
-                let turn = sin.atan2(from.tangent.dot(to.tangent));
-                let spread = to.angle() - from.angle();
-                push_arc(chain, (center, radius), normals, turn + side * spread, pen);
-                continue;
+                return;
             }
-            push_line(chain, to.point(side));
+        } else {
+            self.blunt_ends.push(via);
         }
-        if is_blunt {
-            self.blunt_ends.push(from);
-        }
+        push_line(own, to.point(outer));
     }
 
     /// The contours. `surrounds`: whether both sides of a closed subpath may surround points in the same direction.
