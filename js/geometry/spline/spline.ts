@@ -364,8 +364,9 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * requires. A closed spline that is replaced starts at its first corner, or where it started if it has none.
    *
    * With `extrema`, x, y and z increase or decrease along each segment (segments above degree 3 at tolerances below about
-   * 1e-7 of their size: up to the tolerance), and a closed spline without corners starts at an extremum. With `precision`, the tolerance holds for the
-   * rounded result; smooth joints may turn by as much as their handles are rounded.
+   * 1e-7 of their size: up to the tolerance), and a closed spline without corners starts at an extremum. With
+   * `precision`, the tolerance holds for the rounded result; smooth joints may turn by as much as their handles are
+   * rounded.
    *
    * If more than 4096 vertices per segment would be needed (tolerances below about 1e-7 of its size), segments of
    * degree up to 3 are returned unchanged, and higher degrees as cubics with the same tangents, at most 4096 for each
