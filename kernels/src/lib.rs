@@ -7,6 +7,7 @@
 /// Polynomials in Bernstein form.
 pub mod bernstein {
     pub mod de_casteljau;
+    pub mod products;
     pub mod weights;
 }
 

@@ -27,4 +27,17 @@ impl SplineBuilder {
         self.points.push(p);
         self.degrees.push(1);
     }
+
+    /// Adds a line unless it has no length.
+    pub(crate) fn connect_to(&mut self, p: DVec2) {
+        if self.points.last() != Some(&p) {
+            self.line_to(p);
+        }
+    }
+
+    /// Adds a cubic.
+    pub(crate) fn cubic_to(&mut self, points: [DVec2; 3]) {
+        self.points.extend(points);
+        self.degrees.push(3);
+    }
 }

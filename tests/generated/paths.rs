@@ -370,7 +370,13 @@ pub(crate) fn stroke(path: Path, width: f64, join: OffsetJoin, tolerance: Option
         _ => WidthPosition::T,
     };
     let stops = [(0.0, 0.0), (0.4, width), (0.7, 0.2 * width), (1.0, width)];
-    let profile = WidthProfile::new(&stops).at(at);
+    let interpolation = match join {
+        OffsetJoin::Bevel => WidthInterpolation::Smooth,
+        _ => WidthInterpolation::Linear,
+    };
+    let profile = WidthProfile::new(&stops)
+        .at(at)
+        .interpolation(interpolation);
     is_closed(&answer!(path.stroke_with(&profile, &options), REFUSALS))
 }
 

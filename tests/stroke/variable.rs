@@ -60,11 +60,18 @@ impl Discs {
         let spline = path.subpath(0).expect("a subpath");
         let count = real(spline.segment_count());
         let mut ts: Vec<f64> = (0..=STEPS).map(|k| count * real(k) / real(STEPS)).collect();
-        // The radius may be largest at a stop.
-        ts.extend(profile.stops.iter().map(|&(position, _)| match profile.at {
+        // Joints are corners, and the radius may change fast between stops.
+        ts.extend((1..spline.segment_count()).map(real));
+        let length = spline.length();
+        let time = |position: f64| match profile.at {
             WidthPosition::T => position * count,
-            _ => spline.time_at_length(position * spline.length()),
-        }));
+            _ => spline.time_at_length(position * length),
+        };
+        let between = |pair: &[(f64, f64)]| {
+            let [from, to] = [pair[0].0, pair[1].0];
+            (0..=100).map(move |k| from + (to - from) * real(k) / 100.0)
+        };
+        ts.extend(profile.stops.windows(2).flat_map(between).map(time));
         ts.sort_by(f64::total_cmp);
         let points: Vec<DVec2> = ts.iter().map(|&t| spline.eval(t)).collect();
         let mut lengths = vec![0.0];
@@ -126,7 +133,14 @@ fn profile(width: f64, rng: &mut Rng) -> WidthProfile {
     } else {
         WidthPosition::Length
     };
-    WidthProfile::new(&stops).at(at)
+    let interpolation = if rng.unit() < 0.5 {
+        WidthInterpolation::Linear
+    } else {
+        WidthInterpolation::Smooth
+    };
+    WidthProfile::new(&stops)
+        .at(at)
+        .interpolation(interpolation)
 }
 
 fn found_in(path: &Path, p: DVec2, profile: &WidthProfile, options: &StrokeOptions) -> bool {
@@ -193,6 +207,43 @@ fn outlines_are_the_union_of_all_discs() {
                 faults.push(format!(
                     "{name} {profile:?} {tolerance:e}: {count}, {first}"
                 ));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Every point of the boundary is within the tolerance of the union of the discs, and of what is outside of it.
+#[test]
+fn boundaries_are_within_the_tolerance() {
+    let mut rng = Rng(23);
+    let mut faults = Vec::new();
+    for case in 0..crate::support::cases(150, 6_000) {
+        let closed = rng.unit() < 0.3;
+        let count = 3 * (1 + rng.below(3)) + usize::from(!closed);
+        let point = |_| DVec2::new(rng.signed(), rng.signed()) * 100.0;
+        let points: Vec<DVec2> = (0..count).map(point).collect();
+        let path = Path::from(Spline::new(&points, 3, closed).unwrap());
+        let mut profile = profile(100.0 * rng.magnitude(-2.0, 0.0), &mut rng);
+        if rng.unit() < 0.3 {
+            profile = WidthProfile::constant(profile.stops[0].1);
+        }
+        let tolerance = rng.magnitude(-2.0, -0.5);
+        let outline = path
+            .stroke_with(&profile, &round(tolerance))
+            .expect("few segments");
+        let discs = Discs::new(&path, &profile);
+        for p in outline
+            .segments()
+            .flat_map(|curve| (0..6).map(move |k| curve.eval(real(k) / 6.0 + 0.03)))
+        {
+            let distance = discs.distance(p);
+            // The chords of the dense points are within 1e-3 of the curves here.
+            if distance.abs() > tolerance + 1e-3 {
+                faults.push(format!(
+                    "{case}: {points:?} {profile:?} {tolerance:e}: {distance} at {p}"
+                ));
+                break;
             }
         }
     }
@@ -417,6 +468,20 @@ fn sides_next_to_reversals_have_few_cubics() {
     let options = round(3e-3).simple(false);
     let outline = line.stroke_with(&profile, &options).expect("few segments");
     assert!(outline.segment_count() < 150, "{}", outline.segment_count());
+}
+
+/// Next to a tight turn a side runs backwards in intervals that are much shorter than those between regular parameters.
+#[test]
+fn sides_next_to_tight_turns_have_few_cubics() {
+    let bend = path("M-46.548,39.675 C8.516,69.419 -25.323,-86.695 -4.475,87.441");
+    let stops = [(0.0, 2.946), (0.771, 2.69), (1.0, 0.0)];
+    let profile = WidthProfile::new(&stops)
+        .at(WidthPosition::T)
+        .interpolation(WidthInterpolation::Smooth);
+    let outline = bend
+        .stroke_with(&profile, &round(8e-4).simple(false))
+        .unwrap();
+    assert!(outline.segment_count() < 120, "{}", outline.segment_count());
 }
 
 /// Where the radius changes faster than the path advances, next to a corner, all joins contain the disc at the corner.

@@ -146,9 +146,8 @@ export class Path extends CorePath {
    *
    * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
    * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
-   * gives the empty path. The boundary lies within the tolerance of the exact one; with a profile, each cubic of it is
-   * compared with the exact one at 8 points, but this is no proof. By default the result is a region as `union` describes
-   * it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
+   * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
+   * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
    *
    * @param width the width everywhere, or widths at positions along each subpath
    * @throws {RangeError} for a negative width, positions that do not ascend from 0 to 1, a miter limit below 1, a dash

@@ -3,6 +3,9 @@
 /// The maximum number of steps of Newton's method; bisection alone needs about 64.
 const MAX_NEWTON_STEPS: usize = 80;
 
+/// A root is accurate enough when the width of its interval is this part of it.
+pub const ROOT_WIDTH: f64 = 1e-13;
+
 /// The maximum number of steps of regula falsi: three steps halve the bracket or contain a bisection, and about 60
 /// halvings exhaust the digits.
 const MAX_SECANT_STEPS: usize = 200;

@@ -18,6 +18,7 @@ pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen
         tangent,
         radius: pen.radius,
         slope: 0.0,
+        speed: 0.0,
     };
     match pen.cap {
         StrokeCap::Butt => {}

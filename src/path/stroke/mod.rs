@@ -18,6 +18,8 @@ mod profile;
 mod round_corners;
 mod section;
 mod side;
+mod side_bound;
+mod side_fit;
 mod subpath;
 
 pub use offset::OffsetOptions;
@@ -77,11 +79,11 @@ impl Path {
     /// which the last disc touches the sides; a square cap extends the stroke from that line by half the width. Miters
     /// follow the tangents of the sides; a corner of the path is no corner where the width is 0. Positions are fractions of
     /// each subpath, before dashing. If the first and the last width of a closed subpath differ, both discs belong to the
-    /// stroke. A subpath that is a point has its largest width.
+    /// stroke. Where the radius changes faster than the path advances right after a corner, that corner has a round join
+    /// for every option: no side is there to be extended. A subpath that is a point has its largest width.
     ///
-    /// Each cubic of the boundary is compared with the exact one at 8 points, where 3/4 of the `tolerance` are allowed; so
-    /// the tolerance holds as far as was tested, but there is no bound as for a constant width. Without `simple`, gaps
-    /// thinner than twice the tolerance can be left inside of the stroke, where sides cross.
+    /// The boundary is within `tolerance` of the exact one, by a bound for each of its cubics. Without `simple`, gaps thinner
+    /// than twice the tolerance can be left inside of the stroke, where sides cross.
     ///
     /// ```
     /// use casteljau::Path;

@@ -12,8 +12,8 @@
 //! (1997).
 
 use super::options::{Pen, StrokeCap};
-use super::section::{Disc, LEFT, RIGHT, RunKind, Section, SectionEvaluator};
-use super::side::{Side, push_line};
+use super::section::{Disc, LEFT, RIGHT, Run, RunKind, Section, SectionEvaluator};
+use super::side::Side;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::path::Path;
@@ -35,7 +35,7 @@ pub(super) struct Outline<'a> {
     /// out of the stroke.
     blunt_ends: Vec<Disc>,
     /// The intervals of sections in which a side runs backwards.
-    backward: Vec<(Section<'a>, f64, [f64; 2])>,
+    backward: Vec<(Section<'a>, f64, Run)>,
 }
 
 impl<'a> Outline<'a> {
@@ -73,30 +73,29 @@ impl<'a> Outline<'a> {
             }
         }
         let tolerance = self.tolerance();
-        let signs = evaluator.signs();
+        let samples = evaluator.samples();
         let mut backward = Vec::new();
         for (side, chain) in self.sides() {
             let of_side = Side {
                 evaluator: &evaluator,
-                ends: discs,
                 side,
                 tolerance,
             };
-            for run in evaluator.runs(&signs, side) {
+            for run in evaluator.runs(&samples, side, discs) {
                 match run.kind {
-                    RunKind::Forward => of_side.add(run.span, 1.0, chain)?,
-                    RunKind::Inside => push_line(chain, of_side.point(run.span[1])),
+                    RunKind::Forward => of_side.add(&run, 1.0, chain)?,
+                    RunKind::Inside => chain.connect_to(run.ends[1].point(side)),
                     RunKind::Backward => {
-                        of_side.add_midway(run.span, chain);
-                        backward.push((side, run.span));
+                        of_side.add_midway(&run, chain);
+                        backward.push((side, run));
                     }
                 }
             }
         }
         let first = self.ends.map_or(from, |[first, _]| first);
         self.ends = Some([first, to]);
-        for (side, span) in backward {
-            self.backward.push((section.clone(), side, span));
+        for (side, run) in backward {
+            self.backward.push((section.clone(), side, run));
         }
         Ok(())
     }
@@ -111,54 +110,54 @@ impl<'a> Outline<'a> {
     ) {
         let (pen, center, radius) = (self.pen, to.center, to.radius);
         // First r′ changes, and both sides follow on the circle; then the direction.
-        let via = Disc {
+        let before_turn = Disc {
             tangent: from.tangent,
             ..to
         };
         if from.slope != to.slope {
             let spread = to.angle() - from.angle();
             for (side, chain) in self.sides() {
-                let normals = [from.normal(side), via.normal(side)];
+                let normals = [from.normal(side), before_turn.normal(side)];
                 push_arc(chain, (center, radius), normals, side * spread, pen);
             }
         }
         // A turn by 180° is a left turn, also if the sine is −0.
-        let sin = via.tangent.perp_dot(to.tangent) + 0.0;
+        let sin = before_turn.tangent.perp_dot(to.tangent) + 0.0;
         let (outer, inner) = if sin >= 0.0 {
             (RIGHT, LEFT)
         } else {
             (LEFT, RIGHT)
         };
-        if Point::norm(to.tangent - via.tangent) * radius <= SMOOTH_PART * pen.tolerance {
+        if Point::norm(to.tangent - before_turn.tangent) * radius <= SMOOTH_PART * pen.tolerance {
             return;
         }
-        let [own, other] = if outer == RIGHT {
+        let [outer_chain, inner_chain] = if outer == RIGHT {
             [&mut self.right, &mut self.left]
         } else {
             [&mut self.left, &mut self.right]
         };
-        push_line(other, center);
-        push_line(other, to.point(inner));
-        let normals = [via.normal(outer), to.normal(outer)];
+        inner_chain.connect_to(center);
+        inner_chain.connect_to(to.point(inner));
+        let normals = [before_turn.normal(outer), to.normal(outer)];
         let has_sides = to.slope.abs() < 1.0;
         if !is_corner || pen.join == OffsetJoin::Round || !has_sides {
-            let turn = sin.atan2(via.tangent.dot(to.tangent));
-            push_arc(own, (center, radius), normals, turn, pen);
+            let turn = sin.atan2(before_turn.tangent.dot(to.tangent));
+            push_arc(outer_chain, (center, radius), normals, turn, pen);
             return;
         }
         if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
             let tip = center + (normals[0] + normals[1]) * reach;
-            push_tip(own, tip, from_line && from.slope == to.slope);
+            push_tip(outer_chain, tip, from_line && from.slope == to.slope);
             if to_line {
                 if is_last {
-                    own.points[0] = tip;
+                    outer_chain.points[0] = tip;
                 }
                 return;
             }
         } else {
-            self.blunt_ends.push(via);
+            self.blunt_ends.push(before_turn);
         }
-        push_line(own, to.point(outer));
+        outer_chain.connect_to(to.point(outer));
     }
 
     /// The contours. `surrounds`: whether both sides of a closed subpath may surround points in the same direction.
@@ -192,16 +191,14 @@ impl<'a> Outline<'a> {
             ..
         } = self;
         if !blunt_ends.is_empty() {
-            for (section, side, span) in &backward {
-                let evaluator = &SectionEvaluator::new(section);
+            for (section, side, run) in &backward {
                 let side = Side {
-                    evaluator,
-                    ends: [0.0, 1.0].map(|t| evaluator.at(t)),
+                    evaluator: &SectionEvaluator::new(section),
                     side: *side,
                     tolerance,
                 };
-                if surrounds || side.is_near(*span, &blunt_ends) {
-                    contours.folds.push(side.fold(*span)?);
+                if surrounds || side.is_near(run.span, &blunt_ends) {
+                    contours.folds.push(side.fold(run)?);
                 }
             }
         }
@@ -235,7 +232,7 @@ pub(super) struct Contours {
 fn push_tip(chain: &mut SplineBuilder, tip: DVec2, extends: bool) {
     match chain.points.last_mut() {
         Some(end) if extends => *end = tip,
-        _ => push_line(chain, tip),
+        _ => chain.connect_to(tip),
     }
 }
 
@@ -280,12 +277,12 @@ pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: Stro
         }
         StrokeCap::Square => {
             let ahead = end.tangent * (sign * end.radius);
-            push_line(chain, end.point(from) + ahead);
-            push_line(chain, end.point(to) + ahead);
+            chain.connect_to(end.point(from) + ahead);
+            chain.connect_to(end.point(to) + ahead);
         }
         StrokeCap::Butt => {}
     }
-    push_line(chain, end.point(to));
+    chain.connect_to(end.point(to));
 }
 
 /// Appends a closed subpath that ends where it starts.

@@ -155,14 +155,15 @@ impl RadiusPolynomial {
         ]
     }
 
-    /// Bounds of the sizes of the radius and its first two derivatives between two positions.
-    pub(super) fn bounds(&self, ends: [f64; 2]) -> [f64; 3] {
+    /// Bounds of the sizes of the radius and its derivatives between two positions.
+    pub(super) fn bounds(&self, ends: [f64; 2]) -> [f64; 4] {
         let x = ends.map(|end| (end - self.from).abs());
         let (x, [a, b, c, d]) = (x[0].max(x[1]), self.coefficients.map(f64::abs));
         [
             a + x * (b + x * (c + x * d)),
             b + x * (2.0 * c + x * 3.0 * d),
             2.0 * c + x * 6.0 * d,
+            6.0 * d,
         ]
     }
 
@@ -277,7 +278,7 @@ fn set_slopes(stops: &mut [[f64; 3]]) {
         stops[k][2] = match (before, after) {
             (Some((g, p)), Some((h, q))) if p * q > 0.0 => {
                 let (v, w) = (g + 2.0 * h, 2.0 * g + h);
-                (v + w) / (v / q + w / p)
+                (v + w) / (v / p + w / q)
             }
             (None, Some((_, slope))) | (Some((_, slope)), None) if at_end => slope,
             _ => 0.0,

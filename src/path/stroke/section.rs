@@ -9,7 +9,8 @@ use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use crate::numeric::list::{List, Points, Scalars, points_of};
-use crate::numeric::zero::regula_falsi;
+use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
+use crate::spline::offset::offset_curve::fourth_bound;
 use crate::spline::offset::{end_tangent, start_tangent};
 use glam::DVec2;
 use std::borrow::Cow;
@@ -21,15 +22,13 @@ pub(super) const RIGHT: f64 = -1.0;
 
 /// The parameters at which a cubic is compared with the side, as parts of an interval: Chebyshev points, which are dense
 /// at the ends, where a side may start with a high speed.
-pub(super) const COMPARED: [f64; 8] = [
-    0.0096, 0.0843, 0.2222, 0.4025, 0.5975, 0.7778, 0.9157, 0.9904,
-];
+pub(super) const COMPARED: [f64; 6] = [0.0170, 0.1464, 0.3706, 0.6294, 0.8536, 0.9830];
 
-/// The parameters at which signs are evaluated, for each degree.
+/// The number of regular parameters at which the sides are examined, for each degree.
 const SAMPLES_PER_DEGREE: usize = 8;
 
-/// A root is accurate enough when the width of its interval is this part of it.
-const ROOT_WIDTH: f64 = 1e-13;
+/// Parameters next to the slowest one approach it by this factor.
+const APPROACH: f64 = 0.25;
 
 /// Steps towards a parameter of smallest speed.
 const NEWTON_STEPS: usize = 4;
@@ -55,6 +54,8 @@ pub(super) struct Disc {
     pub(super) radius: f64,
     /// r′, at most 1 in size.
     pub(super) slope: f64,
+    /// |B′|.
+    pub(super) speed: f64,
 }
 
 impl Disc {
@@ -79,16 +80,16 @@ impl Disc {
     }
 }
 
-/// Bounds of a curve from the Bernstein coefficients of |B′|² and B′ × B″.
+/// Bounds of the speed and the curvature of a curve, from the Bernstein coefficients of |B′|² and B′ × B″.
 #[derive(Clone, Copy)]
-struct Bends {
+struct CurvatureBounds {
     /// The least speed; 0 if it is not known to be above 0.
     speed: f64,
     /// The greatest |B′ × B″|.
     cross: f64,
 }
 
-impl Bends {
+impl CurvatureBounds {
     fn of(points: &[DVec2]) -> Self {
         let n = points.len() - 1;
         if n == 1 {
@@ -122,8 +123,8 @@ impl Bends {
     }
 }
 
-/// The positions along a curve of a subpath, by arc length or by t.
-pub(super) struct Along {
+/// A curve of a subpath with the positions along it, by arc length or by t.
+pub(super) struct PositionedCurve {
     curve: Curve<DVec2>,
     by: WidthPosition,
     /// The position at the start, and its rate by arc length or by t.
@@ -133,15 +134,15 @@ pub(super) struct Along {
     length: f64,
     /// The parameters at which the curve reverses: its cusps, and the turns of a straight curve.
     pub(super) reversals: Breaks,
-    bends: Bends,
+    bounds: CurvatureBounds,
     is_straight: bool,
     /// The arc length by t and its unit, made when they are needed.
     table: OnceCell<Box<(ArcLengthTable, f64)>>,
 }
 
-impl Along {
+impl PositionedCurve {
     pub(super) fn new(curve: Curve<DVec2>, by: WidthPosition, start: f64, rate: f64) -> Self {
-        let bends = Bends::of(curve.control_points());
+        let bounds = CurvatureBounds::of(curve.control_points());
         let is_line = curve.degree() == 1;
         let direction = if is_line {
             None
@@ -149,7 +150,7 @@ impl Along {
             curve.straight_direction()
         };
         let reversals = match direction {
-            _ if bends.speed > 0.0 => Breaks::new(),
+            _ if bounds.speed > 0.0 => Breaks::new(),
             Some(direction) => curve.turns_along(direction),
             None => curve.cusps().into_iter().collect(),
         };
@@ -164,7 +165,7 @@ impl Along {
             rate,
             length,
             reversals,
-            bends,
+            bounds,
             is_straight: is_line || direction.is_some(),
             table: OnceCell::new(),
         }
@@ -198,8 +199,8 @@ impl Along {
 
     /// The part between two parameters, on which the radius is one polynomial.
     pub(super) fn section(&self, span: [f64; 2], radii: &Radii) -> Section<'_> {
-        let (curve, bends) = if span == [0.0, 1.0] {
-            (Cow::Borrowed(&self.curve), self.bends)
+        let (curve, bounds) = if span == [0.0, 1.0] {
+            (Cow::Borrowed(&self.curve), self.bounds)
         } else {
             let part = self.curve.part(span[0], span[1]);
             let mut points = points_of(part.control_points());
@@ -211,20 +212,20 @@ impl Along {
             if self.reversals.contains(&span[1]) {
                 points[last - 1] = points[last];
             }
-            let bends = Bends::of(&points);
-            (Cow::Owned(Curve::from_points(points)), bends)
+            let bounds = CurvatureBounds::of(&points);
+            (Cow::Owned(Curve::from_points(points)), bounds)
         };
         let ends = span.map(|t| self.position(t));
         Section {
             curve,
-            bends,
+            bounds,
             radius: radii.polynomial(0.5 * (ends[0] + ends[1])),
             ends,
             rate: match self.by {
                 WidthPosition::T => self.rate * (span[1] - span[0]),
                 WidthPosition::Length => self.rate,
             },
-            along: self,
+            whole: self,
             span,
         }
     }
@@ -234,13 +235,13 @@ impl Along {
 #[derive(Clone)]
 pub(super) struct Section<'a> {
     pub(super) curve: Cow<'a, Curve<DVec2>>,
-    bends: Bends,
+    bounds: CurvatureBounds,
     pub(super) radius: RadiusPolynomial,
     /// The positions at both ends.
     ends: [f64; 2],
     /// The rate of the position by arc length or by t.
     rate: f64,
-    along: &'a Along,
+    whole: &'a PositionedCurve,
     /// The parameters of the ends on the whole curve.
     span: [f64; 2],
 }
@@ -251,23 +252,53 @@ impl Section<'_> {
             return self.ends[usize::from(t == 1.0)];
         }
         let [from, to] = self.span;
-        self.along.position(from + (to - from) * t)
+        self.whole.position(from + (to - from) * t)
     }
 
     /// Whether both sides are straight.
     pub(super) fn is_straight(&self) -> bool {
-        let by_length = self.along.by == WidthPosition::Length || self.radius.is_constant();
-        self.along.is_straight && self.radius.is_linear() && (by_length || self.curve.degree() == 1)
+        let by_length = self.whole.by == WidthPosition::Length || self.radius.is_constant();
+        self.whole.is_straight && self.radius.is_linear() && (by_length || self.curve.degree() == 1)
+    }
+
+    /// A bound of what the curve and the radius differ from cubics with the same values and derivatives at the ends of an
+    /// interval of the length `dt`; `slopes` are the coefficients of the derivative of the first cubic.
+    ///
+    /// The error is at most max|g⁗|/384 for a function g. By arc length s, g⁗ follows from s′ = |B′|, |s″| ≤ |B″|,
+    /// |s‴| ≤ |B″|²/|B′| + |B‴| and |s⁗| ≤ 3 |B″| |B‴|/|B′| + 2 |B″|³/(√3 |B′|²) + |B⁗|.
+    pub(super) fn hermite_error(&self, slopes: [DVec2; 3], dt: f64) -> f64 {
+        let fourth = fourth_bound(self.curve.control_points()) * (dt * dt) * (dt * dt);
+        let error = fourth / 384.0;
+        let [_, r1, r2, r3] = self.radius.bounds(self.ends);
+        if self.whole.by == WidthPosition::T || self.radius.is_constant() {
+            return error; // the radius is a cubic
+        }
+        let [v0, v1, v2] = slopes;
+        let largest = |a: DVec2, b: DVec2| Point::norm(a).max(Point::norm(b));
+        let along = Point::unit(v0 + v2);
+        // The derivatives of the curve differ from those of the cubic by less than these parts of its fourth.
+        let least = (v0.dot(along).min(v1.dot(along)).min(v2.dot(along)) - fourth / 124.0).max(0.0);
+        let first = largest(v0, v1).max(Point::norm(v2)) + fourth / 124.0;
+        let second = 2.0 * largest(v1 - v0, v2 - v1) + fourth / 12.0;
+        let third = 2.0 * Point::norm(v0 - v1 * 2.0 + v2) + fourth / 2.0;
+        let bend = second * second / least;
+        let s3 = bend + third;
+        let s4 = second * (3.0 * third + 1.2 * bend) / least + fourth;
+        let rate = self.rate.abs();
+        let of_radius = r1 * s4
+            + r2 * rate * (4.0 * first * s3 + 3.0 * second * second)
+            + 6.0 * r3 * rate * rate * first * first * second;
+        error + rate * (of_radius / 384.0).min(2.0 * r1 * first)
     }
 
     /// Whether bounds show that no disc contains another and that no side runs backwards.
     fn is_gentle(&self) -> bool {
-        let [radius, slope, change] = self.radius.bounds(self.ends);
-        if self.along.by != WidthPosition::Length && !self.radius.is_constant() {
+        let [radius, slope, change, _] = self.radius.bounds(self.ends);
+        if self.whole.by != WidthPosition::Length && !self.radius.is_constant() {
             return false;
         }
         let (slope, change) = (slope * self.rate, change * self.rate * self.rate);
-        radius * self.bends.curvature() + slope * slope + radius * change < GENTLE
+        radius * self.bounds.curvature() + slope * slope + radius * change < GENTLE
     }
 }
 
@@ -275,6 +306,7 @@ impl Section<'_> {
 #[derive(Clone, Copy)]
 pub(super) struct Run {
     pub(super) span: [f64; 2],
+    pub(super) ends: [Disc; 2],
     pub(super) kind: RunKind,
 }
 
@@ -297,7 +329,7 @@ struct Rates {
 
 impl Rates {
     #[inline]
-    fn values(&self) -> [f64; 3] {
+    fn advance(&self) -> [f64; 3] {
         let square = 1.0 - self.slope * self.slope;
         let turn = self.radius * self.curvature * square.max(0.0).sqrt();
         let ahead = square - self.radius * self.slope_change;
@@ -338,16 +370,16 @@ impl<'a> SectionEvaluator<'a> {
     }
 
     /// 1 − r′² and 1 − r′² − r r″ ∓ rκ √(1 − r′²), which are negative where the left or the right side runs backwards.
-    pub(super) fn values(&self, t: f64) -> [f64; 3] {
+    pub(super) fn advance(&self, t: f64) -> [f64; 3] {
         let [first, second] = self.with.derivatives(t);
-        self.rates(t, first, second).values()
+        self.rates(t, first, second).advance()
     }
 
-    /// The disc together with [`values`](Self::values).
+    /// The disc together with [`advance`](Self::advance).
     pub(super) fn evaluate(&self, t: f64) -> (Disc, [f64; 3]) {
         let [center, first, second] = self.with.jet(t);
         let rates = self.rates(t, first, second);
-        (self.disc(t, center, &rates), rates.values())
+        (self.disc(t, center, &rates), rates.advance())
     }
 
     #[inline]
@@ -362,6 +394,7 @@ impl<'a> SectionEvaluator<'a> {
             tangent,
             radius: rates.radius.max(0.0),
             slope: rates.slope.clamp(-1.0, 1.0),
+            speed: Point::norm(rates.first),
         }
     }
 
@@ -370,136 +403,138 @@ impl<'a> SectionEvaluator<'a> {
         let section = self.section;
         let speed = Point::norm(first);
         let cube = speed * speed * speed;
-        let curvature = first.perp_dot(second) / cube;
+        let mut rates = Rates {
+            first,
+            curvature: first.perp_dot(second) / cube,
+            radius: section.radius.at(section.ends[0])[0],
+            slope: 0.0,
+            slope_change: 0.0,
+        };
         if section.radius.is_constant() {
-            let radius = section.radius.at(section.ends[0])[0];
-            let (slope, slope_change) = (0.0, 0.0);
-            return Rates {
-                first,
-                curvature,
-                radius,
-                slope,
-                slope_change,
-            };
+            return rates;
         }
         let [radius, by_position, bend] = section.radius.at(section.position(t));
         let (mut rate, mut rate_change) = (section.rate, 0.0);
-        if section.along.by == WidthPosition::T {
+        if section.whole.by == WidthPosition::T {
             rate /= speed;
             rate_change = -rate * first.dot(second) / cube;
         }
+        rates.radius = radius;
         // The rate is infinite where the speed is 0.
-        let slope = if by_position == 0.0 {
-            0.0
-        } else {
-            by_position * rate
-        };
-        let slope_change = bend * rate * rate + by_position * rate_change;
-        Rates {
-            first,
-            curvature,
-            radius,
-            slope,
-            slope_change,
+        if by_position != 0.0 {
+            rates.slope = by_position * rate;
         }
+        rates.slope_change = bend * rate * rate + by_position * rate_change;
+        rates
     }
 
-    /// The [`values`](Self::values) at regular parameters, at those where the curve is slowest, next to tight turns, and at
-    /// parameters that approach an end where the speed is 0: r′ and the curvature change without bound there. None if bounds
-    /// show that no value changes its sign.
-    pub(super) fn signs(&self) -> Signs {
+    /// The [`advance`](Self::advance) at regular parameters, at those where the curve is slowest, next to tight turns, and at
+    /// parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds show that no value
+    /// changes its sign.
+    pub(super) fn samples(&self) -> AdvanceSamples {
         if self.section.is_straight() || self.section.is_gentle() {
-            return Signs(Vec::new());
+            return AdvanceSamples(Vec::new());
         }
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();
         let at = |k: usize| as_f64(k) / as_f64(count);
-        let derivatives: Vec<[DVec2; 2]> =
-            (0..=count).map(|k| self.with.derivatives(at(k))).collect();
-        let square = |k: usize| derivatives[k][0].dot(derivatives[k][0]);
-        let mut signs = Vec::with_capacity(count + 4);
-        for (k, &[first, second]) in derivatives.iter().enumerate() {
-            let own = (at(k), self.rates(at(k), first, second).values());
+        let speed_square = |t: f64| {
+            let [first, _] = self.with.derivatives(t);
+            first.dot(first)
+        };
+        let mut ts: Vec<f64> = (0..=count).map(at).collect();
+        let squares: Scalars = ts.iter().map(|&t| speed_square(t)).collect();
+        for k in 0..=count {
             let [before, after] = [k.saturating_sub(1), (k + 1).min(count)];
-            let mut slowest = at(k);
-            if square(k) <= square(before).min(square(after)) {
-                slowest = slowest_near(&self.with, at(k), [at(before), at(after)]);
+            if squares[k] > squares[before].min(squares[after]) {
+                continue;
             }
-            if slowest < at(k) {
-                signs.push((slowest, self.values(slowest)));
+            let slowest = slowest_near(&self.with, at(k), [at(before), at(after)]);
+            ts.push(slowest);
+            let [first, second] = self.with.derivatives(slowest);
+            let speed = Point::norm(first);
+            let is_cusp = speed == 0.0 && (slowest == 0.0 || slowest == 1.0);
+            // The curvature alone has one extremum at a tight turn.
+            let is_tight_turn = speed > 0.0 && !self.section.radius.is_constant();
+            if !is_cusp && !is_tight_turn {
+                continue;
             }
-            signs.push(own);
-            if slowest > at(k) {
-                signs.push((slowest, self.values(slowest)));
-            }
-        }
-        for (k, sign) in [(0, 1.0), (count, -1.0)] {
-            if square(k) == 0.0 {
-                let mut step = at(1);
-                while step > ROUNDING {
-                    step *= 0.25;
-                    let t = at(k) + sign * step;
-                    signs.push((t, self.values(t)));
-                }
-                signs.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let least = (APPROACH * speed / Point::norm(second)).max(ROUNDING);
+            let mut step = APPROACH * at(1);
+            while step > least {
+                ts.extend([slowest - step, slowest + step]);
+                step *= APPROACH;
             }
         }
-        Signs(signs)
+        ts.retain(|t| (0.0..=1.0).contains(t));
+        ts.sort_by(f64::total_cmp);
+        ts.dedup();
+        AdvanceSamples(ts.into_iter().map(|t| (t, self.advance(t))).collect())
     }
 
-    /// The intervals of one side, in order.
-    pub(super) fn runs(&self, signs: &Signs, side: f64) -> List<Run, 4> {
+    /// The intervals of one side, in order; `ends` are the discs at the ends of the section.
+    pub(super) fn runs(
+        &self,
+        samples: &AdvanceSamples,
+        side: f64,
+        ends: [Disc; 2],
+    ) -> List<Run, 4> {
         let mut runs: List<Run, 4> = List::new();
-        if signs.0.is_empty() {
-            runs.push(Run {
-                span: [0.0, 1.0],
-                kind: self.kind(0.5, signs, side),
-            });
+        let mut push = |span: [f64; 2]| {
+            let kind = self.kind(0.5 * (span[0] + span[1]), samples, side);
+            match runs.last_mut() {
+                Some(last) if last.kind == kind => last.span[1] = span[1],
+                _ => runs.push(Run { span, ends, kind }),
+            }
+        };
+        if samples.0.is_empty() {
+            push([0.0, 1.0]);
             return runs;
         }
         let mut breaks = Breaks::new();
         if !self.section.radius.is_constant() {
-            self.push_zeros(signs, 0, &mut breaks);
+            self.push_zeros(samples, 0, &mut breaks);
         }
-        self.push_zeros(signs, value_of(side), &mut breaks);
+        self.push_zeros(samples, index_of(side), &mut breaks);
         between_ends(&mut breaks);
         for pair in breaks.windows(2) {
-            let [from, to] = [pair[0], pair[1]];
-            let kind = self.kind(0.5 * (from + to), signs, side);
-            match runs.last_mut() {
-                Some(last) if last.kind == kind => last.span[1] = to,
-                _ => runs.push(Run {
-                    span: [from, to],
-                    kind,
-                }),
-            }
+            push([pair[0], pair[1]]);
         }
         extend_backward(&mut runs);
+        for k in 1..runs.len() {
+            let mut disc = self.at(runs[k].span[0]);
+            // Beside discs that one contains, both sides are at the same point: r′ is exactly 1 or −1.
+            if [k - 1, k].iter().any(|&k| runs[k].kind == RunKind::Inside) {
+                disc.slope = disc.slope.signum();
+            }
+            runs[k - 1].ends[1] = disc;
+            runs[k].ends[0] = disc;
+        }
         runs
     }
 
-    fn kind(&self, t: f64, signs: &Signs, side: f64) -> RunKind {
+    fn kind(&self, t: f64, samples: &AdvanceSamples, side: f64) -> RunKind {
         if self.section.radius.is_zero() {
             return RunKind::Inside;
         }
-        if signs.0.is_empty() && self.section.radius.is_constant() {
+        if samples.0.is_empty() && self.section.radius.is_constant() {
             return RunKind::Forward;
         }
-        let values = self.values(t);
+        let values = self.advance(t);
         if values[0] <= 0.0 || values[0].is_nan() {
             RunKind::Inside
-        } else if values[value_of(side)] < -ROUNDING {
+        } else if values[index_of(side)] < -ROUNDING {
             RunKind::Backward
         } else {
             RunKind::Forward
         }
     }
 
-    /// Appends the parameters at which one of the [`values`](Self::values) changes its sign.
-    fn push_zeros(&self, signs: &Signs, which: usize, breaks: &mut Breaks) {
+    /// Appends the parameters at which one of the [`advance`](Self::advance) changes its sign.
+    fn push_zeros(&self, samples: &AdvanceSamples, which: usize, breaks: &mut Breaks) {
         // The speed may be 0 at an end.
-        let value = |t: f64| self.values(t)[which];
+        let value = |t: f64| self.advance(t)[which];
         let mut last: Option<(f64, f64)> = None;
-        for &(t, ref values) in &signs.0 {
+        for &(t, ref values) in &samples.0 {
             let found = values[which];
             if !found.is_finite() || found.abs() <= ROUNDING {
                 continue;
@@ -517,11 +552,11 @@ impl<'a> SectionEvaluator<'a> {
     }
 }
 
-/// Parameters with their [`values`](SectionEvaluator::values).
-pub(super) struct Signs(Vec<(f64, [f64; 3])>);
+/// Parameters with their [`advance`](SectionEvaluator::advance).
+pub(super) struct AdvanceSamples(Vec<(f64, [f64; 3])>);
 
-/// Which of the [`values`](SectionEvaluator::values) is negative where a side runs backwards.
-pub(super) fn value_of(side: f64) -> usize {
+/// Which of the [`advance`](SectionEvaluator::advance) is negative where a side runs backwards.
+pub(super) fn index_of(side: f64) -> usize {
     if side == LEFT { 1 } else { 2 }
 }
 

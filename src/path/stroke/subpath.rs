@@ -8,7 +8,7 @@ use super::dash::{Dash, Pattern};
 use super::options::{Pen, StrokeCap};
 use super::outline::{Outline, push_closed};
 use super::profile::{Radii, WidthPosition, WidthProfile};
-use super::section::{Along, Breaks, between_ends};
+use super::section::{Breaks, PositionedCurve, between_ends};
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -67,8 +67,8 @@ impl Subpath {
         }
     }
 
-    /// The positions along the curves of a dash.
-    fn along(&self, dash: &Dash) -> Vec<Along> {
+    /// The curves of a dash with the positions along them.
+    fn curves(&self, dash: &Dash) -> Vec<PositionedCurve> {
         let mut position = self.start(dash);
         let ts = dash.parameters();
         let mut all = Vec::with_capacity(ts.len() - 1);
@@ -85,9 +85,9 @@ impl Subpath {
             };
             let scaled = curve.control_points().iter().map(|&p| p * self.scale);
             let curve = Curve::from_points(scaled.collect());
-            let along = Along::new(curve, self.radii.at, position, rate);
-            position = along.position(1.0);
-            all.push(along);
+            let curve = PositionedCurve::new(curve, self.radii.at, position, rate);
+            position = curve.position(1.0);
+            all.push(curve);
         }
         all
     }
@@ -97,8 +97,8 @@ impl Strokes {
     /// Adds the stroke of a subpath or of one of its dashes; `whole` is the subpath.
     fn add(&mut self, dash: &Dash, whole: &Subpath) -> Result<(), Error> {
         let (radii, pen, unit) = (&whole.radii, &whole.pen, 1.0 / whole.scale);
-        let all = whole.along(dash);
-        if all.is_empty() {
+        let curves = whole.curves(dash);
+        if curves.is_empty() {
             self.curve_count += 1;
             // A subpath that is a point has all discs there.
             let radius = if whole.length > 0.0 {
@@ -123,11 +123,11 @@ impl Strokes {
             pen.cap
         };
         let mut outline = Outline::new(pen);
-        for along in &all {
-            let breaks = breaks_of(along, radii);
+        for curve in &curves {
+            let breaks = breaks_of(curve, radii);
             self.curve_count += breaks.len() - 1;
             for (k, pair) in breaks.windows(2).enumerate() {
-                let section = along.section([pair[0], pair[1]], radii);
+                let section = curve.section([pair[0], pair[1]], radii);
                 if section.curve.has_size() {
                     outline.add(section, k == 0)?;
                 }
@@ -199,16 +199,16 @@ impl Path {
 }
 
 /// The parameters at which a curve is divided, with both ends: at stops of the profile, and where the curve reverses.
-fn breaks_of(along: &Along, radii: &Radii) -> Breaks {
-    let mut breaks = along.reversals.clone();
+fn breaks_of(curve: &PositionedCurve, radii: &Radii) -> Breaks {
+    let mut breaks = curve.reversals.clone();
     if !radii.is_constant() {
-        let end = along.position(1.0);
+        let end = curve.position(1.0);
         for &round in radii.rounds() {
-            let inside = radii.stops_between(along.start - round, end - round);
-            breaks.extend(inside.map(|position| along.time(position + round)));
+            let inside = radii.stops_between(curve.start - round, end - round);
+            breaks.extend(inside.map(|position| curve.time(position + round)));
         }
-        if radii.rounds().len() > 1 && along.start < 1.0 && end > 1.0 {
-            breaks.push(along.time(1.0));
+        if radii.rounds().len() > 1 && curve.start < 1.0 && end > 1.0 {
+            breaks.push(curve.time(1.0));
         }
     }
     between_ends(&mut breaks);
@@ -217,7 +217,7 @@ fn breaks_of(along: &Along, radii: &Radii) -> Breaks {
 
 /// Whether a disc of the radius may contain a spline.
 fn is_within(spline: &Spline<DVec2>, radius: f64) -> bool {
-    let bounds = spline.control_bounds();
+    let bounds = spline.bounds();
     Point::max_abs(bounds.max - bounds.min) <= 2.0 * radius
 }
 

@@ -16,6 +16,9 @@
 
 use super::fit::{FOOT_STEPS, FootPair};
 use super::{OffsetCurve, VANISHING_SPEED};
+use crate::bernstein::products::{
+    cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
+};
 use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
@@ -102,7 +105,7 @@ impl OffsetCurve<'_> {
             e3 - (to.derivative * ds - v2) * (1.0 / 3.0),
             e3,
         ];
-        let (min, max) = range(squares(&e).into_iter());
+        let (min, max) = range(cubic_square(&e, DVec2::dot).into_iter());
         let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
         let off = (high - distance).max(distance - low);
         if high + distance <= self.tolerance {
@@ -126,11 +129,12 @@ impl OffsetCurve<'_> {
         rest: f64,
     ) -> f64 {
         let distance = self.distance.abs();
-        let (min, max) = range(products2(d, d).into_iter());
-        let (tangential_low, tangential_high) = range(products3(e, d).into_iter());
+        let (min, max) = range(quadratic_by_quadratic(d, d, DVec2::dot).into_iter());
+        let (tangential_low, tangential_high) =
+            range(cubic_by_quadratic(e, d, DVec2::dot).into_iter());
         let d_slopes = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
-        let ahead = products2(&v, d);
-        let curved = products31(e, &d_slopes);
+        let ahead = quadratic_by_quadratic(&v, d, DVec2::dot);
+        let curved = cubic_by_linear(e, &d_slopes, DVec2::dot);
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
         let mut tangential_max = tangential_high.max(-tangential_low);
         let mut forward = f_min.max(-f_max);
@@ -185,51 +189,3 @@ impl OffsetCurve<'_> {
 
 /// A cubic that replaces a segment of a higher degree may have an error of this part of the tolerance.
 const REMAINDER_SHARE: f64 = 0.02;
-
-/// |E|², degree 6.
-fn squares(e: &[DVec2; 4]) -> [f64; 7] {
-    let [a, b, c, d] = *e;
-    [
-        a.length_squared(),
-        a.dot(b),
-        (3.0 * b.length_squared() + 2.0 * a.dot(c)) * 0.2,
-        (9.0 * b.dot(c) + a.dot(d)) * 0.1,
-        (3.0 * c.length_squared() + 2.0 * b.dot(d)) * 0.2,
-        c.dot(d),
-        d.length_squared(),
-    ]
-}
-
-/// E·D, degree 5.
-fn products3(e: &[DVec2; 4], d: &[DVec2; 3]) -> [f64; 6] {
-    [
-        e[0].dot(d[0]),
-        (2.0 * e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.2,
-        (e[0].dot(d[2]) + 6.0 * e[1].dot(d[1]) + 3.0 * e[2].dot(d[0])) * 0.1,
-        (3.0 * e[1].dot(d[2]) + 6.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.1,
-        (3.0 * e[2].dot(d[2]) + 2.0 * e[3].dot(d[1])) * 0.2,
-        e[3].dot(d[2]),
-    ]
-}
-
-/// V·D of two quadratics, degree 4.
-fn products2(v: &[DVec2; 3], d: &[DVec2; 3]) -> [f64; 5] {
-    [
-        v[0].dot(d[0]),
-        (v[0].dot(d[1]) + v[1].dot(d[0])) * 0.5,
-        (v[0].dot(d[2]) + 4.0 * v[1].dot(d[1]) + v[2].dot(d[0])) * (1.0 / 6.0),
-        (v[1].dot(d[2]) + v[2].dot(d[1])) * 0.5,
-        v[2].dot(d[2]),
-    ]
-}
-
-/// E·D′ of a cubic and a line, degree 4.
-fn products31(e: &[DVec2; 4], d: &[DVec2; 2]) -> [f64; 5] {
-    [
-        e[0].dot(d[0]),
-        (e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.25,
-        (e[1].dot(d[1]) + e[2].dot(d[0])) * 0.5,
-        (3.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.25,
-        e[3].dot(d[1]),
-    ]
-}

@@ -18,11 +18,11 @@ mod local;
 mod source;
 
 use crate::numeric::work_limit::WorkLimit;
-use crate::numeric::zero::regula_falsi;
+use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
 pub use arc::add_arc;
 use glam::DVec2;
 use source::OffsetSample;
-pub use source::Source;
+pub use source::{Source, fourth_bound};
 
 /// Maximum depth of cutting a piece in two.
 const MAX_CUTS: usize = 48;
@@ -274,6 +274,3 @@ const MIN_TURN: f64 = 0.05;
 /// A cut this close to an end, as a part of the piece, is replaced by one in the middle: a cut must shorten a piece. Ten
 /// halvings reach a point this close to an end too.
 const MIN_PART: f64 = 1e-3;
-
-/// A root is accurate enough when the width of its interval is this part of it.
-const ROOT_WIDTH: f64 = 1e-13;

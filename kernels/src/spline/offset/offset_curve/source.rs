@@ -191,7 +191,7 @@ fn reversed(mut e: [DVec2; 3], n: usize) -> [DVec2; 3] {
 }
 
 /// n(n−1)(n−2)(n−3) times the longest fourth difference.
-fn fourth_bound(points: &[DVec2]) -> f64 {
+pub fn fourth_bound(points: &[DVec2]) -> f64 {
     if points.len() < 5 {
         return 0.0;
     }
