@@ -7,7 +7,7 @@
 /// Polynomials in Bernstein form.
 pub mod bernstein {
     pub mod de_casteljau;
-    pub mod products;
+    pub mod vector_products;
     pub mod weights;
 }
 
@@ -45,6 +45,8 @@ pub mod curve {
 
 /// Splines.
 pub mod spline {
+    pub mod fit_run;
+
     /// Offset curves.
     pub mod offset {
         pub mod offset_curve;

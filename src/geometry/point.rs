@@ -1,5 +1,6 @@
 //! The sealed trait [`Point`] for `DVec2` and `DVec3`: the operations that curves need.
 
+use casteljau_kernels::spline::fit_run::{FitRun, plane_handles, space_handles};
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
@@ -48,6 +49,9 @@ pub trait Point:
     /// The same points, if they are points in the plane.
     #[doc(hidden)]
     fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]>;
+    /// The inner control points of a cubic along a run of points, or `None` if none was found.
+    #[doc(hidden)]
+    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]>;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
     /// This point with one coordinate replaced.
@@ -190,6 +194,9 @@ impl Point for DVec2 {
     fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]> {
         Some(points)
     }
+    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
+        plane_handles(run)
+    }
     #[inline]
     fn coordinate(self, axis: usize) -> f64 {
         if axis == 0 { self.x } else { self.y }
@@ -269,6 +276,9 @@ impl Point for DVec3 {
     #[inline]
     fn plane_points(_points: &mut [Self]) -> Option<&mut [DVec2]> {
         None
+    }
+    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
+        space_handles(run)
     }
     #[inline]
     fn coordinate(self, axis: usize) -> f64 {

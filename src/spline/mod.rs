@@ -42,6 +42,8 @@ pub use joint::JointMode;
 pub use offset::OffsetJoin;
 pub use simplify::SimplifyOptions;
 
+pub(crate) use casteljau_kernels::spline::fit_run;
+
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};

@@ -20,9 +20,12 @@ use std::cell::OnceCell;
 pub(super) const LEFT: f64 = 1.0;
 pub(super) const RIGHT: f64 = -1.0;
 
+/// What belongs to each of the compared points.
+pub(super) type Compared<T> = [T; 6];
+
 /// The parameters at which a cubic is compared with the side, as parts of an interval: Chebyshev points, which are dense
 /// at the ends, where a side may start with a high speed.
-pub(super) const COMPARED: [f64; 6] = [0.0170, 0.1464, 0.3706, 0.6294, 0.8536, 0.9830];
+pub(super) const COMPARED: Compared<f64> = [0.0170, 0.1464, 0.3706, 0.6294, 0.8536, 0.9830];
 
 /// The number of regular parameters at which the sides are examined, for each degree.
 const SAMPLES_PER_DEGREE: usize = 8;
@@ -342,7 +345,7 @@ pub(super) struct SectionEvaluator<'a> {
     pub(super) section: &'a Section<'a>,
     with: CurveWithDerivatives<'a, DVec2>,
     /// The discs with which a cubic along the whole section is compared.
-    compared: OnceCell<[Disc; COMPARED.len()]>,
+    compared: OnceCell<Compared<Disc>>,
 }
 
 impl<'a> SectionEvaluator<'a> {
@@ -355,7 +358,7 @@ impl<'a> SectionEvaluator<'a> {
     }
 
     /// The discs with which a cubic is compared in an interval.
-    pub(super) fn compared(&self, [a, b]: [f64; 2]) -> [Disc; COMPARED.len()] {
+    pub(super) fn compared(&self, [a, b]: [f64; 2]) -> Compared<Disc> {
         let discs = || COMPARED.map(|part| self.at(a + (b - a) * part));
         if [a, b] == [0.0, 1.0] {
             *self.compared.get_or_init(discs)

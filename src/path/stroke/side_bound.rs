@@ -17,13 +17,13 @@
 //! The idea of M is from Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181 (1997).
 
 use super::section::{Disc, SectionEvaluator};
-use crate::curve::with_derivatives::CurveWithDerivatives;
-use crate::geometry::point::Point;
-use crate::numeric::work_limit::WorkLimit;
-use casteljau_kernels::bernstein::products::{
+use crate::bernstein::vector_products::{
     cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
 };
-use casteljau_kernels::numeric::order::range;
+use crate::curve::with_derivatives::CurveWithDerivatives;
+use crate::geometry::point::Point;
+use crate::numeric::order::range;
+use crate::numeric::work_limit::WorkLimit;
 use glam::{DVec2, DVec3};
 
 /// Maximum number of bounds evaluated for one cubic before it is rejected.

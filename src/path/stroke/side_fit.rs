@@ -4,7 +4,7 @@
 //! from some points of the side; then the distance of both curves is bounded, and where the bound is too large the interval
 //! is halved.
 
-use super::section::{COMPARED, Disc, Run, SectionEvaluator};
+use super::section::{COMPARED, Compared, Disc, Run, SectionEvaluator};
 use super::side_bound::{Pair, SideBound, foot_step};
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::error::Error;
@@ -58,7 +58,7 @@ impl SideFit<'_> {
     ) {
         let inside = &self.evaluator.compared([a, b]);
         let [start, end] = ends.map(|disc| disc.point(self.side));
-        let pairs = |us: [f64; COMPARED.len()]| {
+        let pairs = |us: Compared<f64>| {
             let mut pairs = [Pair {
                 u: 0.0,
                 t: a,
@@ -80,7 +80,7 @@ impl SideFit<'_> {
             }
             pairs
         };
-        let holds = |[b, c]: [DVec2; 2], us: [f64; COMPARED.len()]| {
+        let holds = |[b, c]: [DVec2; 2], us: Compared<f64>| {
             let cubic = [start, b, c, end];
             let bound = SideBound {
                 evaluator: self.evaluator,
@@ -120,8 +120,8 @@ impl SideFit<'_> {
         &self,
         start: DVec2,
         end: DVec2,
-        inside: &[Disc; COMPARED.len()],
-    ) -> Option<[f64; COMPARED.len()]> {
+        inside: &Compared<Disc>,
+    ) -> Option<Compared<f64>> {
         let chord = end - start;
         let length = Point::norm(chord);
         let max = STRAIGHT_PART * self.tolerance;
@@ -153,8 +153,8 @@ impl SideFit<'_> {
     fn handles(
         &self,
         ends: &[Disc; 2],
-        inside: &[Disc; COMPARED.len()],
-    ) -> Option<([DVec2; 2], [f64; COMPARED.len()])> {
+        inside: &Compared<Disc>,
+    ) -> Option<([DVec2; 2], Compared<f64>)> {
         let [start, end] = ends.map(|disc| disc.point(self.side));
         let [d0, d1] = ends.map(|disc| disc.forward(self.side) * self.sign);
         let points = inside.map(|disc| disc.point(self.side));
@@ -206,9 +206,9 @@ impl SideFit<'_> {
         &self,
         [start, end]: [DVec2; 2],
         [d0, d1]: [DVec2; 2],
-        inside: &[Disc; COMPARED.len()],
-        points: &[DVec2; COMPARED.len()],
-        us: &[f64; COMPARED.len()],
+        inside: &Compared<Disc>,
+        points: &Compared<DVec2>,
+        us: &Compared<f64>,
         length: f64,
     ) -> [f64; 2] {
         let (mut aa, mut ab, mut bb, mut ar, mut br) = (0.0, 0.0, 0.0, 0.0, 0.0);

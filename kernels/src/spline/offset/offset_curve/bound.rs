@@ -16,7 +16,7 @@
 
 use super::fit::{FOOT_STEPS, FootPair};
 use super::{OffsetCurve, VANISHING_SPEED};
-use crate::bernstein::products::{
+use crate::bernstein::vector_products::{
     cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
 };
 use crate::numeric::order::range;
