@@ -470,6 +470,46 @@ fn sides_next_to_reversals_have_few_cubics() {
     assert!(outline.segment_count() < 150, "{}", outline.segment_count());
 }
 
+/// Between two points where the width is 0 the stroke is thin on average, but not everywhere.
+#[test]
+fn parts_that_are_thick_somewhere_are_kept() {
+    let line = path("M0 0H100");
+    let stops = [
+        (0.0, 0.0),
+        (0.45, 0.01),
+        (0.5, 2.0),
+        (0.55, 0.01),
+        (1.0, 0.0),
+    ];
+    let outline = line
+        .stroke_with(&WidthProfile::new(&stops), &round(0.2))
+        .unwrap();
+    assert!(outline.contains(DVec2::new(50.0, 0.5), FillRule::NonZero));
+}
+
+/// The control points of the last part are equal up to rounding, so only the first one shows its direction.
+#[test]
+fn caps_of_parts_with_rounded_control_points_face_outwards() {
+    let line =
+        path("M465.24423 107.11105C475.50754 107.11105 475.50754 107.11105 475.50754 107.11105");
+    let profile = WidthProfile::new(&[
+        (0.297, 0.787),
+        (0.877_658_989_380_693_6, 0.817),
+        (0.98, 0.801),
+    ]);
+    for part in 0..200 {
+        let mut profile = profile.clone();
+        profile.stops[2].0 = 0.9 + 0.0995 * real(part) / 200.0;
+        let outline = line
+            .stroke_with(&profile, &round(2e-3))
+            .expect("few segments");
+        assert!(
+            outline.contains(DVec2::new(475.8, 107.11), FillRule::NonZero),
+            "{part}"
+        );
+    }
+}
+
 /// Next to a tight turn a side runs backwards in intervals that are much shorter than those between regular parameters.
 #[test]
 fn sides_next_to_tight_turns_have_few_cubics() {

@@ -47,8 +47,10 @@ pub(super) fn push_disk(path: &mut Path, center: DVec2, pen: &Pen) {
     push_dot(path, center, DVec2::X, &round);
 }
 
-/// The contours of a region without those that are thinner than the tolerance. Their mean thickness is 2 A/L for an
-/// area A and a length L.
+/// The contours of a region without those that are thinner than the tolerance.
+///
+/// The mean thickness of a contour is 2 A/L for an area A and a length L. A contour with a small mean can still be thick
+/// somewhere: a disc of that thickness is searched that touches it from inside.
 pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
     let keeps = |contour: &Spline<DVec2>| {
         let area = contour.area();
@@ -57,8 +59,24 @@ pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
         } else {
             pen.tolerance.min(THIN_PART * pen.radius)
         };
-        let length = contour.length();
-        2.0 * area.abs() > thin * length
+        2.0 * area.abs() > thin * contour.length()
+            || contains_disc(contour, 0.5 * thin * area.signum())
     };
     region.subpaths().filter(keeps).collect()
 }
+
+/// Whether a disc that touches a contour at one of some points, on its left for a positive radius, is found to be inside.
+fn contains_disc(contour: &Spline<DVec2>, radius: f64) -> bool {
+    let step = contour.segment_count().div_ceil(MAX_TOUCHED);
+    contour.segments().step_by(step).any(|curve| {
+        let center = curve.eval(0.5) + curve.normal(0.5) * radius;
+        let nearest = contour.nearest(center).map_or(0.0, |found| found.distance);
+        nearest >= (1.0 - DISC_ROUNDING) * radius.abs()
+    })
+}
+
+/// The maximum number of segments at which a disc is tried.
+const MAX_TOUCHED: usize = 64;
+
+/// The part of its radius by which a disc may be outside of the contour: rounding, and the curvature at the point.
+const DISC_ROUNDING: f64 = 1e-3;

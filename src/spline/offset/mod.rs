@@ -167,11 +167,16 @@ fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Cl
         .clone()
         .map(|p| Point::max_abs(step(p)))
         .fold(0.0, f64::max);
+    let rounding = ROUNDING_ULPS * f64::EPSILON * Point::max_abs(from);
+    let negligible = rounding.clamp(NOTHING * far, 0.5 * far);
     let mut steps = others.map(step);
     steps
-        .find(|&v| Point::max_abs(v) > NOTHING * far)
+        .find(|&v| Point::max_abs(v) > negligible)
         .map_or(DVec2::ZERO, Point::unit)
 }
+
+/// Points of a part of a curve that are this close together, in ulps of the coordinates, may be the same point.
+const ROUNDING_ULPS: f64 = 4.0;
 
 /// A handle shorter than this ratio of the curve's size has no direction.
 const NOTHING: f64 = 1e-13;
