@@ -177,7 +177,7 @@ impl<V: Vector> FitRun<'_, V> {
         None
     }
 
-    /// Inner points of the run, evenly spaced by index, and their chord-length parameters.
+    /// Inner points of the run at equal distances of their indices, and their chord-length parameters.
     fn samples<'s>(&self, out: &'s mut [(usize, f64); MAX_SAMPLES]) -> &'s mut [(usize, f64)] {
         let last = self.points.len() - 1;
         let count = (last - 1).min(MAX_SAMPLES);

@@ -264,8 +264,8 @@ impl Section<'_> {
         self.whole.is_straight && self.radius.is_linear() && (by_length || self.curve.degree() == 1)
     }
 
-    /// A bound of what the curve and the radius differ from cubics with the same values and derivatives at the ends of an
-    /// interval of the length `dt`; `slopes` are the coefficients of the derivative of the first cubic.
+    /// A bound of the distances of the curve and of the radius from cubics with the same values and derivatives at the ends
+    /// of an interval of length `dt`; `slopes` are the coefficients of the derivative of the first cubic.
     ///
     /// The error is at most max|g⁗|/384 for a function g. By arc length s, g⁗ follows from s′ = |B′|, |s″| ≤ |B″|,
     /// |s‴| ≤ |B″|²/|B′| + |B‴| and |s⁗| ≤ 3 |B″| |B‴|/|B′| + 2 |B″|³/(√3 |B′|²) + |B⁗|.
@@ -480,8 +480,8 @@ impl<'a> SectionEvaluator<'a> {
         samples: &AdvanceSamples,
         side: f64,
         ends: [Disc; 2],
-    ) -> List<Run, 4> {
-        let mut runs: List<Run, 4> = List::new();
+    ) -> List<Run, 1> {
+        let mut runs: List<Run, 1> = List::new();
         let mut push = |span: [f64; 2]| {
             let kind = self.kind(0.5 * (span[0] + span[1]), samples, side);
             match runs.last_mut() {
@@ -564,7 +564,7 @@ pub(super) fn index_of(side: f64) -> usize {
 }
 
 /// Moves the ends of intervals that run backwards into those that run forward next to them.
-fn extend_backward(runs: &mut List<Run, 4>) {
+fn extend_backward(runs: &mut List<Run, 1>) {
     for k in 1..runs.len() {
         let [before, after] = [runs[k - 1], runs[k]];
         let end = before.span[1];

@@ -115,7 +115,10 @@ impl Side<'_> {
                 points[k]
             }
         });
-        chain.connect_to(ends[0]);
+        // Elsewhere the chain is there, but for rounding.
+        if run.span[0] == 0.0 {
+            chain.connect_to(ends[0]);
+        }
         self.add_midway_lines(run.span, ends, MAX_MIDWAY_HALVINGS, chain);
         chain.connect_to(points[1]);
     }
