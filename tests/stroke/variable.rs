@@ -487,6 +487,24 @@ fn parts_that_are_thick_somewhere_are_kept() {
     assert!(outline.contains(DVec2::new(50.0, 0.5), FillRule::NonZero));
 }
 
+/// The disc that shows that a hole is thick must be inside of it; next to the tip of this hole there is room for one outside.
+#[test]
+fn holes_thinner_than_the_tolerance_are_removed() {
+    let lap = path(
+        "M20.572541806103107,-72.8344738896334 C59.85368489744805,-81.68552037235708 \
+         -33.32588450704292,1.8587736008538247 20.572541806103107,-72.8344738896334 Z",
+    );
+    let stops = [
+        (0.0, 6.268483735668749),
+        (0.9338902419390812, 16.957724658460556),
+        (0.9953143558301931, 20.020602966656746),
+        (1.0, 6.268483735668749),
+    ];
+    let profile = WidthProfile::new(&stops).interpolation(WidthInterpolation::Smooth);
+    let outline = lap.stroke_with(&profile, &round(0.148)).unwrap();
+    assert_eq!(outline.subpath_count(), 1);
+}
+
 /// The control points of the last part are equal up to rounding, so only the first one shows its direction.
 #[test]
 fn caps_of_parts_with_rounded_control_points_face_outwards() {
@@ -522,6 +540,21 @@ fn sides_next_to_tight_turns_have_few_cubics() {
         .stroke_with(&profile, &round(8e-4).simple(false))
         .unwrap();
     assert!(outline.segment_count() < 120, "{}", outline.segment_count());
+}
+
+/// In the middle of the interval in which the right side runs backwards, 1 − r′² − r r″ + rκ √(1 − r′²) is just above 0.
+#[test]
+fn sides_that_nearly_stand_still_have_few_cubics() {
+    let bend = path(
+        "M-2.2286876275328327,-39.85889998319634 C-20.268090638434867,61.32099198758591 \
+         76.46904677545206,-84.88048317911343 -62.554828878553856,45.52165449799508",
+    );
+    let profile = WidthProfile::new(&[(0.0, 49.229058486265494), (1.0, 0.0)])
+        .interpolation(WidthInterpolation::Smooth);
+    let outline = bend
+        .stroke_with(&profile, &round(1.1954168663402796e-3).simple(false))
+        .unwrap();
+    assert!(outline.segment_count() < 60, "{}", outline.segment_count());
 }
 
 /// Where the radius changes faster than the path advances, next to a corner, all joins contain the disc at the corner.

@@ -4,6 +4,7 @@ use super::options::{Pen, StrokeCap};
 use super::outline::{add_cap, push_closed};
 use super::section::{Disc, RIGHT};
 use crate::path::Path;
+use crate::path::winding::FillRule;
 use crate::spline::Spline;
 use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
@@ -68,10 +69,12 @@ pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
 /// Whether a disc that touches a contour at one of some points, on its left for a positive radius, is found to be inside.
 fn contains_disc(contour: &Spline<DVec2>, radius: f64) -> bool {
     let step = contour.segment_count().div_ceil(MAX_TOUCHED);
+    let inside = Path::from(contour.clone());
     contour.segments().step_by(step).any(|curve| {
         let center = curve.eval(0.5) + curve.normal(0.5) * radius;
         let nearest = contour.nearest(center).map_or(0.0, |found| found.distance);
         nearest >= (1.0 - DISC_ROUNDING) * radius.abs()
+            && inside.contains(center, FillRule::NonZero)
     })
 }
 

@@ -72,22 +72,28 @@ impl<'a> Outline<'a> {
                 }
             }
         }
-        let tolerance = self.tolerance();
-        let samples = evaluator.samples();
         let mut backward = Vec::new();
-        for (side, chain) in self.sides() {
-            let of_side = Side {
-                evaluator: &evaluator,
-                side,
-                tolerance,
-            };
-            for run in evaluator.runs(&samples, side, discs) {
-                match run.kind {
-                    RunKind::Forward => of_side.add(&run, 1.0, chain)?,
-                    RunKind::Inside => chain.connect_to(run.ends[1].point(side)),
-                    RunKind::Backward => {
-                        of_side.add_midway(&run, chain);
-                        backward.push((side, run));
+        if section.is_straight() {
+            for (side, chain) in self.sides() {
+                chain.connect_to(to.0.point(side));
+            }
+        } else {
+            let tolerance = self.tolerance();
+            let samples = evaluator.samples();
+            for (side, chain) in self.sides() {
+                let of_side = Side {
+                    evaluator: &evaluator,
+                    side,
+                    tolerance,
+                };
+                for run in evaluator.runs(&samples, side, discs) {
+                    match run.kind {
+                        RunKind::Forward => of_side.add(&run, 1.0, chain)?,
+                        RunKind::Inside => chain.connect_to(run.ends[1].point(side)),
+                        RunKind::Backward => {
+                            of_side.add_midway(&run, chain);
+                            backward.push((side, run));
+                        }
                     }
                 }
             }

@@ -435,7 +435,7 @@ impl<'a> SectionEvaluator<'a> {
     /// parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds show that no value
     /// changes its sign.
     pub(super) fn samples(&self) -> AdvanceSamples {
-        if self.section.is_straight() || self.section.is_gentle() {
+        if self.section.is_gentle() {
             return AdvanceSamples(Vec::new());
         }
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();
@@ -483,7 +483,7 @@ impl<'a> SectionEvaluator<'a> {
     ) -> List<Run, 1> {
         let mut runs: List<Run, 1> = List::new();
         let mut push = |span: [f64; 2]| {
-            let kind = self.kind(0.5 * (span[0] + span[1]), samples, side);
+            let kind = self.kind(span, samples, side);
             match runs.last_mut() {
                 Some(last) if last.kind == kind => last.span[1] = span[1],
                 _ => runs.push(Run { span, ends, kind }),
@@ -515,17 +515,23 @@ impl<'a> SectionEvaluator<'a> {
         runs
     }
 
-    fn kind(&self, t: f64, samples: &AdvanceSamples, side: f64) -> RunKind {
+    /// What a side does between two zeros that were found. There may be others between samples, where a value is almost 0;
+    /// so the samples with the largest values decide.
+    fn kind(&self, span: [f64; 2], samples: &AdvanceSamples, side: f64) -> RunKind {
         if self.section.radius.is_zero() {
             return RunKind::Inside;
         }
-        if samples.0.is_empty() && self.section.radius.is_constant() {
+        if samples.0.is_empty() {
             return RunKind::Forward;
         }
-        let values = self.advance(t);
-        if values[0] <= 0.0 || values[0].is_nan() {
+        let largest = |which: usize| {
+            samples
+                .largest(span, which)
+                .unwrap_or_else(|| self.advance(0.5 * (span[0] + span[1]))[which])
+        };
+        if largest(0) <= 0.0 {
             RunKind::Inside
-        } else if values[index_of(side)] < -ROUNDING {
+        } else if largest(index_of(side)) < -ROUNDING {
             RunKind::Backward
         } else {
             RunKind::Forward
@@ -557,6 +563,18 @@ impl<'a> SectionEvaluator<'a> {
 
 /// Parameters with their [`advance`](SectionEvaluator::advance).
 pub(super) struct AdvanceSamples(Vec<(f64, [f64; 3])>);
+
+impl AdvanceSamples {
+    /// The largest value of one kind, by its size, between two parameters.
+    fn largest(&self, [from, to]: [f64; 2], which: usize) -> Option<f64> {
+        let first = self.0.partition_point(|&(t, _)| t <= from);
+        let inside = self.0[first..].iter().take_while(|&&(t, _)| t < to);
+        inside
+            .map(|(_, values)| values[which])
+            .filter(|value| value.is_finite())
+            .max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+}
 
 /// Which of the [`advance`](SectionEvaluator::advance) is negative where a side runs backwards.
 pub(super) fn index_of(side: f64) -> usize {

@@ -51,12 +51,9 @@ pub(super) struct Side<'a> {
 
 impl Side<'_> {
     /// Appends an interval that runs forward, or all of it backwards if the sign is −1, to a chain that ends at its start.
+    /// The section is not straight.
     pub(super) fn add(&self, run: &Run, sign: f64, chain: &mut SplineBuilder) -> Result<(), Error> {
         let section = self.evaluator.section;
-        if section.is_straight() {
-            chain.connect_to(run.ends[1].point(self.side));
-            return Ok(());
-        }
         if section.radius.is_constant() {
             let distance = self.side * run.ends[0].radius;
             if run.span == [0.0, 1.0] {
@@ -115,7 +112,7 @@ impl Side<'_> {
                 points[k]
             }
         });
-        // Elsewhere the chain is there, but for rounding.
+        // In the middle of a section the chain already ends at this point, up to rounding.
         if run.span[0] == 0.0 {
             chain.connect_to(ends[0]);
         }
