@@ -36,9 +36,11 @@ declare module "paper/dist/paper-core.js" {
     readonly bounds: { left: number; top: number; right: number; bottom: number };
     readonly length: number;
     readonly area: number;
-    readonly children?: unknown[];
+    readonly children?: Path[];
+    pathData: string;
     fillRule: "nonzero" | "evenodd";
     unite(path: CompoundPath, options: { insert: boolean }): CompoundPath;
+    clone(options: { insert: boolean }): CompoundPath;
     remove(): boolean;
   }
   class Path {

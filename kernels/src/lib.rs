@@ -24,6 +24,7 @@ pub mod numeric {
 /// One curve.
 pub mod curve {
     pub mod chord_rates;
+    pub mod plane_cubic;
     pub mod sample_plane_cubic;
 
     /// Arc length.
@@ -50,6 +51,7 @@ pub mod spline {
     /// Offset curves.
     pub mod offset {
         pub mod offset_curve;
+        pub mod side_bound;
     }
 }
 

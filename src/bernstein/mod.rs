@@ -5,4 +5,4 @@ pub(crate) mod polynomials;
 pub(crate) mod product;
 pub(crate) mod roots;
 
-pub(crate) use casteljau_kernels::bernstein::{de_casteljau, vector_products, weights};
+pub(crate) use casteljau_kernels::bernstein::{de_casteljau, weights};

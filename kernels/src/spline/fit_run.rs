@@ -146,7 +146,7 @@ impl<V: Vector> FitRun<'_, V> {
                     *u = foot(&cubic, p, *u);
                 }
                 let (q, w, _) = at(&cubic, *u);
-                worst = worst.max((q - p).norm());
+                worst = larger(worst, (q - p).norm());
                 let along = if round > 0 { w.unit() } else { V::default() };
                 equations.add(q - p, along, (t0, t1), *u);
             }
@@ -217,7 +217,7 @@ impl<V: Vector> FitRun<'_, V> {
                 foot(cubic, p, guess)
             };
             let distance = |u: f64| (at(cubic, u).0 - p).norm();
-            let forward = u.max(last.0);
+            let forward = larger(u, last.0);
             let tolerance = self.tolerance;
             let (u, off) = if self.between {
                 (forward, distance(forward))
@@ -230,9 +230,9 @@ impl<V: Vector> FitRun<'_, V> {
                 0.0
             } else {
                 let edge = (p - self.points[index - 1]).norm();
-                (BETWEEN * edge).max(NOISE * tolerance)
+                larger(BETWEEN * edge, NOISE * tolerance)
             };
-            if off > tolerance || off.max(last.1) + sag(cubic, last.0, u) > tolerance + room {
+            if off > tolerance || larger(off, last.1) + sag(cubic, last.0, u) > tolerance + room {
                 return false;
             }
             last = (u, off);
@@ -325,5 +325,5 @@ fn sag<V: Vector>(cubic: &[V; 4], u0: f64, u1: f64) -> f64 {
             a
         }
     };
-    across(a0).norm().max(across(a1).norm()) * h * h * 0.125
+    larger(across(a0).norm(), across(a1).norm()) * h * h * 0.125
 }

@@ -25,15 +25,16 @@ pub(super) struct Member {
 pub(super) struct Edge {
     pub(super) vertices: [usize; 2],
     /// The range of its arcs in the list of members.
-    pub(super) members: [usize; 2],
+    members: [usize; 2],
+    /// The range of the control points of its first arc.
+    points: [usize; 2],
 }
 
 /// All edges.
 pub(super) struct Edges {
     pub(super) list: Vec<Edge>,
     members: Vec<Member>,
-    /// The control points of the first arc of each edge.
-    points: Vec<Points<DVec2>>,
+    points: Vec<DVec2>,
 }
 
 impl Edges {
@@ -48,7 +49,7 @@ impl Edges {
         let mut all = Self {
             list: Vec::with_capacity(keyed.len()),
             members: Vec::with_capacity(keyed.len()),
-            points: Vec::with_capacity(keyed.len()),
+            points: Vec::with_capacity(4 * keyed.len()),
         };
         for group in keyed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             all.add_group(segments, arcs, group, tolerance);
@@ -64,15 +65,16 @@ impl Edges {
         group: &[(usize, usize, usize)],
         tolerance: f64,
     ) {
-        let points_of_arc = |arc: Arc| segments.part(arc.segment, arc.t[0], arc.t[1]);
         if let [(_, _, k)] = *group {
             let arc = arcs.list[k];
-            return self.add_edge(points_of_arc(arc), &[Member { arc, forward: true }]);
+            let from = self.points.len();
+            segments.push_part(arc.segment, arc.t[0], arc.t[1], &mut self.points);
+            return self.add_edge(from, &[Member { arc, forward: true }]);
         }
         let mut edges: Vec<(Points<DVec2>, Vec<Member>)> = Vec::new();
         for &(_, _, k) in group {
             let arc = arcs.list[k];
-            let points = points_of_arc(arc);
+            let points = segments.part(arc.segment, arc.t[0], arc.t[1]);
             let same = edges.iter().enumerate().find_map(|(e, (other, members))| {
                 let is_loop = arc.vertices[0] == arc.vertices[1];
                 let parallel = arc.vertices == members[0].arc.vertices;
@@ -84,23 +86,27 @@ impl Edges {
             }
         }
         for (points, members) in edges {
-            self.add_edge(points, &members);
+            let from = self.points.len();
+            self.points.extend_from_slice(&points);
+            self.add_edge(from, &members);
         }
     }
 
-    fn add_edge(&mut self, points: Points<DVec2>, members: &[Member]) {
+    /// Adds an edge whose control points are those from an index on.
+    fn add_edge(&mut self, first_point: usize, members: &[Member]) {
         let from = self.members.len();
-        self.points.push(points);
         self.members.extend(members);
         self.list.push(Edge {
             vertices: members[0].arc.vertices,
             members: [from, self.members.len()],
+            points: [first_point, self.points.len()],
         });
     }
 
-    /// The control points of an edge.
+    /// The control points of the first arc of an edge.
     pub(super) fn points(&self, edge: usize) -> &[DVec2] {
-        &self.points[edge]
+        let [from, to] = self.list[edge].points;
+        &self.points[from..to]
     }
 
     /// The arcs of an edge.

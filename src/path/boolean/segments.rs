@@ -172,11 +172,24 @@ impl Segments {
 
     /// The control points of a part of a segment; backwards if t₀ > t₁. A whole segment keeps its bits.
     pub(super) fn part(&self, segment: usize, t0: f64, t1: f64) -> Points<DVec2> {
-        let points = &self.list[segment].points;
-        let mut part = points.clone();
+        let mut part = self.list[segment].points.clone();
+        self.keep_part(segment, t0, t1, &mut part);
+        part
+    }
+
+    /// Appends the control points of a part of a segment, as [`part`](Self::part).
+    pub(super) fn push_part(&self, segment: usize, t0: f64, t1: f64, out: &mut Vec<DVec2>) {
+        let first = out.len();
+        out.extend_from_slice(&self.list[segment].points);
+        self.keep_part(segment, t0, t1, &mut out[first..]);
+    }
+
+    /// `part` has the control points of the segment, which become those of the part.
+    fn keep_part(&self, segment: usize, t0: f64, t1: f64, part: &mut [DVec2]) {
         let (from, to) = if t0 > t1 { (t1, t0) } else { (t0, t1) };
         if (from, to) != (0.0, 1.0) {
-            crate::bernstein::de_casteljau::keep_between(&mut part, from, to);
+            let points = &self.list[segment].points;
+            crate::bernstein::de_casteljau::keep_between(part, from, to);
             let last = part.len() - 1;
             part[0] = evaluate(points, from);
             part[last] = evaluate(points, to);
@@ -184,6 +197,5 @@ impl Segments {
         if t0 > t1 {
             part.reverse();
         }
-        part
     }
 }

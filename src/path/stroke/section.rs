@@ -9,6 +9,7 @@ use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use crate::numeric::list::{List, Points, Scalars, points_of};
+use crate::numeric::order::{larger, range};
 use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
 use crate::spline::offset::offset_curve::fourth_bound;
 use crate::spline::offset::{end_tangent, start_tangent};
@@ -277,11 +278,12 @@ impl Section<'_> {
             return error; // the radius is a cubic
         }
         let [v0, v1, v2] = slopes;
-        let largest = |a: DVec2, b: DVec2| Point::norm(a).max(Point::norm(b));
+        let largest = |a: DVec2, b: DVec2| larger(Point::norm(a), Point::norm(b));
         let along = Point::unit(v0 + v2);
         // The derivatives of the curve differ from those of the cubic by less than these parts of its fourth.
-        let least = (v0.dot(along).min(v1.dot(along)).min(v2.dot(along)) - fourth / 124.0).max(0.0);
-        let first = largest(v0, v1).max(Point::norm(v2)) + fourth / 124.0;
+        let (least, _) = range([v0, v1, v2].into_iter().map(|v| v.dot(along)));
+        let least = larger(least - fourth / 124.0, 0.0);
+        let first = larger(largest(v0, v1), Point::norm(v2)) + fourth / 124.0;
         let second = 2.0 * largest(v1 - v0, v2 - v1) + fourth / 12.0;
         let third = 2.0 * Point::norm(v0 - v1 * 2.0 + v2) + fourth / 2.0;
         let bend = second * second / least;

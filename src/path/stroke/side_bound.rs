@@ -1,29 +1,11 @@
-//! A bound of the distance between a cubic and one side of a stroke of varying radius.
-//!
-//! Take two pairs, each of a point of the cubic Q and a disc of the stroke, whose centre is on the curve B. Between them
-//! let u run from 0 to 1 on the cubic, on the curve and along the radius r; B and r are replaced by cubics with the same
-//! values and derivatives at the pairs. With E = Q − B, the distance of a point of the cubic from a disc is f = |E| − r. Where f
-//! is stationary as a function of the disc, it is the distance from the side. With M = (E, r), W = (B′, −r′) and the product
-//! ⟨a, b⟩ = a₁b₁ + a₂b₂ − a₃b₃ the polynomials
-//!
-//!   ⟨M, M⟩ = (|E| + r) f,   ⟨M, W⟩ = −|E| f′ − f r′,   ⟨W, W⟩ − ⟨M, W′⟩ = |E| f″ + f′ (f′ + 2 r′) + f r″
-//!
-//! (where f′ and f″ are derivatives with respect to the disc) lie between their least and their greatest Bernstein
-//! coefficient. So f is bounded, and the stationary value differs from it by at most f′²/(2 f″), which is doubled here:
-//! f″ is bounded only at the pairs between. Next to cusps of a side f″ is 0; while the stationary disc is between the two
-//! pairs, its value differs by at most |f′|. That disc moves along with u from the first pair of the cubic to the last one,
-//! so every point of the side is as near to the cubic. Intervals for which the bound is too large are halved.
-//!
-//! The idea of M is from Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181 (1997).
+//! Whether a cubic stays within the tolerance of one side of a stroke of varying radius: the bound between two pairs of
+//! points, with halvings where it is too large.
 
 use super::section::{Disc, SectionEvaluator};
-use crate::bernstein::vector_products::{
-    cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
-};
-use crate::curve::with_derivatives::CurveWithDerivatives;
+use crate::curve::plane_cubic::point_and_derivative;
 use crate::geometry::point::Point;
-use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
+use crate::spline::offset::side_bound::side_bound;
 use glam::{DVec2, DVec3};
 
 /// Maximum number of bounds evaluated for one cubic before it is rejected.
@@ -49,7 +31,7 @@ pub(super) struct SideBound<'a> {
     /// −1 where the side runs backwards.
     pub(super) sign: f64,
     pub(super) tolerance: f64,
-    pub(super) cubic: CurveWithDerivatives<'a, DVec2>,
+    pub(super) cubic: [DVec2; 4],
 }
 
 impl SideBound<'_> {
@@ -76,7 +58,7 @@ impl SideBound<'_> {
             u = foot_step(&self.cubic, u, point).clamp(from.u, to.u);
         }
         let middle = Pair { u, t, disc };
-        Point::norm(self.cubic.at(u) - point) <= self.tolerance
+        Point::norm(point_and_derivative(&self.cubic, u).0 - point) <= self.tolerance
             && self.holds_between(from, &middle, work)
             && self.holds_between(&middle, to, work)
     }
@@ -84,17 +66,16 @@ impl SideBound<'_> {
     /// The bound between two pairs; infinite or NaN if there is none.
     fn bound(&self, from: &Pair, to: &Pair) -> f64 {
         let (du, dt) = (to.u - from.u, to.t - from.t);
-        // (B, −r), and W and W′.
+        // (B, −r) and W at both ends.
         let [p, q] = [from, to].map(|pair| pair.disc.center.extend(-pair.disc.radius));
         let [v, w] = [from, to].map(|pair| {
             let disc = &pair.disc;
             disc.tangent.extend(-disc.slope) * (disc.speed * dt)
         });
         let slopes = [v, (q - p) * 3.0 - v - w, w];
-        let changes = [(slopes[1] - slopes[0]) * 2.0, (slopes[2] - slopes[1]) * 2.0];
         // M, from its values and derivatives at the ends.
         let [a, d] = [(from, p, v), (to, q, w)].map(|(pair, disc, rate)| {
-            let [point, first, _] = self.cubic.jet(pair.u);
+            let (point, first) = point_and_derivative(&self.cubic, pair.u);
             [(point, disc), (first * du, rate)]
                 .map(|(of_cubic, of_disc)| of_cubic.extend(0.0) - of_disc)
         });
@@ -103,39 +84,13 @@ impl SideBound<'_> {
             .evaluator
             .section
             .hermite_error(slopes.map(DVec3::truncate), dt);
-        let largest = |values: &[DVec3]| values.iter().fold(0.0, |max: f64, v| max.max(v.z.abs()));
-        let least_radius = m.iter().fold(f64::INFINITY, |min, v| min.min(v.z)).max(0.0);
-        // f is between −r and |E|.
-        let size = m
-            .iter()
-            .fold(largest(&m), |max, v| max.max(Point::norm(v.truncate())));
-        if size + rest <= self.tolerance {
-            return size + rest;
-        }
-        let (min, max) = range(cubic_square(&m, product).into_iter());
-        let least = (least_radius * least_radius + min).max(0.0).sqrt();
-        let off = max.max(-min) / (least_radius + least);
-        let (min, max) = range(cubic_by_quadratic(&m, &slopes, product).into_iter());
-        let f_rate = (max.max(-min) + off * largest(&slopes)) / least;
-        let squares = quadratic_by_quadratic(&slopes, &slopes, product);
-        let bends = cubic_by_linear(&m, &changes, product);
-        let ahead = (0..5).map(|k| self.sign * (squares[k] - bends[k]));
-        let curvature = ahead.fold(f64::INFINITY, f64::min)
-            - f_rate * (2.0 * largest(&slopes) + f_rate)
-            - off * largest(&changes);
-        let steps = f_rate * size / curvature.max(0.0);
-        off + f_rate * steps.min(1.0) + rest
+        side_bound(&m, &slopes, self.sign, rest, self.tolerance)
     }
 }
 
-/// ⟨a, b⟩.
-fn product(a: DVec3, b: DVec3) -> f64 {
-    a.x * b.x + a.y * b.y - a.z * b.z
-}
-
-/// A Newton step from a parameter of a curve to that of its point next to another one.
-pub(super) fn foot_step(curve: &CurveWithDerivatives<DVec2>, t: f64, point: DVec2) -> f64 {
-    let [p, first, _] = curve.jet(t);
+/// A Newton step from a parameter of a cubic to that of its point next to another one.
+pub(super) fn foot_step(cubic: &[DVec2; 4], t: f64, point: DVec2) -> f64 {
+    let (p, first) = point_and_derivative(cubic, t);
     let step = (p - point).dot(first) / first.dot(first);
     if step.is_finite() {
         (t - step).clamp(0.0, 1.0)

@@ -6,7 +6,7 @@
 
 use super::section::{COMPARED, Compared, Disc, Run, SectionEvaluator};
 use super::side_bound::{Pair, SideBound, foot_step};
-use crate::curve::with_derivatives::CurveWithDerivatives;
+use crate::curve::plane_cubic::point_and_derivative;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
@@ -81,13 +81,12 @@ impl SideFit<'_> {
             pairs
         };
         let holds = |[b, c]: [DVec2; 2], us: Compared<f64>| {
-            let cubic = [start, b, c, end];
             let bound = SideBound {
                 evaluator: self.evaluator,
                 side: self.side,
                 sign: self.sign,
                 tolerance: self.tolerance,
-                cubic: CurveWithDerivatives::new(&cubic),
+                cubic: [start, b, c, end],
             };
             bound.holds(&pairs(us))
         };
@@ -171,18 +170,17 @@ impl SideFit<'_> {
             let arms = self.arms([start, end], [d0, d1], inside, &points, &us, length);
             let handles = [start + d0 * arms[0], end - d1 * arms[1]];
             let cubic = [start, handles[0], handles[1], end];
-            let with = CurveWithDerivatives::new(&cubic);
             let before = worst;
             worst = 0.0;
             let mut last = 0.0;
             for (k, &p) in points.iter().enumerate() {
                 for _ in 0..2 {
-                    us[k] = foot_step(&with, us[k], p);
+                    us[k] = foot_step(&cubic, us[k], p);
                 }
                 // The sides of a thin stroke must not cross.
                 let most = (COMPARED_PART * self.tolerance).min(0.5 * inside[k].radius);
-                let distance =
-                    Point::norm(with.at(us[k]) - p) / most.max(CROSSING_PART * self.tolerance);
+                let off = Point::norm(point_and_derivative(&cubic, us[k]).0 - p);
+                let distance = off / most.max(CROSSING_PART * self.tolerance);
                 // The feet of the points must have their order.
                 worst = if us[k] >= last {
                     distance.max(worst)

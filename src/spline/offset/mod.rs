@@ -2,7 +2,7 @@
 
 pub(crate) mod curve;
 
-pub(crate) use casteljau_kernels::spline::offset::offset_curve;
+pub(crate) use casteljau_kernels::spline::offset::{offset_curve, side_bound};
 
 use super::Spline;
 use super::spline_builder::SplineBuilder;

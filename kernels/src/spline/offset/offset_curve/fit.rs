@@ -2,6 +2,7 @@
 
 use super::source::OffsetSample;
 use super::{End, OffsetCurve};
+use crate::curve::plane_cubic::point_and_derivative;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -130,7 +131,7 @@ impl OffsetCurve<'_> {
         between: (f64, f64),
         steps: u8,
     ) {
-        (pair.point, pair.derivative) = at(cubic, pair.s);
+        (pair.point, pair.derivative) = point_and_derivative(cubic, pair.s);
         if pair.normal == DVec2::default() {
             pair.foot = self.source.at(pair.foot.t);
         }
@@ -170,17 +171,4 @@ fn inside((t0, t1): (f64, f64), last: f64, next: f64) -> f64 {
     } else {
         next
     }
-}
-
-/// The point and the derivative of a cubic.
-#[inline]
-fn at(p: &[DVec2; 4], s: f64) -> (DVec2, DVec2) {
-    let r = 1.0 - s;
-    let (a, b, c) = (
-        p[0] * r + p[1] * s,
-        p[1] * r + p[2] * s,
-        p[2] * r + p[3] * s,
-    );
-    let (d, e) = (a * r + b * s, b * r + c * s);
-    (d * r + e * s, (e - d) * 3.0)
 }
