@@ -61,8 +61,7 @@ impl<'a> Outline<'a> {
     /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a
     /// reversal of a curve.
     pub(super) fn add(&mut self, section: Section<'a>, is_corner: bool) -> Result<(), Error> {
-        let evaluator = SectionEvaluator::new(&section);
-        let discs = [0.0, 1.0].map(|t| evaluator.at(t));
+        let discs = section.end_discs();
         let [from, to] = discs.map(|disc| (disc, section.is_straight()));
         match self.ends {
             Some([_, last]) => self.connect(last, from, is_corner, false),
@@ -79,6 +78,7 @@ impl<'a> Outline<'a> {
             }
         } else {
             let tolerance = self.tolerance();
+            let evaluator = SectionEvaluator::new(&section);
             let samples = evaluator.samples();
             for (side, chain) in self.sides() {
                 let of_side = Side {

@@ -296,6 +296,63 @@ impl Section<'_> {
         error + rate * (of_radius / 384.0).min(2.0 * r1 * first)
     }
 
+    /// The discs at both ends.
+    pub(super) fn end_discs(&self) -> [Disc; 2] {
+        let points = self.curve.control_points();
+        let n = points.len() - 1;
+        let steps = [points[1] - points[0], points[n] - points[n - 1]];
+        [0, 1].map(|k| {
+            let t = as_f64(k);
+            let rates = self.rates(t, steps[k] * as_f64(n), DVec2::ZERO);
+            self.disc(t, points[k * n], &rates)
+        })
+    }
+
+    #[inline]
+    fn disc(&self, t: f64, center: DVec2, rates: &Rates) -> Disc {
+        let tangent = match t {
+            0.0 => start_tangent(&self.curve),
+            1.0 => end_tangent(&self.curve),
+            _ => Point::unit(rates.first),
+        };
+        Disc {
+            center,
+            tangent,
+            radius: rates.radius.max(0.0),
+            slope: rates.slope.clamp(-1.0, 1.0),
+            speed: Point::norm(rates.first),
+        }
+    }
+
+    #[inline]
+    fn rates(&self, t: f64, first: DVec2, second: DVec2) -> Rates {
+        let speed = Point::norm(first);
+        let cube = speed * speed * speed;
+        let mut rates = Rates {
+            first,
+            curvature: first.perp_dot(second) / cube,
+            radius: self.radius.at(self.ends[0])[0],
+            slope: 0.0,
+            slope_change: 0.0,
+        };
+        if self.radius.is_constant() {
+            return rates;
+        }
+        let [radius, by_position, bend] = self.radius.at(self.position(t));
+        let (mut rate, mut rate_change) = (self.rate, 0.0);
+        if self.whole.by == WidthPosition::T {
+            rate /= speed;
+            rate_change = -rate * first.dot(second) / cube;
+        }
+        rates.radius = radius;
+        // The rate is infinite where the speed is 0.
+        if by_position != 0.0 {
+            rates.slope = by_position * rate;
+        }
+        rates.slope_change = bend * rate * rate + by_position * rate_change;
+        rates
+    }
+
     /// Whether bounds show that no disc contains another and that no side runs backwards.
     fn is_gentle(&self) -> bool {
         let [radius, slope, change, _] = self.radius.bounds(self.ends);
@@ -371,66 +428,21 @@ impl<'a> SectionEvaluator<'a> {
 
     pub(super) fn at(&self, t: f64) -> Disc {
         let jet = self.with.jet(t);
-        self.disc(t, jet[0], &self.rates(t, jet[1], jet[2]))
+        let rates = self.section.rates(t, jet[1], jet[2]);
+        self.section.disc(t, jet[0], &rates)
     }
 
     /// 1 − r′² and 1 − r′² − r r″ ∓ rκ √(1 − r′²), which are negative where the left or the right side runs backwards.
     pub(super) fn advance(&self, t: f64) -> [f64; 3] {
         let [first, second] = self.with.derivatives(t);
-        self.rates(t, first, second).advance()
+        self.section.rates(t, first, second).advance()
     }
 
     /// The disc together with [`advance`](Self::advance).
     pub(super) fn evaluate(&self, t: f64) -> (Disc, [f64; 3]) {
         let [center, first, second] = self.with.jet(t);
-        let rates = self.rates(t, first, second);
-        (self.disc(t, center, &rates), rates.advance())
-    }
-
-    #[inline]
-    fn disc(&self, t: f64, center: DVec2, rates: &Rates) -> Disc {
-        let tangent = match t {
-            0.0 => start_tangent(&self.section.curve),
-            1.0 => end_tangent(&self.section.curve),
-            _ => Point::unit(rates.first),
-        };
-        Disc {
-            center,
-            tangent,
-            radius: rates.radius.max(0.0),
-            slope: rates.slope.clamp(-1.0, 1.0),
-            speed: Point::norm(rates.first),
-        }
-    }
-
-    #[inline]
-    fn rates(&self, t: f64, first: DVec2, second: DVec2) -> Rates {
-        let section = self.section;
-        let speed = Point::norm(first);
-        let cube = speed * speed * speed;
-        let mut rates = Rates {
-            first,
-            curvature: first.perp_dot(second) / cube,
-            radius: section.radius.at(section.ends[0])[0],
-            slope: 0.0,
-            slope_change: 0.0,
-        };
-        if section.radius.is_constant() {
-            return rates;
-        }
-        let [radius, by_position, bend] = section.radius.at(section.position(t));
-        let (mut rate, mut rate_change) = (section.rate, 0.0);
-        if section.whole.by == WidthPosition::T {
-            rate /= speed;
-            rate_change = -rate * first.dot(second) / cube;
-        }
-        rates.radius = radius;
-        // The rate is infinite where the speed is 0.
-        if by_position != 0.0 {
-            rates.slope = by_position * rate;
-        }
-        rates.slope_change = bend * rate * rate + by_position * rate_change;
-        rates
+        let rates = self.section.rates(t, first, second);
+        (self.section.disc(t, center, &rates), rates.advance())
     }
 
     /// The [`advance`](Self::advance) at regular parameters, at those where the curve is slowest, next to tight turns, and at
@@ -617,6 +629,9 @@ fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64
 
 /// Sorts parameters, removes those that are equal to others or to an end, and adds both ends.
 pub(super) fn between_ends(ts: &mut Breaks) {
+    if ts.is_empty() {
+        return ts.extend([0.0, 1.0]);
+    }
     ts.retain(|t| *t > ROUNDING && *t < 1.0 - ROUNDING);
     ts.sort_by(f64::total_cmp);
     ts.dedup_by(|next, last| *next - *last <= ROUNDING);
