@@ -107,7 +107,7 @@ function tSlider(page: Document, port: ControlPort) {
   const slider = element(page, "input", { type: "range", min: "0", max: "1", step: String(T_STEP), "aria-label": "t" });
   slider.addEventListener("input", () => port.setT(Number(slider.value), false));
   slider.addEventListener("change", () => port.setT(Number(slider.value), true));
-  const output = element(page, "span", { className: "value", "aria-hidden": "true" }); // the slider tells its value itself
+  const output = element(page, "span", { className: "value", "aria-hidden": "true" }); // the slider announces its value itself
   const label = element(page, "label", { className: "t" }, element(page, "i", {}, "t"), slider, output);
   const update = ({ t }: State) => {
     slider.value = String(t);

@@ -49,7 +49,7 @@ export class Engine {
   #theme;
 
   /**
-   * @param fire tells the page what the user does
+   * @param fire dispatches the event for what the user does
    */
   constructor(
     canvas: HTMLCanvasElement,

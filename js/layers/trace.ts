@@ -1,4 +1,4 @@
-// Curves of high degrees as they are seen: halved where the picture is, until no pixel tells them from lines.
+// Curves of high degrees for the picture: halved where they are visible, until they differ from lines by less than a pixel.
 
 export type Box = { width: number; height: number };
 

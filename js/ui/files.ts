@@ -1,6 +1,6 @@
 // Files from and to a page.
 
-/** Hands a file to the user. */
+/** Offers a file for download. */
 export function save(page: Document, name: string, blob: Blob) {
   const link = Object.assign(page.createElement("a"), { href: URL.createObjectURL(blob), download: name });
   link.click();

@@ -12,7 +12,10 @@ const WORDS = [
   [/\b(Hands|Acting|acts)\b/g, "AppletView, AppletActions, actions"],
   [/\b(Desk|Turning|Lease|Fineness)\b/g, "FileController, AutoRotation, ContextSlot, DetailSettings"],
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
-  [/\b(told|tells|heard|attended|dusted)\b/g, "messages, announced, focusedPoint, roundedToPixels"],
+  [
+    /\b(told|tell|tells|heard|attended|dusted|deafen|leases|DeskPort)\b/g,
+    "notify, messages, announced, focusedPoint, roundedToPixels",
+  ],
   [/\b(least|most)\b/g, "min, max"],
   [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch with an origin, commit, revert"],
   [/\b(knob|hollow|truth|fewest)\b/g, "controlPoint, ring, continuityLabels, minPoints"],

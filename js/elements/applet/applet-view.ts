@@ -1,4 +1,4 @@
-// The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
+// The part of `<bezier-applet>` that is loaded when one comes near: the picture, the handles, the panel.
 import { isForText } from "../../ui/keys.js";
 import { translated } from "../../editor/translations.js";
 import { Speaker, setText } from "../../ui/announcer.js";

@@ -1,4 +1,4 @@
-// The picture: a canvas, a handle over each point, and the hands that move them; drawn at most once a frame.
+// The picture: a canvas, a handle over each point, and the gestures that move them; drawn at most once a frame.
 import { Drags } from "../../ui/drag.js";
 import { Handles } from "../../ui/handles.js";
 import { clamped } from "../../editor/plane.js";

@@ -1,4 +1,4 @@
-// What all companions have in common: they wait until they are near, tell what the user does, and say what is wrong.
+// What all companions have in common: they wait until they are near, report what the user does and what is wrong.
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { followTranslations } from "../follow-translations.js";
@@ -56,7 +56,7 @@ export class Companion extends LitElement {
 
   createRenderRoot() {
     const root = super.createRenderRoot();
-    // What the inputs inside tell is for this element; it tells the page itself.
+    // Events of the inputs inside are for this element, which dispatches its own.
     for (const type of ["input", "change"]) root.addEventListener(type, (event) => event.stopPropagation());
     return root;
   }
@@ -84,9 +84,9 @@ export class Companion extends LitElement {
 
   /**
    * @internal
-   * Tells the page what the user does.
+   * Dispatches the event for what the user does.
    */
-  tell(done: boolean) {
+  notify(done: boolean) {
     this.dispatchEvent(new Event(done ? "change" : "input", { bubbles: true, composed: true }));
   }
 

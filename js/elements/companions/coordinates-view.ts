@@ -61,7 +61,7 @@ export class CoordinatesView {
     const place = [...places[index]] as Point2;
     place[axis] = value;
     this.#place([place], index, done);
-    this.#host.tell(done);
+    this.#host.notify(done);
   }
 
   /** Points in a row, from the one at `first` on. */
@@ -87,7 +87,7 @@ export class CoordinatesView {
     }
     this.#fields.clear();
     this.#fields.leave();
-    this.#host.tell(true);
+    this.#host.notify(true);
     return true;
   }
 }

@@ -66,7 +66,7 @@ export class BezierEasing extends FormField {
     this.say("");
     this.#report();
     this.requestUpdate();
-    this.tell(done);
+    this.notify(done);
     this.view?.onChange?.(done);
   }
 

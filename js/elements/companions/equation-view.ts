@@ -148,7 +148,7 @@ export class EquationView {
     if (target) target.steer({ basis: "matrix", matrix: numbers }, done);
     else this.#host.basis = "matrix";
     this.#host.matrix = numbers.join(" ");
-    this.#host.tell(done);
+    this.#host.notify(done);
   }
 
   /** Sixteen numbers at once. */
@@ -163,7 +163,7 @@ export class EquationView {
     if (this.#host.target) this.#host.target.steer({ basis }, true);
     else this.#host.basis = basis;
     this.#fields.clear();
-    this.#host.tell(true);
+    this.#host.notify(true);
   }
 }
 

@@ -47,7 +47,7 @@ export class Linked extends Companion {
   setT(t: number, done: boolean) {
     if (this.#target) this.#target.steer({ t }, done);
     else Object.assign(this, { t });
-    this.tell(done);
+    this.notify(done);
   }
 
   willUpdate() {

@@ -1,15 +1,15 @@
-// The graphics card is lent: an element that is far from what is seen gives its context back and asks again later.
+// WebGL contexts are few: an element far from what is visible gives its context back, and restores it later.
 
-/** One for each canvas, since a canvas has one context for ever. */
-const leases: WeakMap<HTMLCanvasElement, ContextSlot> = new WeakMap();
+/** One for each canvas, since a canvas has one context as long as it lives. */
+const slots: WeakMap<HTMLCanvasElement, ContextSlot> = new WeakMap();
 
 export class ContextSlot {
-  #loser;
+  #extension;
   #state: "held" | "ending" | "ended" = "held";
   #wanted = true;
 
   constructor(canvas: HTMLCanvasElement) {
-    this.#loser = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null; // a lost context hands out nothing
+    this.#extension = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null; // a lost context has no extensions
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault(); // it may come back
       this.#notified();
@@ -20,25 +20,25 @@ export class ContextSlot {
    * @param canvas with its context, or with none
    */
   static of(canvas: HTMLCanvasElement): ContextSlot {
-    const known = leases.get(canvas) ?? new ContextSlot(canvas);
-    leases.set(canvas, known);
+    const known = slots.get(canvas) ?? new ContextSlot(canvas);
+    slots.set(canvas, known);
     return known;
   }
 
-  /** Gives the context back; the canvas tells of the loss later. */
+  /** Gives the context back; the loss is an event of the canvas. */
   end() {
     this.#wanted = false;
-    if (this.#state !== "held" || !this.#loser) return;
+    if (this.#state !== "held" || !this.#extension) return;
     this.#state = "ending";
-    this.#loser.loseContext();
+    this.#extension.loseContext();
   }
 
-  /** Asks for it again; the canvas tells when it is there. */
+  /** Asks for it again; an event of the canvas follows. */
   renew() {
     this.#wanted = true;
     if (this.#state !== "ended") return; // the loss has not been notified yet: the answer waits for it
     this.#state = "held";
-    this.#loser?.restoreContext();
+    this.#extension?.restoreContext();
   }
 
   /** Whether the context is away because it was given back. */

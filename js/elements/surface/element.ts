@@ -67,7 +67,7 @@ export class BezierSurface extends SurfaceAttributes {
   #handles: Handles | null = null;
   #labels: Labels | null = null;
   #watches: IntersectionObserver[] = [];
-  #deafen: (() => void) | null = null;
+  #removeListeners: (() => void) | null = null;
   #camera: View = HOME;
   /** What there is to see; see STATES. */
   #state: keyof typeof STATES = "coming";
@@ -189,8 +189,8 @@ export class BezierSurface extends SurfaceAttributes {
     this.#watches.forEach((watch) => watch.disconnect());
     this.#watches = [];
     this.#coming = null;
-    this.#deafen?.();
-    this.#deafen = null;
+    this.#removeListeners?.();
+    this.#removeListeners = null;
     this.#camera = this.view;
     this.#handles?.endDrags();
     this.#stage?.end();
@@ -223,7 +223,7 @@ export class BezierSurface extends SurfaceAttributes {
   #seen(visible: boolean) {
     this.#visible = visible;
     if (!visible) return;
-    this.#kept = true; // the other watch may tell later
+    this.#kept = true; // the other watch may report later
     if (!this.#stage) this.#coming ??= this.#start();
     this.#stage?.wake();
     this.#stage?.schedule();
@@ -254,7 +254,7 @@ export class BezierSurface extends SurfaceAttributes {
         this.#handles?.place(sight, width, height);
         this.#labels?.place(sight, width, height);
         this.#setDrawn(true);
-        this.#tell(facts);
+        this.#publish(facts);
       },
       refused: (message) => this.#files.say(message),
       stateChanged: (state) => this.#setState(state),
@@ -274,7 +274,7 @@ export class BezierSurface extends SurfaceAttributes {
       pick: (x, y) => this.#pick(x, y),
     });
     const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#files.open(file))];
-    this.#deafen = () => endings.forEach((end) => end());
+    this.#removeListeners = () => endings.forEach((end) => end());
     this.requestUpdate();
   }
 
@@ -307,7 +307,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   /** The read-out follows the mesh. */
-  #tell(facts: Facts) {
+  #publish(facts: Facts) {
     this.#files.clear();
     const before = this.#facts;
     this.#facts = facts;

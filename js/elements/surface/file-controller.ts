@@ -1,16 +1,16 @@
-// Where files come in and go out, and what could not be done is said.
+// Opens and saves files, and keeps the message about what failed.
 import { meshFile, surfaceIn } from "./files.js";
 import { save } from "../../ui/files.js";
 import type { Mesh, Surface } from "../../surfaces.js";
 
-export interface DeskPort {
+export interface FileControllerPort {
   show: (surface: Surface) => void;
-  /** The message is another one */
+  /** The message has changed */
   changed: () => void;
   picture: () => Promise<Blob | null>;
   /** Null before there is one */
   mesh: () => { mesh: Mesh; up: "z" | "y" } | null;
-  /** Where files are handed over, and what they are called */
+  /** The document for downloads, and the name of the files */
   names: () => { page: Document; name: string };
 }
 
@@ -20,7 +20,7 @@ export class FileController {
   /** What is wrong with a file stays until the next one; what is wrong with a setting goes with it. */
   #lasting = false;
 
-  constructor(port: DeskPort) {
+  constructor(port: FileControllerPort) {
     this.#port = port;
   }
 

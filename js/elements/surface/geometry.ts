@@ -47,7 +47,7 @@ export class Geometry {
   outdated = false;
 
   /**
-   * Tells how the surface is seen, which counts where the tolerance is in pixels.
+   * Sets how the surface is seen, which counts where the tolerance is in pixels.
    *
    * @param width in CSS pixels
    * @param moving the camera moves: the mesh of the last view stays until it rests, which keeps frames short

@@ -10,7 +10,7 @@ import type { Sight, View } from "./camera.js";
 import type { Facts, Scene } from "./geometry.js";
 import type { Theme } from "./theme.js";
 
-/** What the stage tells the element. */
+/** What the stage reports to the element. */
 export interface StagePort {
   /** After each frame; the size in CSS pixels */
   drawn: (facts: Facts, sight: Sight, width: number, height: number) => void;
@@ -210,7 +210,7 @@ function observe(observer: ResizeObserver, canvas: HTMLElement) {
 }
 
 /**
- * The exact number of device pixels where the browser tells it. The tools that pretend to be another display tell CSS
+ * The exact number of device pixels where the browser knows it. Tools that emulate another display report CSS
  * pixels instead: what differs from the ratio by more than rounding is not believed.
  */
 function devicePixels({ contentRect, devicePixelContentBoxSize }: ResizeObserverEntry): [number, number] {
