@@ -557,6 +557,30 @@ fn sides_that_nearly_stand_still_have_few_cubics() {
     assert!(outline.segment_count() < 60, "{}", outline.segment_count());
 }
 
+/// Next to the point where a straight curve starts with speed 0, the sign of its curvature is a rounding error.
+#[test]
+fn sides_next_to_a_reversal_do_not_follow_rounding_errors() {
+    let line = path("M400.75 100.05C400.75 100.05 100.05 300.95 100.05 300.95");
+    let stops = [
+        (0.0, 30.852259172657504),
+        (0.06022722708232042, 33.53723744392491),
+        (0.8203130957817838, 26.03878252089834),
+        (1.0, 14.73072743028229),
+    ];
+    let profile = WidthProfile::new(&stops).interpolation(WidthInterpolation::Smooth);
+    let outline = line.stroke_with(&profile, &round(0.064)).unwrap();
+    let corner = DVec2::new(406.36730245857876, 115.13639374810698);
+    assert!(outline.contains(corner, FillRule::NonZero));
+    let overlapping = line
+        .stroke_with(&profile, &round(0.064).simple(false))
+        .unwrap();
+    assert!(
+        overlapping.segment_count() < 20,
+        "{}",
+        overlapping.segment_count()
+    );
+}
+
 /// Where the radius changes faster than the path advances, next to a corner, all joins contain the disc at the corner.
 #[test]
 fn corners_between_fast_changes_keep_their_disc() {

@@ -330,7 +330,12 @@ impl Section<'_> {
         let cube = speed * speed * speed;
         let mut rates = Rates {
             first,
-            curvature: first.perp_dot(second) / cube,
+            // That of a straight curve would be a rounding error.
+            curvature: if self.whole.is_straight {
+                0.0
+            } else {
+                first.perp_dot(second) / cube
+            },
             radius: self.radius.at(self.ends[0])[0],
             slope: 0.0,
             slope_change: 0.0,
@@ -529,8 +534,8 @@ impl<'a> SectionEvaluator<'a> {
         runs
     }
 
-    /// What a side does between two zeros that were found. There may be others between samples, where a value is almost 0;
-    /// so the samples with the largest values decide.
+    /// What a side does in most of an interval between two zeros that were found: there may be others between samples, where
+    /// a value is almost 0.
     fn kind(&self, span: [f64; 2], samples: &AdvanceSamples, side: f64) -> RunKind {
         if self.section.radius.is_zero() {
             return RunKind::Inside;
@@ -538,14 +543,14 @@ impl<'a> SectionEvaluator<'a> {
         if samples.0.is_empty() {
             return RunKind::Forward;
         }
-        let largest = |which: usize| {
+        let is_mostly = |holds: &dyn Fn(&[f64; 3]) -> bool| {
             samples
-                .largest(span, which)
-                .unwrap_or_else(|| self.advance(0.5 * (span[0] + span[1]))[which])
+                .is_mostly(span, holds)
+                .unwrap_or_else(|| holds(&self.advance(0.5 * (span[0] + span[1]))))
         };
-        if largest(0) <= 0.0 {
+        if is_mostly(&|values| values[0] <= 0.0) {
             RunKind::Inside
-        } else if largest(index_of(side)) < -ROUNDING {
+        } else if is_mostly(&|values| values[index_of(side)] < -ROUNDING) {
             RunKind::Backward
         } else {
             RunKind::Forward
@@ -579,14 +584,25 @@ impl<'a> SectionEvaluator<'a> {
 pub(super) struct AdvanceSamples(Vec<(f64, [f64; 3])>);
 
 impl AdvanceSamples {
-    /// The largest value of one kind, by its size, between two parameters.
-    fn largest(&self, [from, to]: [f64; 2], which: usize) -> Option<f64> {
+    /// Whether the samples for which something holds stand for most of an interval; `None` without finite samples inside.
+    fn is_mostly(&self, [from, to]: [f64; 2], holds: &dyn Fn(&[f64; 3]) -> bool) -> Option<bool> {
         let first = self.0.partition_point(|&(t, _)| t <= from);
-        let inside = self.0[first..].iter().take_while(|&&(t, _)| t < to);
-        inside
-            .map(|(_, values)| values[which])
-            .filter(|value| value.is_finite())
-            .max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        let end = self.0.partition_point(|&(t, _)| t < to);
+        let (mut with, mut without) = (0.0, 0.0);
+        for k in first..end {
+            let before = k.checked_sub(1).map_or(from, |k| self.0[k].0.max(from));
+            let after = self.0.get(k + 1).map_or(to, |next| next.0.min(to));
+            let values = &self.0[k].1;
+            if !values.iter().all(|value| value.is_finite()) {
+                continue;
+            }
+            if holds(values) {
+                with += after - before;
+            } else {
+                without += after - before;
+            }
+        }
+        (with + without > 0.0).then_some(with > without)
     }
 }
 
