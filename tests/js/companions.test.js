@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, easing, Spline } from "#js/index.js";
-import { quoted, readNumber, readPoints, shown, shownFraction } from "#js/elements/companions/numbers.js";
+import { quoted, readNumber, readPoints, shown, shownFraction } from "#js/ui/numbers.js";
 import { ownMatrix, ownSubject } from "#js/elements/companions/own.js";
 import { ownPoints, pointsText } from "#js/elements/companions/points.js";
 import { plotOf, tAt, xOf, yOf } from "#js/elements/companions/plot.js";

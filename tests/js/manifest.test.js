@@ -27,13 +27,14 @@ async function sources(...paths) {
 }
 
 const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.ts`);
+const FIELDS = "js/ui/number-fields.ts";
 const SOURCES = {
   "bezier-applet": ["js/elements/applet", "js/layers", "js/ui/handles.ts", "js/ui/tokens.ts", "js/applet/style.ts"],
   "bezier-surface": ["js/elements/surface"],
   "bezier-bernstein": companion("bernstein", "bernstein-view"),
-  "bezier-equation": companion("equation", "equation-view", "fields"),
-  "bezier-coordinates": companion("coordinates", "coordinates-view", "fields"),
-  "bezier-easing": companion("easing", "easing-view", "easing-handles", "easing-picture", "fields"),
+  "bezier-equation": [...companion("equation", "equation-view"), FIELDS],
+  "bezier-coordinates": [...companion("coordinates", "coordinates-view"), FIELDS],
+  "bezier-easing": [...companion("easing", "easing-view", "easing-handles", "easing-picture"), FIELDS],
 };
 /** Inside of the style sheets: what stands in where a property is not set, and what a script sets. */
 const INSIDE = ["--bz-broken-ink", "--bz-smooth-ink", "--bz-box"];

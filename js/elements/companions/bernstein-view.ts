@@ -1,6 +1,6 @@
 import { css, html, nothing, svg } from "lit";
 import { capture } from "../../ui/capture.js";
-import { shown } from "./numbers.js";
+import { shown } from "../../ui/numbers.js";
 import { intervalOf, lookOf, PLOT, plotOf, tAt, xOf, yOf } from "./plot.js";
 import { slider } from "./slider.js";
 import { style } from "./style.js";

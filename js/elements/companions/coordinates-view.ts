@@ -1,6 +1,6 @@
 import { css, html } from "lit";
-import { Fields } from "./fields.js";
-import { readPoints } from "./numbers.js";
+import { Fields } from "../../ui/number-fields.js";
+import { readPoints } from "../../ui/numbers.js";
 import { style } from "./style.js";
 import { translated } from "../../editor/translations.js";
 import type { BezierCoordinates } from "./coordinates.js";

@@ -1,7 +1,7 @@
 import { html } from "lit";
 import { arrowStep } from "../../ui/keys.js";
 import { capture } from "../../ui/capture.js";
-import { shown } from "./numbers.js";
+import { shown } from "../../ui/numbers.js";
 import { across, down, placeAt, rounded, SQUARE } from "./timing.js";
 import { translated } from "../../editor/translations.js";
 import type { Handles, Heights } from "./timing.js";

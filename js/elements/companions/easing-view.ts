@@ -1,6 +1,6 @@
 import { css, html, nothing } from "lit";
 import { easing } from "../../easing.js";
-import { Fields } from "./fields.js";
+import { Fields } from "../../ui/number-fields.js";
 import { HandleDrag, handle } from "./easing-handles.js";
 import { picture } from "./easing-picture.js";
 import { Preview } from "./preview.js";

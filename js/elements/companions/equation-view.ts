@@ -1,5 +1,5 @@
 import { css, html, mathml, nothing } from "lit";
-import { Fields } from "./fields.js";
+import { Fields } from "../../ui/number-fields.js";
 import {
   bernsteinTerm,
   factor,
@@ -14,7 +14,7 @@ import {
   square,
   symbol,
 } from "./formulas.js";
-import { shown } from "./numbers.js";
+import { shown } from "../../ui/numbers.js";
 import { ownMatrix, ownSubject } from "./own.js";
 import { slider } from "./slider.js";
 import { style } from "./style.js";

@@ -1,6 +1,6 @@
 // Pieces of formulas, in MathML.
 import { mathml, nothing } from "lit";
-import { shown, shownFraction } from "./numbers.js";
+import { shown, shownFraction } from "../../ui/numbers.js";
 import { binomial } from "./weights.js";
 
 /** Binomial coefficients of higher degrees are not written out. */

@@ -1,7 +1,7 @@
 // A companion that follows the applet that its `for` names, whichever of the two comes first.
 import { Companion } from "./companion.js";
 import { elementFor, followIds } from "./links.js";
-import { quoted } from "./numbers.js";
+import { quoted } from "../../ui/numbers.js";
 
 /** What a companion needs of an applet. */
 export type Target = HTMLElement & { figure: any; steer(change: object, done: boolean): void };

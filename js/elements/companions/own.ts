@@ -1,6 +1,6 @@
 // A companion that stands alone: what its attributes say.
 import { Curve } from "../../paths.js";
-import { readNumber } from "./numbers.js";
+import { readNumber } from "../../ui/numbers.js";
 import { FIRST_POINTS, ownPoints } from "./points.js";
 import { withTangents } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MAX_DEGREE } from "./weights.js";

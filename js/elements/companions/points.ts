@@ -1,5 +1,5 @@
 // The points that a companion has of its own while it is linked to nothing.
-import { readPoints } from "./numbers.js";
+import { readPoints } from "../../ui/numbers.js";
 
 export type Point2 = [number, number];
 /** Points as text or as pairs. */

@@ -1,5 +1,5 @@
 import { html } from "lit";
-import { shown } from "./numbers.js";
+import { shown } from "../../ui/numbers.js";
 
 /** The slider of t. */
 export function slider(t: number, [from, to]: number[], set: (t: number, done: boolean) => void) {

@@ -1,5 +1,5 @@
 // The text of a timing function, and the picture of it in numbers.
-import { quoted, readNumber } from "./numbers.js";
+import { quoted, readNumber } from "../../ui/numbers.js";
 import { translatedTable } from "../../editor/translations.js";
 
 /** X1, y1, x2, y2 */

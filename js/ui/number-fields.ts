@@ -2,7 +2,7 @@
 import { html, noChange, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { quoted, readNumber } from "./numbers.js";
-import { translated } from "../../editor/translations.js";
+import { translated } from "../editor/translations.js";
 
 /** What the fields are for. Keys name them. */
 export interface FieldsPort {
