@@ -12,7 +12,7 @@ paper.setup(new paper.Size(100, 100));
 
 const fitted = () => Spline.fit(points, { tolerance: TOLERANCE });
 
-/** Its tolerance is compared with squared distances. */
+/** The fit by paper.js, whose tolerance is compared with squared distances. */
 function byPaper() {
   const path = new paper.Path({ segments: points });
   path.simplify(TOLERANCE ** 2);
@@ -30,8 +30,9 @@ function check() {
   if (!(farthest <= TOLERANCE && ours < theirs)) throw new Error(`fit: ${farthest}, ${ours} ${theirs}`);
 }
 
-/** Every so many icons of bootstrap-icons, and a tolerance of 0.5 % of their size, 16. */
+/** Every 40th icon of bootstrap-icons is taken. */
 const EVERY = 40;
+/** 0.5 % of the size of the icons, 16. */
 const ICON_TOLERANCE = 0.08;
 /** Points of each segment at which distances are measured. */
 const SAMPLES = 8;
@@ -42,10 +43,10 @@ const drawings = readdirSync(icons)
   .flatMap((file) => [...readFileSync(new URL(file, icons), "utf8").matchAll(/ d="([^"]*)"/g)])
   .map(([, d]) => Path.fromSVG(d));
 
-/** Without the creation of the paths, which `simplify` changes. */
-const copies = drawings.map((path) => new paper.CompoundPath(path.toSVG()));
+/** The drawings as paths of paper.js. Its `simplify` changes a path, so each run takes copies. */
+const originals = drawings.map((path) => new paper.CompoundPath(path.toSVG()));
 function simplifiedByPaper() {
-  return copies.map((drawing) => {
+  return originals.map((drawing) => {
     const copy = drawing.clone({ insert: false });
     for (const path of copy.children ?? []) path.simplify(ICON_TOLERANCE ** 2);
     return copy;

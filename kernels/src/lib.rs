@@ -24,6 +24,7 @@ pub mod numeric {
 /// One curve.
 pub mod curve {
     pub mod chord_rates;
+    pub mod curvature;
     pub mod plane_cubic;
     pub mod sample_plane_cubic;
 

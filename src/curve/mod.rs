@@ -32,7 +32,7 @@ pub(crate) mod trace;
 mod turning;
 pub(crate) mod with_derivatives;
 
-pub(crate) use casteljau_kernels::curve::{plane_cubic, sample_plane_cubic};
+pub(crate) use casteljau_kernels::curve::{curvature, plane_cubic, sample_plane_cubic};
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;

@@ -12,7 +12,7 @@ pub(crate) const LAST_STEP: f64 = 1e-15;
 
 pub(crate) struct CurveWithDerivatives<'a, P: Point> {
     pub(crate) points: &'a [P],
-    first: Points<P>,
+    pub(crate) first: Points<P>,
     second: Points<P>,
 }
 

@@ -33,6 +33,19 @@ pub fn cubic_by_quadratic<V: Copy>(
     ]
 }
 
+/// ⟨A, A⟩ of a quadratic, degree 4.
+#[inline]
+pub fn quadratic_square<V: Copy>(a: &[V; 3], product: impl Fn(V, V) -> f64) -> [f64; 5] {
+    let at = |i: usize, j: usize| product(a[i], a[j]);
+    [
+        at(0, 0),
+        at(0, 1),
+        (at(0, 2) + 2.0 * at(1, 1)) * (1.0 / 3.0),
+        at(1, 2),
+        at(2, 2),
+    ]
+}
+
 /// ⟨A, B⟩ of two quadratics, degree 4.
 #[inline]
 pub fn quadratic_by_quadratic<V: Copy>(

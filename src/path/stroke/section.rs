@@ -1,15 +1,15 @@
 //! The discs of a stroke along a part of a curve, and the two sides that they touch.
 
 use super::profile::{Radii, RadiusPolynomial, WidthPosition};
-use crate::bernstein::product::product_of;
 use crate::curve::Curve;
 use crate::curve::arc_length::integral::ArcLengthTable;
 use crate::curve::arc_length::length::hodograph;
+use crate::curve::curvature::curvature_is_within;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use crate::numeric::list::{List, Points, Scalars, points_of};
-use crate::numeric::order::{larger, range};
+use crate::numeric::order::{larger, range, smaller};
 use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
 use crate::spline::offset::offset_curve::fourth_bound;
 use crate::spline::offset::{end_tangent, start_tangent};
@@ -84,47 +84,16 @@ impl Disc {
     }
 }
 
-/// Bounds of the speed and the curvature of a curve, from the Bernstein coefficients of |B′|² and B′ × B″.
-#[derive(Clone, Copy)]
-struct CurvatureBounds {
-    /// The least speed; 0 if it is not known to be above 0.
-    speed: f64,
-    /// The greatest |B′ × B″|.
-    cross: f64,
-}
-
-impl CurvatureBounds {
-    fn of(points: &[DVec2]) -> Self {
-        let n = points.len() - 1;
-        if n == 1 {
-            return Self {
-                speed: Point::norm(points[1] - points[0]),
-                cross: 0.0,
-            };
-        }
-        let rates = |points: &[DVec2]| -> Points<DVec2> {
-            let degree = as_f64(points.len() - 1);
-            let steps = points.windows(2);
-            steps.map(|pair| (pair[1] - pair[0]) * degree).collect()
-        };
-        let first = rates(points);
-        let squares = product_of(n - 1, n - 1, |i, j| first[i].dot(first[j]));
-        let slowest = squares.iter().copied().fold(f64::INFINITY, f64::min);
-        let second = rates(&first);
-        let crosses = product_of(n - 1, n - 2, |i, j| first[i].perp_dot(second[j]));
-        let cross = crosses
-            .iter()
-            .fold(0.0, |max: f64, cross| max.max(cross.abs()));
-        Self {
-            speed: slowest.max(0.0).sqrt(),
-            cross,
-        }
-    }
-
-    /// A bound of the curvature.
-    fn curvature(&self) -> f64 {
-        self.cross / (self.speed * self.speed * self.speed)
-    }
+/// Whether control points of the derivative prove that it does not vanish, and that the curvature is below a limit. Up to
+/// degree 3 only.
+fn is_less_curved(derivative: &[DVec2], limit: f64) -> bool {
+    let quadratic = match *derivative {
+        [a] => [a; 3],
+        [a, b] => [a, (a + b) * 0.5, b],
+        [a, b, c] => [a, b, c],
+        _ => return false,
+    };
+    curvature_is_within(&quadratic, [-limit, limit])
 }
 
 /// A curve of a subpath with the positions along it, by arc length or by t.
@@ -138,7 +107,6 @@ pub(super) struct PositionedCurve {
     length: f64,
     /// The parameters at which the curve reverses: its cusps, and the turns of a straight curve.
     pub(super) reversals: Breaks,
-    bounds: CurvatureBounds,
     is_straight: bool,
     /// The arc length by t and its unit, made when they are needed.
     table: OnceCell<Box<(ArcLengthTable, f64)>>,
@@ -146,16 +114,21 @@ pub(super) struct PositionedCurve {
 
 impl PositionedCurve {
     pub(super) fn new(curve: Curve<DVec2>, by: WidthPosition, start: f64, rate: f64) -> Self {
-        let bounds = CurvatureBounds::of(curve.control_points());
         let is_line = curve.degree() == 1;
         let direction = if is_line {
             None
         } else {
             curve.straight_direction()
         };
+        let has_no_cusp = |curve: &Curve<DVec2>| {
+            let steps = curve.control_points().windows(2);
+            let steps: Points<DVec2> = steps.map(|pair| pair[1] - pair[0]).collect();
+            is_less_curved(&steps, f64::INFINITY)
+        };
         let reversals = match direction {
-            _ if bounds.speed > 0.0 => Breaks::new(),
+            _ if is_line => Breaks::new(),
             Some(direction) => curve.turns_along(direction),
+            None if has_no_cusp(&curve) => Breaks::new(),
             None => curve.cusps().into_iter().collect(),
         };
         let length = match by {
@@ -169,7 +142,6 @@ impl PositionedCurve {
             rate,
             length,
             reversals,
-            bounds,
             is_straight: is_line || direction.is_some(),
             table: OnceCell::new(),
         }
@@ -203,8 +175,8 @@ impl PositionedCurve {
 
     /// The part between two parameters, on which the radius is one polynomial.
     pub(super) fn section(&self, span: [f64; 2], radii: &Radii) -> Section<'_> {
-        let (curve, bounds) = if span == [0.0, 1.0] {
-            (Cow::Borrowed(&self.curve), self.bounds)
+        let curve = if span == [0.0, 1.0] {
+            Cow::Borrowed(&self.curve)
         } else {
             let part = self.curve.part(span[0], span[1]);
             let mut points = points_of(part.control_points());
@@ -216,13 +188,11 @@ impl PositionedCurve {
             if self.reversals.contains(&span[1]) {
                 points[last - 1] = points[last];
             }
-            let bounds = CurvatureBounds::of(&points);
-            (Cow::Owned(Curve::from_points(points)), bounds)
+            Cow::Owned(Curve::from_points(points))
         };
         let ends = span.map(|t| self.position(t));
         Section {
             curve,
-            bounds,
             radius: radii.polynomial(0.5 * (ends[0] + ends[1])),
             ends,
             rate: match self.by {
@@ -239,7 +209,6 @@ impl PositionedCurve {
 #[derive(Clone)]
 pub(super) struct Section<'a> {
     pub(super) curve: Cow<'a, Curve<DVec2>>,
-    bounds: CurvatureBounds,
     pub(super) radius: RadiusPolynomial,
     /// The positions at both ends.
     ends: [f64; 2],
@@ -300,12 +269,18 @@ impl Section<'_> {
     pub(super) fn end_discs(&self) -> [Disc; 2] {
         let points = self.curve.control_points();
         let n = points.len() - 1;
-        let steps = [points[1] - points[0], points[n] - points[n - 1]];
-        [0, 1].map(|k| {
-            let t = as_f64(k);
-            let rates = self.rates(t, steps[k] * as_f64(n), DVec2::ZERO);
-            self.disc(t, points[k * n], &rates)
-        })
+        let rates = |t: f64, step: DVec2| self.rates(t, step * as_f64(n), DVec2::ZERO);
+        let [from, to] = [
+            rates(0.0, points[1] - points[0]),
+            rates(1.0, points[n] - points[n - 1]),
+        ];
+        let start = start_tangent(&self.curve);
+        let end = if n == 1 {
+            start
+        } else {
+            end_tangent(&self.curve)
+        };
+        [from.disc(points[0], start), to.disc(points[n], end)]
     }
 
     #[inline]
@@ -315,13 +290,7 @@ impl Section<'_> {
             1.0 => end_tangent(&self.curve),
             _ => Point::unit(rates.first),
         };
-        Disc {
-            center,
-            tangent,
-            radius: rates.radius.max(0.0),
-            slope: rates.slope.clamp(-1.0, 1.0),
-            speed: Point::norm(rates.first),
-        }
+        rates.disc(center, tangent)
     }
 
     #[inline]
@@ -357,16 +326,6 @@ impl Section<'_> {
         rates.slope_change = bend * rate * rate + by_position * rate_change;
         rates
     }
-
-    /// Whether bounds show that no disc contains another and that no side runs backwards.
-    fn is_gentle(&self) -> bool {
-        let [radius, slope, change, _] = self.radius.bounds(self.ends);
-        if self.whole.by != WidthPosition::Length && !self.radius.is_constant() {
-            return false;
-        }
-        let (slope, change) = (slope * self.rate, change * self.rate * self.rate);
-        radius * self.bounds.curvature() + slope * slope + radius * change < GENTLE
-    }
 }
 
 /// An interval of a section in which a side has one kind.
@@ -396,6 +355,17 @@ struct Rates {
 
 impl Rates {
     #[inline]
+    fn disc(&self, center: DVec2, tangent: DVec2) -> Disc {
+        Disc {
+            center,
+            tangent,
+            radius: self.radius.max(0.0),
+            slope: self.slope.clamp(-1.0, 1.0),
+            speed: Point::norm(self.first),
+        }
+    }
+
+    #[inline]
     fn advance(&self) -> [f64; 3] {
         let square = 1.0 - self.slope * self.slope;
         let turn = self.radius * self.curvature * square.max(0.0).sqrt();
@@ -419,6 +389,18 @@ impl<'a> SectionEvaluator<'a> {
             with: CurveWithDerivatives::new(section.curve.control_points()),
             compared: OnceCell::new(),
         }
+    }
+
+    /// Whether bounds show that no disc contains another and that no side runs backwards.
+    fn is_gentle(&self) -> bool {
+        let section = self.section;
+        let [radius, slope, change, _] = section.radius.bounds(section.ends);
+        if section.whole.by != WidthPosition::Length && !section.radius.is_constant() {
+            return false;
+        }
+        let (slope, change) = (slope * section.rate, change * section.rate * section.rate);
+        let limit = (GENTLE - slope * slope - radius * change) / radius;
+        limit > 0.0 && is_less_curved(&self.with.first, limit)
     }
 
     /// The discs with which a cubic is compared in an interval.
@@ -454,25 +436,35 @@ impl<'a> SectionEvaluator<'a> {
     /// parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds show that no value
     /// changes its sign.
     pub(super) fn samples(&self) -> AdvanceSamples {
-        if self.section.is_gentle() {
+        if self.is_gentle() {
             return AdvanceSamples(Vec::new());
         }
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();
         let at = |k: usize| as_f64(k) / as_f64(count);
-        let speed_square = |t: f64| {
-            let [first, _] = self.with.derivatives(t);
-            first.dot(first)
+        let mut samples = Vec::with_capacity(2 * count);
+        let mut insert = |t: f64, [first, second]: [DVec2; 2]| {
+            let values = self.section.rates(t, first, second).advance();
+            if values.iter().all(|value| value.is_finite()) {
+                let after = samples.partition_point(|&(other, _)| other < t);
+                samples.insert(after, (t, values));
+            }
         };
-        let mut ts: Vec<f64> = (0..=count).map(at).collect();
-        let squares: Scalars = ts.iter().map(|&t| speed_square(t)).collect();
+        let mut squares = Vec::with_capacity(count + 1);
+        for k in 0..=count {
+            let derivatives = self.with.derivatives(at(k));
+            squares.push(derivatives[0].dot(derivatives[0]));
+            insert(at(k), derivatives);
+        }
         for k in 0..=count {
             let [before, after] = [k.saturating_sub(1), (k + 1).min(count)];
-            if squares[k] > squares[before].min(squares[after]) {
+            if squares[k] > smaller(squares[before], squares[after]) {
                 continue;
             }
             let slowest = slowest_near(&self.with, at(k), [at(before), at(after)]);
-            ts.push(slowest);
             let [first, second] = self.with.derivatives(slowest);
+            if slowest != at(k) {
+                insert(slowest, [first, second]);
+            }
             let speed = Point::norm(first);
             let is_cusp = speed == 0.0 && (slowest == 0.0 || slowest == 1.0);
             // The curvature alone has one extremum at a tight turn.
@@ -483,14 +475,15 @@ impl<'a> SectionEvaluator<'a> {
             let least = (APPROACH * speed / Point::norm(second)).max(ROUNDING);
             let mut step = APPROACH * at(1);
             while step > least {
-                ts.extend([slowest - step, slowest + step]);
+                for t in [slowest - step, slowest + step] {
+                    if (0.0..=1.0).contains(&t) {
+                        insert(t, self.with.derivatives(t));
+                    }
+                }
                 step *= APPROACH;
             }
         }
-        ts.retain(|t| (0.0..=1.0).contains(t));
-        ts.sort_by(f64::total_cmp);
-        ts.dedup();
-        AdvanceSamples(ts.into_iter().map(|t| (t, self.advance(t))).collect())
+        AdvanceSamples(samples)
     }
 
     /// The intervals of one side, in order; `ends` are the discs at the ends of the section.
@@ -543,14 +536,14 @@ impl<'a> SectionEvaluator<'a> {
         if samples.0.is_empty() {
             return RunKind::Forward;
         }
-        let is_mostly = |holds: &dyn Fn(&[f64; 3]) -> bool| {
+        let is_mostly_up_to = |which: usize, limit: f64| {
             samples
-                .is_mostly(span, holds)
-                .unwrap_or_else(|| holds(&self.advance(0.5 * (span[0] + span[1]))))
+                .is_mostly_up_to(span, which, limit)
+                .unwrap_or_else(|| self.advance(0.5 * (span[0] + span[1]))[which] <= limit)
         };
-        if is_mostly(&|values| values[0] <= 0.0) {
+        if !self.section.radius.is_constant() && is_mostly_up_to(0, 0.0) {
             RunKind::Inside
-        } else if is_mostly(&|values| values[index_of(side)] < -ROUNDING) {
+        } else if is_mostly_up_to(index_of(side), -ROUNDING) {
             RunKind::Backward
         } else {
             RunKind::Forward
@@ -564,7 +557,7 @@ impl<'a> SectionEvaluator<'a> {
         let mut last: Option<(f64, f64)> = None;
         for &(t, ref values) in &samples.0 {
             let found = values[which];
-            if !found.is_finite() || found.abs() <= ROUNDING {
+            if found.abs() <= ROUNDING {
                 continue;
             }
             if let Some((before, old)) = last
@@ -580,29 +573,29 @@ impl<'a> SectionEvaluator<'a> {
     }
 }
 
-/// Parameters with their [`advance`](SectionEvaluator::advance).
+/// Parameters with their [`advance`](SectionEvaluator::advance), which is finite.
 pub(super) struct AdvanceSamples(Vec<(f64, [f64; 3])>);
 
 impl AdvanceSamples {
-    /// Whether the samples for which something holds stand for most of an interval; `None` without finite samples inside.
-    fn is_mostly(&self, [from, to]: [f64; 2], holds: &dyn Fn(&[f64; 3]) -> bool) -> Option<bool> {
+    /// Whether a value is at most a limit in most of an interval; `None` without samples inside.
+    fn is_mostly_up_to(&self, [from, to]: [f64; 2], which: usize, limit: f64) -> Option<bool> {
         let first = self.0.partition_point(|&(t, _)| t <= from);
         let end = self.0.partition_point(|&(t, _)| t < to);
-        let (mut with, mut without) = (0.0, 0.0);
+        let is_below = |k: usize| self.0[k].1[which] <= limit;
+        if !(first..end).any(is_below) {
+            return (first < end).then_some(false);
+        }
+        let (mut below, mut others) = (0.0, 0.0);
         for k in first..end {
-            let before = k.checked_sub(1).map_or(from, |k| self.0[k].0.max(from));
-            let after = self.0.get(k + 1).map_or(to, |next| next.0.min(to));
-            let values = &self.0[k].1;
-            if !values.iter().all(|value| value.is_finite()) {
-                continue;
-            }
-            if holds(values) {
-                with += after - before;
+            let before = k.checked_sub(1).map_or(from, |k| larger(self.0[k].0, from));
+            let after = self.0.get(k + 1).map_or(to, |next| smaller(next.0, to));
+            if is_below(k) {
+                below += after - before;
             } else {
-                without += after - before;
+                others += after - before;
             }
         }
-        (with + without > 0.0).then_some(with > without)
+        Some(below > others)
     }
 }
 
@@ -636,9 +629,11 @@ fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64
     for _ in 0..NEWTON_STEPS {
         let [first, second] = with.derivatives(t);
         let square = second.dot(second);
-        if square > 0.0 {
-            t = (t - first.dot(second) / square).clamp(from, to);
+        let next = (t - first.dot(second) / square).clamp(from, to);
+        if square == 0.0 || next == t {
+            break;
         }
+        t = next;
     }
     t
 }

@@ -57,13 +57,14 @@ impl Side<'_> {
         if section.radius.is_constant() {
             let distance = self.side * run.ends[0].radius;
             if run.span == [0.0, 1.0] {
-                return chain.add_offset(&section.curve, distance, self.tolerance);
+                return chain.add_smooth_offset(&section.curve, distance, self.tolerance);
             }
             let part = section.curve.part(run.span[0], run.span[1]);
-            if part.has_size() {
-                return chain.add_offset(&part, distance, self.tolerance);
+            if !part.has_size() || part.straight_direction().is_some() {
+                chain.connect_to(run.ends[1].point(self.side));
+                return Ok(());
             }
-            return Ok(());
+            return chain.add_smooth_offset(&part, distance, self.tolerance);
         }
         let fit = SideFit {
             evaluator: self.evaluator,

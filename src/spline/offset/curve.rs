@@ -127,9 +127,20 @@ impl SplineBuilder {
         } else if let Some(direction) = curve.straight_direction() {
             self.add_offset_of_straight(curve, direction, distance, tolerance);
         } else {
-            NormalizedCurve::new(curve, reach, distance, tolerance).add_to(self)?;
+            NormalizedCurve::new(curve, reach, distance, tolerance).add_to(self, true)?;
         }
         Ok(())
+    }
+
+    /// [`add_offset`](Self::add_offset) for a distance other than 0 and a curve that is not straight, if neither the curve
+    /// nor its offset curve has a cusp.
+    pub(crate) fn add_smooth_offset(
+        &mut self,
+        curve: &Curve<DVec2>,
+        distance: f64,
+        tolerance: f64,
+    ) -> Result<(), Error> {
+        NormalizedCurve::new(curve, farthest(curve), distance, tolerance).add_to(self, false)
     }
 
     /// Appends the offset of a straight curve: lines in both directions, and half circles about the points where the
@@ -260,51 +271,47 @@ impl<'a> NormalizedCurve<'a> {
         }
     }
 
-    fn add_to(&self, builder: &mut SplineBuilder) -> Result<(), Error> {
+    fn add_to(&self, builder: &mut SplineBuilder, may_have_cusps: bool) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
         let [first, last] = self.source.end_tangents();
         let (mut t, mut tangent) = (0.0, first);
-        for cusp in self.source.cusps() {
+        let cusps = may_have_cusps.then(|| self.source.cusps());
+        for cusp in cusps.into_iter().flatten() {
             let (before, after) = self.source.cusp_tangents(cusp);
             let about = self.curve.eval(cusp);
-            self.add_run(builder, (t, cusp), [tangent, before], about, &mut work);
-            builder.add_arc_about(
-                about,
-                vector(before),
-                vector(after),
-                self.distance,
-                self.tolerance,
-            );
+            let ends = ((t, cusp), [tangent, before], about);
+            self.add_run(builder, ends, may_have_cusps, &mut work);
+            builder.add_arc_about(about, before, after, self.distance, self.tolerance);
             (t, tangent) = (cusp, after);
         }
-        self.add_run(
-            builder,
-            (t, 1.0),
-            [tangent, last],
-            self.curve.end(),
-            &mut work,
-        );
+        let ends = ((t, 1.0), [tangent, last], self.curve.end());
+        self.add_run(builder, ends, may_have_cusps, &mut work);
         Error::unless_within("steps of an offset", &work)
     }
 
-    /// Appends the offset of the curve between two cusps.
+    /// Appends the offset of the curve between two cusps, from its parameters and tangents there and its end. Cusps of the
+    /// offset curve are found first if there may be some.
     fn add_run(
         &self,
         builder: &mut SplineBuilder,
-        ts: (f64, f64),
-        tangents: [DVec2; 2],
-        end: DVec2,
+        (ts, tangents, end): ((f64, f64), [DVec2; 2], DVec2),
+        may_have_cusps: bool,
         work: &mut WorkLimit,
     ) {
-        let normal = |tangent: DVec2| vector(tangent).perp() * self.distance;
+        let normal = |tangent: DVec2| tangent.perp() * self.distance;
         if ts.0 == 0.0 {
             builder.start(self.curve.start() + normal(tangents[0]));
         }
         let mut out = Vec::with_capacity(12);
-        OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1)
-            .run(ts, tangents, &mut out, work);
+        OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1).run(
+            ts,
+            tangents,
+            may_have_cusps,
+            &mut out,
+            work,
+        );
         let origin = self.curve.start();
-        let position = |p: &DVec2| vector(*p) * self.unit + origin;
+        let position = |&p: &DVec2| p * self.unit + origin;
         builder.points.extend(out.iter().map(position));
         builder
             .degrees
@@ -314,10 +321,6 @@ impl<'a> NormalizedCurve<'a> {
             *p = end + normal(tangents[1]);
         }
     }
-}
-
-fn vector(p: DVec2) -> DVec2 {
-    DVec2::new(p.x, p.y)
 }
 
 /// The largest difference of a coordinate from that of the start.

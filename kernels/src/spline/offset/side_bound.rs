@@ -12,7 +12,7 @@
 //! coefficient. So f is bounded, and the stationary value differs from it by at most f′²/(2 f″), which is doubled here:
 //! f″ is bounded only at the pairs between. Next to cusps of a side f″ is 0; while the stationary disc is between the two
 //! pairs, its value differs by at most |f′|. That disc moves along with u from the first pair of the cubic to the last one,
-//! so every point of the side is as near to the cubic. Intervals for which the bound is too large are halved.
+//! so every point of the side is as near to the cubic.
 //!
 //! The idea of M is from Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181 (1997).
 

@@ -8,16 +8,17 @@
 //!
 //!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
 //!
-//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. |E| is the same on
+//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. If |B′|² − E·B″ is
+//! positive, the foot is the nearest point, so its distance is at most |E|; if negative, at least |E|. |E| is the same on
 //! the other side, and tolerances of more than d accept single points there, so the side is checked at the first pair:
 //! E cannot change sides without passing B′. The foot moves along with u from one end to the other, so every point of
 //! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
 //! a factor of four.
 
-use super::fit::{FOOT_STEPS, FootPair};
+use super::fit::{FootPair, evaluate};
 use super::{OffsetCurve, VANISHING_SPEED};
 use crate::bernstein::vector_products::{
-    cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
+    cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic, quadratic_square,
 };
 use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
@@ -58,12 +59,15 @@ impl OffsetCurve<'_> {
         if work.used() >= last || !work.spend(1) {
             return false;
         }
-        let mut middle = FootPair {
+        let mut middle = [FootPair {
             s: 0.5 * (from.s + to.s),
             ..FootPair::default()
-        };
-        middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
-        self.find_foot(cubic, &mut middle, (from.foot.t, to.foot.t), FOOT_STEPS);
+        }];
+        middle[0].foot.t = 0.5 * (from.foot.t + to.foot.t);
+        self.evaluate_feet(&mut middle);
+        evaluate(cubic, &mut middle);
+        self.find_feet(&mut middle, (from.foot.t, to.foot.t));
+        let [middle] = middle;
         self.error(&middle).abs() <= self.tolerance
             && self.holds_between(cubic, from, &middle, last, work)
             && self.holds_between(cubic, &middle, to, last, work)
@@ -129,11 +133,16 @@ impl OffsetCurve<'_> {
         rest: f64,
     ) -> f64 {
         let distance = self.distance.abs();
-        let (min, max) = range(quadratic_by_quadratic(d, d, DVec2::dot).into_iter());
+        let squares = quadratic_square(d, DVec2::dot);
+        let (min, max) = range(squares.into_iter());
         let (tangential_low, tangential_high) =
             range(cubic_by_quadratic(e, d, DVec2::dot).into_iter());
         let d_slopes = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
-        let ahead = quadratic_by_quadratic(&v, d, DVec2::dot);
+        let ahead = if *d == v {
+            squares
+        } else {
+            quadratic_by_quadratic(&v, d, DVec2::dot)
+        };
         let curved = cubic_by_linear(e, &d_slopes, DVec2::dot);
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
         let mut tangential_max = tangential_high.max(-tangential_low);
@@ -145,18 +154,22 @@ impl OffsetCurve<'_> {
             tangential_max += rest * (fastest + 20.0 * high);
             forward -= rest * (40.0 * fastest + 160.0 * high);
         }
-        let squares = tangential_max * tangential_max;
-        if forward > tangential_max && squares < 0.25 * low * low * min {
-            let off = (high - distance).max(distance - low);
-            let found = off + FOOT_SAFETY * squares / (2.0 * low * forward);
+        let tangential_square = tangential_max * tangential_max;
+        if forward > tangential_max && tangential_square < 0.25 * low * low * min {
+            let excess = FOOT_SAFETY * tangential_square / (2.0 * low * forward);
+            let found = if f_min > 0.0 {
+                (high - distance).max(distance - low + excess)
+            } else {
+                (high - distance + excess).max(distance - low)
+            };
             if found <= self.tolerance {
                 return found;
             }
         }
-        if min <= 0.0 || squares >= low * low * min {
+        if min <= 0.0 || tangential_square >= low * low * min {
             return f64::INFINITY;
         }
-        let delta_squared = squares / min;
+        let delta_squared = tangential_square / min;
         let up = (low * low - delta_squared).max(0.0).sqrt();
         let across = (high - distance).max(distance - up);
         (across * across + delta_squared).sqrt()

@@ -4,6 +4,7 @@
 use super::source::Source;
 use super::{End, OffsetCurve};
 use crate::bernstein::de_casteljau::split_with;
+use crate::curve::curvature::curvature_is_within;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -109,18 +110,19 @@ impl Source {
 impl OffsetCurve<'_> {
     /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
     /// tangents are the limits from inside. The first point is already present. If the work limit is exceeded, the rest
-    /// is missing.
+    /// is missing. `may_have_cusps`: whether the offset curve may have cusps; they are found first.
     pub fn run(
         &self,
         (t0, t1): (f64, f64),
         tangents: [DVec2; 2],
+        may_have_cusps: bool,
         out: &mut Vec<DVec2>,
         work: &mut WorkLimit,
     ) {
         let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
         let to = self.outer_end(t1, tangents[1], -BESIDE * (t1 - t0));
         let mut last = from;
-        if !self.has_no_cusp((t0, t1)) {
+        if may_have_cusps && !self.has_no_cusp((t0, t1)) {
             for step in 1..CUSP_STEPS {
                 let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
                 last = self.pass(&mut from, &last, self.end(t), out, work);
@@ -158,27 +160,17 @@ impl OffsetCurve<'_> {
         End { tangent, ..end }
     }
 
-    /// Whether a quick test of the control points proves that the offset curve has no cusp. Up to degree 3 only.
+    /// Whether the curvature is proved to allow no cusp of the offset curve. Up to degree 3 only.
     fn has_no_cusp(&self, (t0, t1): (f64, f64)) -> bool {
         if self.source.degree() > 3 || (t0, t1) != (0.0, 1.0) {
             return false;
         }
-        let [v0, v1, v2] = self.source.first_vectors();
-        let max_bend = (self.distance * v0.perp_dot(v1))
-            .max(self.distance * v0.perp_dot(v2) * 0.5)
-            .max(self.distance * v1.perp_dot(v2))
-            * 2.0;
-        if max_bend <= 0.0 {
-            return true;
-        }
-        let squares = [
-            v0.length_squared(),
-            v0.dot(v1),
-            (v0.dot(v2) + 2.0 * v1.length_squared()) * (1.0 / 3.0),
-            v1.dot(v2),
-            v2.length_squared(),
-        ];
-        let min = squares.into_iter().fold(f64::INFINITY, f64::min).max(0.0);
-        min * min.sqrt() > max_bend
+        let limit = 1.0 / self.distance;
+        let limits = if limit > 0.0 {
+            [f64::NEG_INFINITY, limit]
+        } else {
+            [limit, f64::INFINITY]
+        };
+        curvature_is_within(&self.source.first_vectors(), limits)
     }
 }

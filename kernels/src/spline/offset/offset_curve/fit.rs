@@ -3,6 +3,7 @@
 use super::source::OffsetSample;
 use super::{End, OffsetCurve};
 use crate::curve::plane_cubic::point_and_derivative;
+use crate::numeric::order::larger;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -10,7 +11,7 @@ use glam::DVec2;
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// Maximum number of Newton steps for the foot of a perpendicular; the least-squares rounds use one or two.
-pub(super) const FOOT_STEPS: u8 = 4;
+const FOOT_STEPS: u8 = 4;
 
 /// Maximum number of least-squares rounds; the last ones gain digits if the tolerance is far below the first error.
 const MAX_ROUNDS: usize = 5;
@@ -44,16 +45,21 @@ impl OffsetCurve<'_> {
         let (mut a, mut b) = self.first_handles(from, to);
         let mut previous = f64::INFINITY;
         let mut pairs = self.pairs(from, to);
+        let between = (from.sample.t, to.sample.t);
         for round in 0..MAX_ROUNDS {
             let cubic = [start, start + from.tangent * a, end + to.tangent * -b, end];
             let mut normal = [0.0; 5];
             let mut worst: f64 = 0.0;
-            for pair in &mut pairs[1..4] {
-                let steps = if round == 0 { 2 } else { 1 };
-                self.find_foot(&cubic, pair, (from.sample.t, to.sample.t), steps);
+            let [_, inner @ .., _] = &mut pairs;
+            evaluate(&cubic, inner);
+            for _ in 0..if round == 0 { 2 } else { 1 } {
+                self.step(inner, between);
+            }
+            set_normals(inner);
+            for pair in inner {
                 let n = pair.normal;
                 let error = self.error(pair);
-                worst = worst.max(error.abs());
+                worst = larger(worst, error.abs());
                 let r = 1.0 - pair.s;
                 let (ja, jb) = (
                     3.0 * pair.s * r * r * from.tangent.dot(n),
@@ -67,10 +73,8 @@ impl OffsetCurve<'_> {
             }
             if worst <= self.tolerance {
                 self.evaluate_ends(&cubic, &mut pairs);
-                let between = (from.sample.t, to.sample.t);
-                for pair in &mut pairs[1..4] {
-                    self.find_foot(&cubic, pair, between, FOOT_STEPS);
-                }
+                let [_, inner @ .., _] = &mut pairs;
+                self.find_feet(inner, between);
                 if self.holds(&cubic, &pairs, work) {
                     return Some(cubic);
                 }
@@ -119,32 +123,45 @@ impl OffsetCurve<'_> {
             pair.s = s;
             pair.foot.t = from.sample.t + (to.sample.t - from.sample.t) * s;
         }
+        self.evaluate_feet(&mut pairs[1..4]);
         pairs
     }
 
-    /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies, by at most some
-    /// Newton steps.
-    pub(super) fn find_foot(
-        &self,
-        cubic: &[DVec2; 4],
-        pair: &mut FootPair,
-        between: (f64, f64),
-        steps: u8,
-    ) {
-        (pair.point, pair.derivative) = point_and_derivative(cubic, pair.s);
-        if pair.normal == DVec2::default() {
+    /// Evaluates the source at the parameters of the feet.
+    pub(super) fn evaluate_feet(&self, pairs: &mut [FootPair]) {
+        for pair in pairs {
             pair.foot = self.source.at(pair.foot.t);
         }
-        for _ in 0..steps {
-            let gap = pair.point - pair.foot.point;
-            let (along, square) = (gap.dot(pair.foot.first), pair.foot.first.length_squared());
-            if along * along <= self.foot_square * square {
+    }
+
+    /// Finds the points of the source on whose normals the points of the pairs lie, by at most `FOOT_STEPS` Newton steps,
+    /// which all pairs take together.
+    pub(super) fn find_feet(&self, pairs: &mut [FootPair], between: (f64, f64)) {
+        for _ in 0..FOOT_STEPS {
+            let is_found = |pair: &FootPair| {
+                let first = pair.foot.first;
+                let along = (pair.point - pair.foot.point).dot(first);
+                along * along <= self.foot_square * first.length_squared()
+            };
+            if pairs.iter().all(is_found) {
                 break;
             }
-            let t = pair.foot.t + along / (square - gap.dot(pair.foot.second));
-            pair.foot = self.source.at(inside(between, pair.foot.t, t));
+            self.step(pairs, between);
         }
-        pair.normal = pair.foot.first.normalize_or_zero().perp();
+        set_normals(pairs);
+    }
+
+    /// A Newton step towards the feet; a function of its own, because copies of it are larger and not faster.
+    #[inline(never)]
+    fn step(&self, pairs: &mut [FootPair], between: (f64, f64)) {
+        for pair in pairs.iter_mut() {
+            let foot = &pair.foot;
+            let gap = pair.point - foot.point;
+            let (along, square) = (gap.dot(foot.first), foot.first.length_squared());
+            let t = foot.t + along / (square - gap.dot(foot.second));
+            pair.foot.t = inside(between, foot.t, t);
+        }
+        self.evaluate_feet(pairs);
     }
 
     /// The signed distance from the source minus the given distance.
@@ -156,6 +173,19 @@ impl OffsetCurve<'_> {
         let [p0, p1, p2, p3] = *cubic;
         (pairs[0].point, pairs[0].derivative) = (p0, (p1 - p0) * 3.0);
         (pairs[4].point, pairs[4].derivative) = (p3, (p3 - p2) * 3.0);
+    }
+}
+
+/// Evaluates a cubic at the parameters of pairs.
+pub(super) fn evaluate(cubic: &[DVec2; 4], pairs: &mut [FootPair]) {
+    for pair in pairs {
+        (pair.point, pair.derivative) = point_and_derivative(cubic, pair.s);
+    }
+}
+
+fn set_normals(pairs: &mut [FootPair]) {
+    for pair in pairs {
+        pair.normal = pair.foot.first.normalize_or_zero().perp();
     }
 }
 
