@@ -60,9 +60,10 @@ impl<'a> Outline<'a> {
 
     /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a
     /// reversal of a curve.
-    pub(super) fn add(&mut self, section: Section<'a>, is_corner: bool) -> Result<(), Error> {
+    pub(super) fn add(&mut self, section: &Section<'a>, is_corner: bool) -> Result<(), Error> {
         let discs = section.end_discs();
-        let [from, to] = discs.map(|disc| (disc, section.is_straight()));
+        let is_straight = section.is_straight();
+        let [from, to] = [(discs[0], is_straight), (discs[1], is_straight)];
         match self.ends {
             Some([_, last]) => self.connect(last, from, is_corner, false),
             None => {
@@ -72,13 +73,13 @@ impl<'a> Outline<'a> {
             }
         }
         let mut backward = Vec::new();
-        if section.is_straight() {
+        if is_straight {
             for (side, chain) in self.sides() {
                 chain.connect_to(to.0.point(side));
             }
         } else {
             let tolerance = self.tolerance();
-            let evaluator = SectionEvaluator::new(&section);
+            let evaluator = SectionEvaluator::new(section);
             let samples = evaluator.samples();
             for (side, chain) in self.sides() {
                 let of_side = Side {
@@ -98,8 +99,10 @@ impl<'a> Outline<'a> {
                 }
             }
         }
-        let first = self.ends.map_or(from, |[first, _]| first);
-        self.ends = Some([first, to]);
+        match &mut self.ends {
+            Some([_, last]) => *last = to,
+            None => self.ends = Some([from, to]),
+        }
         for (side, run) in backward {
             self.backward.push((section.clone(), side, run));
         }

@@ -65,7 +65,7 @@ pub(super) struct Disc {
 impl Disc {
     /// The unit vector from the centre to the point of a side.
     pub(super) fn normal(&self, side: f64) -> DVec2 {
-        let across = (1.0 - self.slope * self.slope).max(0.0).sqrt();
+        let across = larger(1.0 - self.slope * self.slope, 0.0).sqrt();
         self.tangent.perp() * (side * across) - self.tangent * self.slope
     }
 
@@ -190,7 +190,7 @@ impl PositionedCurve {
             }
             Cow::Owned(Curve::from_points(points))
         };
-        let ends = span.map(|t| self.position(t));
+        let ends = [self.position(span[0]), self.position(span[1])];
         Section {
             curve,
             radius: radii.polynomial(0.5 * (ends[0] + ends[1])),
@@ -359,7 +359,7 @@ impl Rates {
         Disc {
             center,
             tangent,
-            radius: self.radius.max(0.0),
+            radius: larger(self.radius, 0.0),
             slope: self.slope.clamp(-1.0, 1.0),
             speed: Point::norm(self.first),
         }
@@ -368,7 +368,7 @@ impl Rates {
     #[inline]
     fn advance(&self) -> [f64; 3] {
         let square = 1.0 - self.slope * self.slope;
-        let turn = self.radius * self.curvature * square.max(0.0).sqrt();
+        let turn = self.radius * self.curvature * larger(square, 0.0).sqrt();
         let ahead = square - self.radius * self.slope_change;
         [square, ahead - turn, ahead + turn]
     }

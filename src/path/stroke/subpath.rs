@@ -72,8 +72,9 @@ impl Subpath {
         let mut position = self.start(dash);
         let ts = dash.parameters();
         let mut all = Vec::with_capacity(ts.len() - 1);
-        for (k, curve) in dash.spline.segments().enumerate() {
-            if !curve.has_size() {
+        for k in 0..dash.spline.segment_count() {
+            let points = dash.spline.segment_points(k);
+            if points.iter().all(|&p| p == points[0]) {
                 continue;
             }
             let rate = match self.radii.at {
@@ -83,8 +84,8 @@ impl Subpath {
                 }
                 WidthPosition::Length => 1.0 / self.length,
             };
-            let scaled = curve.control_points().iter().map(|&p| p * self.scale);
-            let curve = Curve::from_points(scaled.collect());
+            let scaled = points.iter().map(|&p| p * self.scale).collect();
+            let curve = Curve::from_points(scaled);
             let curve = PositionedCurve::new(curve, self.radii.at, position, rate);
             position = curve.position(1.0);
             all.push(curve);
@@ -129,7 +130,7 @@ impl Strokes {
             for (k, pair) in breaks.windows(2).enumerate() {
                 let section = curve.section([pair[0], pair[1]], radii);
                 if section.curve.has_size() {
-                    outline.add(section, k == 0)?;
+                    outline.add(&section, k == 0)?;
                 }
             }
         }

@@ -20,7 +20,7 @@ use super::{OffsetCurve, VANISHING_SPEED};
 use crate::bernstein::vector_products::{
     cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic, quadratic_square,
 };
-use crate::numeric::order::range;
+use crate::numeric::order::{larger, range};
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -86,7 +86,8 @@ impl OffsetCurve<'_> {
         let offset_length = self.length_bound(a, b);
         let apart =
             |pair: &FootPair| (pair.point - pair.foot.point - pair.normal * self.distance).length();
-        a.t <= b.t && apart(from).max(apart(to)) + cubic_length + offset_length <= self.tolerance
+        a.t <= b.t
+            && larger(apart(from), apart(to)) + cubic_length + offset_length <= self.tolerance
     }
 
     /// The bound between two pairs; infinite if there is none.
@@ -110,8 +111,8 @@ impl OffsetCurve<'_> {
             e3,
         ];
         let (min, max) = range(cubic_square(&e, DVec2::dot).into_iter());
-        let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
-        let off = (high - distance).max(distance - low);
+        let (low, high) = (larger(min, 0.0).sqrt() - rest, max.sqrt() + rest);
+        let off = larger(high - distance, distance - low);
         if high + distance <= self.tolerance {
             return high + distance;
         }
@@ -145,8 +146,8 @@ impl OffsetCurve<'_> {
         };
         let curved = cubic_by_linear(e, &d_slopes, DVec2::dot);
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
-        let mut tangential_max = tangential_high.max(-tangential_low);
-        let mut forward = f_min.max(-f_max);
+        let mut tangential_max = larger(tangential_high, -tangential_low);
+        let mut forward = larger(f_min, -f_max);
         if rest > 0.0 {
             // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
             // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
@@ -158,9 +159,9 @@ impl OffsetCurve<'_> {
         if forward > tangential_max && tangential_square < 0.25 * low * low * min {
             let excess = FOOT_SAFETY * tangential_square / (2.0 * low * forward);
             let found = if f_min > 0.0 {
-                (high - distance).max(distance - low + excess)
+                larger(high - distance, distance - low + excess)
             } else {
-                (high - distance + excess).max(distance - low)
+                larger(high - distance + excess, distance - low)
             };
             if found <= self.tolerance {
                 return found;
@@ -170,8 +171,8 @@ impl OffsetCurve<'_> {
             return f64::INFINITY;
         }
         let delta_squared = tangential_square / min;
-        let up = (low * low - delta_squared).max(0.0).sqrt();
-        let across = (high - distance).max(distance - up);
+        let up = larger(low * low - delta_squared, 0.0).sqrt();
+        let across = larger(high - distance, distance - up);
         (across * across + delta_squared).sqrt()
     }
 
@@ -179,10 +180,7 @@ impl OffsetCurve<'_> {
     /// − u.
     fn direction(v: [DVec2; 3]) -> [DVec2; 3] {
         let [v0, v1, v2] = v;
-        let max = v0
-            .length_squared()
-            .max(v1.length_squared())
-            .max(v2.length_squared());
+        let (_, max) = range(v.iter().map(|v| v.length_squared()));
         let still = |p: DVec2| p.length_squared() <= VANISHING_SPEED * VANISHING_SPEED * max;
         if still(v0) {
             if still(v1) {

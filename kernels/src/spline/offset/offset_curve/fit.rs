@@ -92,8 +92,8 @@ impl OffsetCurve<'_> {
             let (aa, bb) = (aa + damping, bb + damping);
             let scale = 1.0 / (aa * bb - ab * ab);
             let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
-            a = from.sign * (from.sign * (a + da)).max(0.0);
-            b = to.sign * (to.sign * (b + db)).max(0.0);
+            a = from.sign * larger(from.sign * (a + da), 0.0);
+            b = to.sign * larger(to.sign * (b + db), 0.0);
         }
         None
     }
@@ -105,12 +105,12 @@ impl OffsetCurve<'_> {
             from.tangent.dot(to.tangent),
             from.tangent.perp_dot(to.tangent),
         );
-        let half_cos = (0.5 + 0.5 * cos).max(0.0).sqrt();
-        let half_sin = (0.5 - 0.5 * cos).max(0.0).sqrt().copysign(sin);
+        let half_cos = larger(0.5 + 0.5 * cos, 0.0).sqrt();
+        let half_sin = larger(0.5 - 0.5 * cos, 0.0).sqrt().copysign(sin);
         let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
         let handle = |end: &End| {
             let length = third * end.sample.first.length() - arc;
-            end.sign * (end.sign * length).max(0.0)
+            end.sign * larger(end.sign * length, 0.0)
         };
         (handle(from), handle(to))
     }

@@ -17,6 +17,7 @@ mod fit;
 mod local;
 mod source;
 
+use crate::numeric::order::{larger, smaller};
 use crate::numeric::work_limit::WorkLimit;
 use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
 pub use arc::add_arc;
@@ -193,14 +194,17 @@ impl<'a> OffsetCurve<'a> {
     /// |B‴|. Near a cusp of the offset curve this is far shorter than the segment of the source.
     fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
-        let max_second = a.second.length().max(b.second.length()) + h * third;
+        let max_second = larger(a.second.length(), b.second.length()) + h * third;
         let (u, v) = (a.first.length(), b.first.length());
-        let (slowest, fastest) = (u.min(v) - h * max_second, u.max(v) + h * max_second);
+        let (slowest, fastest) = (
+            smaller(u, v) - h * max_second,
+            larger(u, v) + h * max_second,
+        );
         if slowest <= 0.25 * fastest {
             return f64::INFINITY;
         }
         let change = 3.0 * fastest * fastest * max_second + self.distance.abs() * fastest * third;
-        let f = self.cusp_function(a).abs().max(self.cusp_function(b).abs()) + h * change;
+        let f = larger(self.cusp_function(a).abs(), self.cusp_function(b).abs()) + h * change;
         h * f / (slowest * slowest)
     }
 
