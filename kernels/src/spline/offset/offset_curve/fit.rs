@@ -106,7 +106,12 @@ impl OffsetCurve<'_> {
             from.tangent.perp_dot(to.tangent),
         );
         let half_cos = larger(0.5 + 0.5 * cos, 0.0).sqrt();
-        let half_sin = larger(0.5 - 0.5 * cos, 0.0).sqrt().copysign(sin);
+        // The root of 1 − cos θ would lose the digits of a small angle.
+        let half_sin = if cos > 0.0 {
+            0.5 * sin / half_cos
+        } else {
+            larger(0.5 - 0.5 * cos, 0.0).sqrt().copysign(sin)
+        };
         let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
         let handle = |end: &End| {
             let length = third * end.sample.first.length() - arc;
