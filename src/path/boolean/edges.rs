@@ -3,8 +3,7 @@
 use super::arcs::{Arc, Arcs};
 use super::segments::Segments;
 use crate::bernstein::evaluate::evaluate;
-use crate::curve::with_derivatives::CurveWithDerivatives;
-use crate::geometry::point::Point;
+use crate::curve::nearest::nearest_on;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use crate::numeric::sort::sort_by;
@@ -129,26 +128,20 @@ fn coincide(
             .into_iter()
             .find(|&forward| is_near(a, b, forward, tolerance));
     }
+    if a.len() == 2 && b.len() == 2 {
+        return Some(parallel);
+    }
     (is_near(a, b, parallel, tolerance) && is_near(b, a, parallel, tolerance)).then_some(parallel)
 }
 
 /// Whether samples of `a` are within the tolerance of `b`, in the same order on both.
 fn is_near(a: &[DVec2], b: &[DVec2], forward: bool, tolerance: f64) -> bool {
-    let b = CurveWithDerivatives::new(b);
     let mut last = if forward { 0.0 } else { 1.0 };
     [4, 1, 2, 3, 5, 6, 7].iter().all(|&k| {
         let s = ratio(k, SAMPLES);
-        let u = nearest(&b, evaluate(a, s));
-        let in_order = k == 4 || k == 1 || (u >= last) == forward || u == last;
-        last = u;
-        in_order && Point::norm(evaluate(a, s) - b.at(u)) <= tolerance
+        let nearest = nearest_on(b, evaluate(a, s));
+        let (u, before) = (nearest.t, std::mem::replace(&mut last, nearest.t));
+        let in_order = k == 4 || k == 1 || (u >= before) == forward || u == before;
+        in_order && nearest.distance <= tolerance
     })
-}
-
-/// The parameter of the point of a curve that is nearest to a point next to it: from the best of some samples.
-fn nearest(curve: &CurveWithDerivatives<DVec2>, p: DVec2) -> f64 {
-    let distance = |u: &f64| (curve.at(*u) - p).length_squared();
-    let samples = (0..=SAMPLES).map(|k| ratio(k, SAMPLES));
-    let best = samples.min_by(|u, v| distance(u).total_cmp(&distance(v)));
-    curve.foot(p, best.unwrap_or(0.0))
 }
