@@ -41,13 +41,12 @@ pub(super) struct FootPair {
 impl OffsetCurve<'_> {
     /// A cubic from one end to the other within the tolerance, if one is found.
     pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[DVec2; 4]> {
-        let (start, end) = (self.point(from), self.point(to));
         let (mut a, mut b) = self.first_handles(from, to);
         let mut previous = f64::INFINITY;
         let mut pairs = self.pairs(from, to);
         let between = (from.sample.t, to.sample.t);
         for round in 0..MAX_ROUNDS {
-            let cubic = [start, start + from.tangent * a, end + to.tangent * -b, end];
+            let cubic = self.cubic(from, to, (a, b));
             let mut normal = [0.0; 5];
             let mut worst: f64 = 0.0;
             let [_, inner @ .., _] = &mut pairs;
@@ -99,7 +98,7 @@ impl OffsetCurve<'_> {
     }
 
     /// The sums of the handles of the source's segment and of the arc of the normal, 4/3 tan(θ/4).
-    fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
+    pub(super) fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
         let third = (to.sample.t - from.sample.t) / 3.0;
         let (cos, sin) = (
             from.tangent.dot(to.tangent),

@@ -112,6 +112,12 @@ impl<'a> OffsetCurve<'a> {
         end.sample.point + end.tangent.perp() * self.distance
     }
 
+    /// The cubic from one end to the other with the given lengths of its handles; negative ones lead against the tangents.
+    fn cubic(&self, from: &End, to: &End, (a, b): (f64, f64)) -> [DVec2; 4] {
+        let (start, end) = (self.point(from), self.point(to));
+        [start, start + from.tangent * a, end - to.tangent * b, end]
+    }
+
     /// Appends three control points for each cubic from one end to the other, without a prior search for cusps. Appends
     /// nothing more once the work limit is exceeded.
     fn cover(&self, from: &End, to: &End, out: &mut Vec<DVec2>, work: &mut WorkLimit) {
@@ -141,8 +147,13 @@ impl<'a> OffsetCurve<'a> {
             out.extend_from_slice(&cubic[1..]);
             return;
         }
+        if local.tiny(from, to) {
+            let cubic = self.cubic(from, to, self.first_handles(from, to));
+            out.extend_from_slice(&cubic[1..]);
+            return;
+        }
         let shortest = cuts == 0 || to.sample.t - from.sample.t <= SHORTEST;
-        if shortest || local.tiny(from, to) || local.is_rotation_about_point(from, to) {
+        if shortest || local.is_rotation_about_point(from, to) {
             self.arc(from, to, out);
             return;
         }
