@@ -29,6 +29,8 @@ pub(super) struct Vertex {
 /// All segments, cut.
 pub(super) struct Arcs {
     pub(super) vertices: Vec<Vertex>,
+    /// The vertex of each joint.
+    pub(super) joints: Vec<usize>,
     pub(super) list: Vec<Arc>,
 }
 
@@ -101,9 +103,21 @@ impl Arcs {
             t: [0.0, 1.0],
             vertices: [numbers[2 * segment], numbers[2 * segment + 1]],
         };
+        let list: Vec<Arc> = (0..segments.list.len()).map(arc).collect();
+        let mut joints = vec![0; segments.joints.len()];
+        for arc in &list {
+            for (joint, vertex) in segments.list[arc.segment]
+                .ends
+                .into_iter()
+                .zip(arc.vertices)
+            {
+                joints[joint] = vertex;
+            }
+        }
         Self {
-            list: (0..segments.list.len()).map(arc).collect(),
             vertices,
+            joints,
+            list,
         }
     }
 
@@ -139,8 +153,10 @@ impl Arcs {
             let [from, to] = arc.vertices;
             from != to || vertices[from].count == 1 || !is_short(segments, *arc, tolerance)
         });
+        numbers.truncate(segments.joints.len());
         Self {
             vertices,
+            joints: numbers,
             list: arcs,
         }
     }

@@ -4,6 +4,7 @@ use super::arcs::Arcs;
 use super::contacts::{Contact, contacts};
 use super::edges::Edges;
 use super::faces::Faces;
+use super::grid::Replaced;
 use super::order::Order;
 use super::segments::{Role, Segment, Segments};
 use super::union_find::UnionFind;
@@ -11,6 +12,7 @@ use super::windings::{Windings, visit_faces};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::box_tree::BoxTree;
 use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use crate::path::Path;
 use crate::path::winding::FillRule;
 use glam::DVec2;
@@ -18,6 +20,14 @@ use glam::DVec2;
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
 /// other, because features are of about this size, the next is tried.
 const TOLERANCES: [f64; 5] = [0.2, 0.02, 0.1, 1e-3, 1e-5];
+
+/// Edges up to this length, in parts of epsilon, are small features. If lines in the place of the segments next to them
+/// contradict each other as well, the next one is tried.
+const SMALL_FEATURES: [f64; 3] = [64.0, 4096.0, f64::INFINITY];
+
+/// Different points that are one vertex are a small feature if they are farther apart than this part of epsilon: more than
+/// rounding.
+const MERGED: f64 = 1.0 / 64.0;
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {
@@ -35,22 +45,31 @@ struct Attempt {
 }
 
 impl Arrangement {
-    /// The division by the segments of the paths; if that contradicts itself with every tolerance, the one by polygons
-    /// with corners on a grid.
+    /// The division by the segments of the paths. Where that contradicts itself with every tolerance, lines with corners
+    /// on a grid replace the segments next to small features, and at last all segments.
     ///
     /// # Errors
     /// [`Error::TooMany`] as [`contacts`], [`Segments::new`] and [`Segments::on_grid`].
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
-        let segments = Segments::new(paths)?;
-        if let Some(attempt) = Attempt::consistent(&segments)? {
-            return Ok(attempt.with(segments));
+        let mut segments = Segments::new(paths)?;
+        let mut sizes = SMALL_FEATURES.iter();
+        loop {
+            let failed = match Attempt::consistent(&segments)? {
+                Ok(attempt) => return Ok(attempt.with(segments)),
+                Err(failed) => failed,
+            };
+            let next = sizes.find_map(|size| failed.next_to_small(&segments, *size));
+            match next {
+                Some(replaced) => segments = segments.on_grid(&replaced)?,
+                None => break,
+            }
         }
-        let polygons = segments.on_grid()?;
+        let polygons = segments.on_grid(&Replaced::all(&segments))?;
         let attempt = Attempt::of_arcs(&polygons, &tree_of(&polygons), Arcs::whole(&polygons), 0.0);
-        if attempt.is_consistent(&polygons) {
+        if attempt.contradictory(&polygons).is_empty() {
             Ok(attempt.with(polygons))
         } else {
-            let attempts = TOLERANCES.len() + 1;
+            let attempts = TOLERANCES.len() * (SMALL_FEATURES.len() + 1) + 1;
             Err(Error::too_many(
                 "attempts to divide the plane",
                 attempts,
@@ -83,14 +102,18 @@ impl Arrangement {
 }
 
 impl Attempt {
-    /// The first attempt that does not contradict itself.
-    fn consistent(segments: &Segments) -> Result<Option<Self>, Error> {
+    /// The first attempt that does not contradict itself, or as an error the first one.
+    fn consistent(segments: &Segments) -> Result<Result<Self, Self>, Error> {
         let tree = tree_of(segments);
         let contacts = contacts(segments, &tree)?;
-        Ok(TOLERANCES
-            .iter()
-            .map(|part| Self::new(segments, &tree, &contacts, part * segments.epsilon))
-            .find(|attempt| attempt.is_consistent(segments)))
+        let attempt = |part: &f64| Self::new(segments, &tree, &contacts, part * segments.epsilon);
+        let is_consistent = |attempt: &Self| attempt.contradictory(segments).is_empty();
+        let first = attempt(&TOLERANCES[0]);
+        if is_consistent(&first) {
+            return Ok(Ok(first));
+        }
+        let consistent = TOLERANCES[1..].iter().map(attempt).find(is_consistent);
+        Ok(consistent.ok_or(first))
     }
 
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
@@ -106,9 +129,48 @@ impl Attempt {
         Self { arcs, edges, faces }
     }
 
-    fn is_consistent(&self, segments: &Segments) -> bool {
+    /// One edge of each component that contradicts itself, and more.
+    fn contradictory(&self, segments: &Segments) -> Vec<usize> {
         let Self { edges, faces, .. } = self;
-        faces.is_plane && visit_faces(segments, edges, faces, FillRule::NonZero, |_, _| ())
+        if !faces.not_plane.is_empty() {
+            return faces.not_plane.clone();
+        }
+        visit_faces(segments, edges, faces, FillRule::NonZero, |_, _| ())
+    }
+
+    /// The segments at vertices with features of at most a size, in components that contradict themselves: at both ends
+    /// of an edge that is not longer, and where different points are one vertex. `None` if there are none.
+    fn next_to_small(&self, segments: &Segments, size: f64) -> Option<Replaced> {
+        let Self { arcs, edges, faces } = self;
+        let mut is_contradictory = vec![false; faces.component_count];
+        for e in self.contradictory(segments) {
+            is_contradictory[faces.component[e]] = true;
+        }
+        let mut is_small = vec![false; arcs.vertices.len()];
+        for (e, edge) in edges.list.iter().enumerate() {
+            if is_contradictory[faces.component[e]] {
+                let is_short = length(edges.points(e)) <= size * segments.epsilon;
+                for v in edge.vertices {
+                    is_small[v] |= is_short || arcs.vertices[v].spread > MERGED * segments.epsilon;
+                }
+            }
+        }
+        let mut replaced = Replaced {
+            segments: vec![false; segments.list.len()],
+            joints: arcs.joints.iter().map(|&vertex| is_small[vertex]).collect(),
+        };
+        for (e, edge) in edges.list.iter().enumerate() {
+            if edge.vertices.iter().any(|&v| is_small[v]) {
+                for member in edges.members(e) {
+                    replaced.segments[member.arc.segment] = true;
+                }
+            }
+        }
+        // Segments that are so short that no arc of them is left.
+        for (segment, is_replaced) in segments.list.iter().zip(&mut replaced.segments) {
+            *is_replaced |= segment.ends.iter().any(|&joint| replaced.joints[joint]);
+        }
+        replaced.segments.contains(&true).then_some(replaced)
     }
 
     fn with(self, segments: Segments) -> Arrangement {
@@ -120,6 +182,12 @@ impl Attempt {
             faces,
         }
     }
+}
+
+/// The length of a control polygon.
+fn length(points: &[DVec2]) -> f64 {
+    let steps = points.windows(2).map(|p| Point::norm(p[1] - p[0]));
+    steps.sum()
 }
 
 /// The tree of the boxes of the segments, enlarged by epsilon.

@@ -32,8 +32,11 @@ pub(super) struct Faces {
     pub(super) count: usize,
     /// The face that is not bounded.
     pub(super) outside: usize,
-    /// Whether the order of the edges is that of a plane figure, by Euler's formula.
-    pub(super) is_plane: bool,
+    /// The connected component of each edge, and the number of components.
+    pub(super) component: Vec<usize>,
+    pub(super) component_count: usize,
+    /// An edge of each component in which the order of the edges is not that of a plane figure, by Euler's formula.
+    pub(super) not_plane: Vec<usize>,
 }
 
 impl Faces {
@@ -48,7 +51,7 @@ impl Faces {
         let (cycle, cycle_count) = cycles(&next);
         let (component, component_count) = components(arcs, edges);
         let outer = outer_cycles(edges, &cycle, cycle_count, &component, component_count);
-        let is_plane = is_plane(edges, order, cycle_count, component_count);
+        let not_plane = not_plane(edges, order, &cycle, &component, component_count);
         // One more number for the unbounded face, which joins the outer cycles that nothing contains.
         let mut sets = UnionFind::new(cycle_count + 1);
         let is_outer = |h: usize| outer[component[h / 2]] == cycle[h];
@@ -58,34 +61,32 @@ impl Faces {
             let around = hit.map_or(cycle_count, |h| cycle[h]);
             sets.join(*outer, around);
         }
-        Self::numbered(next, &cycle, sets, cycle_count, is_plane)
-    }
-
-    fn numbered(
-        next: Vec<usize>,
-        cycle: &[usize],
-        mut sets: UnionFind,
-        cycle_count: usize,
-        is_plane: bool,
-    ) -> Self {
-        let mut numbers = vec![usize::MAX; cycle_count + 1];
-        let mut count = 0;
-        for c in 0..=cycle_count {
-            let root = sets.find(c);
-            if numbers[root] == usize::MAX {
-                numbers[root] = count;
-                count += 1;
-            }
-            numbers[c] = numbers[root];
-        }
+        let (numbers, count) = numbered(sets, cycle_count + 1);
         Self {
             left: cycle.iter().map(|&c| numbers[c]).collect(),
             next,
             count,
             outside: numbers[cycle_count],
-            is_plane,
+            component,
+            component_count,
+            not_plane,
         }
     }
+}
+
+/// The numbers of the sets in which numbers up to a limit are, and of the sets.
+fn numbered(mut sets: UnionFind, limit: usize) -> (Vec<usize>, usize) {
+    let mut numbers = vec![usize::MAX; limit];
+    let mut count = 0;
+    for c in 0..limit {
+        let root = sets.find(c);
+        if numbers[root] == usize::MAX {
+            numbers[root] = count;
+            count += 1;
+        }
+        numbers[c] = numbers[root];
+    }
+    (numbers, count)
 }
 
 /// For each half-edge, the next one around the face to its left: at its end, the next clockwise of the way back.
@@ -168,10 +169,28 @@ fn outer_cycles(
     outer
 }
 
-/// Euler's formula for all components: V − E + F = 2 for each, where F counts its cycles.
-fn is_plane(edges: &Edges, order: &Order, cycle_count: usize, component_count: usize) -> bool {
+/// An edge of each component that does not satisfy Euler's formula V − E + F = 2, where F counts its cycles.
+fn not_plane(
+    edges: &Edges,
+    order: &Order,
+    cycle: &[usize],
+    component: &[usize],
+    component_count: usize,
+) -> Vec<usize> {
+    // E + 2 − V − F; each vertex is counted at its first half-edge, and each cycle too.
+    let mut excess = vec![2_isize; component_count];
+    component.iter().for_each(|&c| excess[c] += 1);
     let vertices = order.starts.windows(2).filter(|ends| ends[0] < ends[1]);
-    vertices.count() + cycle_count == edges.list.len() + 2 * component_count
+    vertices.for_each(|ends| excess[component[order.around[ends[0]] / 2]] -= 1);
+    let mut cycles = 0;
+    for (h, &c) in cycle.iter().enumerate() {
+        if c == cycles {
+            excess[component[h / 2]] -= 1;
+            cycles += 1;
+        }
+    }
+    let contradicts = |e: &usize| std::mem::take(&mut excess[component[*e]]) != 0;
+    (0..edges.list.len()).filter(contradicts).collect()
 }
 
 /// The point of a component that is farthest in the direction of the ray.

@@ -1,9 +1,12 @@
-//! Polygons with corners on a grid in the place of outlines: the last resort, if their contacts contradict each other.
+//! Lines with corners on a grid in the place of segments: the last resort, where the contacts of segments contradict each
+//! other.
 //!
-//! The outlines are flattened and the corners rounded to the grid. Then lines are cut where they cross and where they
-//! pass a corner within its cell, and the cuts are rounded, until there is nothing to cut: lines meet in common corners
-//! only. In units of the grid all differences of coordinates are integers of at most 25 bits, so the side of a line on
-//! which a point lies is exact. Source: Halperin and Packer, "Iterated snap rounding", Computational Geometry 23 (2002).
+//! The segments are flattened and the corners rounded to the centres of the cells of a grid. Then every line is led
+//! through the centres of all cells that it passes and in which another line ends or crosses a line. Such lines do not
+//! cross: they meet in common corners only. In units of the grid all differences of coordinates are integers of at most
+//! 25 bits, so the side of a line on which a point lies is exact. Sources: Hobby, "Practical segment intersection with
+//! finite precision output", Computational Geometry 13 (1999), §2; Guibas and Marimont, "Rounding arrangements
+//! dynamically", SoCG 1995.
 
 use super::contacts::{STEPS_PER_ITEM, steps_for};
 use super::segments::{Segment, Segments};
@@ -13,100 +16,129 @@ use crate::geometry::box_tree::BoxTree;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio, unit_scale};
+use crate::numeric::list::{Points, points_of};
 use crate::numeric::sort::sort_by;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
-use std::iter::successors;
 
 /// The larger side of the box around all outlines has 2²³ to 2²⁴ cells, or fewer where cells would be smaller than this
 /// part of the largest coordinate: no corners are within ε of each other.
 const CELLS: f64 = (1 << 23) as f64;
 const SMALLEST_CELL: f64 = 1.0 / (1_u64 << 43) as f64;
 
-/// The smallest and the largest distance of a polygon from its outline before its corners are rounded, in cells: 2⁻²⁰ and
-/// 2⁻¹⁵ of the larger side. It is larger than the smallest one if there would be more chords than this number.
+/// The smallest and the largest distance of the lines from their segment before their corners are rounded, in cells: 2⁻²⁰
+/// and 2⁻¹⁵ of the larger side. It is larger than the smallest one if there would be more chords than this number.
 const DEVIATIONS: [f64; 2] = [8.0, 256.0];
 const MANY_CHORDS: f64 = 2048.0;
 
-/// The largest number of chords of all outlines together.
-const MAX_CHORDS: usize = 1 << 22;
+/// The largest number of lines in the place of all segments, and of their corners.
+const MAX_LINES: usize = 1 << 22;
 
-/// Each pass cuts lines into shorter ones. Mostly four or five are enough; nearly parallel lines may need hundreds.
-const MAX_PASSES: usize = 1024;
+/// What lines on the grid replace.
+pub(super) struct Replaced {
+    pub(super) segments: Vec<bool>,
+    /// The joints that are rounded to the grid; all segments that end there are replaced. Other ends keep their bits.
+    pub(super) joints: Vec<bool>,
+}
+
+impl Replaced {
+    pub(super) fn all(segments: &Segments) -> Self {
+        Self {
+            segments: vec![true; segments.list.len()],
+            joints: vec![true; segments.joints.len()],
+        }
+    }
+}
 
 /// A line from corner to corner, in units of the grid, and the segment that it is a part of.
 #[derive(Clone, Copy)]
 struct Line {
     ends: [DVec2; 2],
     segment: usize,
-    /// The number of the next line of the outlines; after the last one a number that no line has.
-    next: usize,
 }
 
 impl Segments {
-    /// Polygons within about 2⁻¹⁵ of the size of the segments, whose lines meet in common corners only.
+    /// The segments with lines within about 2⁻¹⁵ of the size in the place of some. Where all are replaced, they meet in
+    /// common corners only.
     ///
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²² chords, too many pairs of lines that may cross, or more than 1024 passes.
-    pub(super) fn on_grid(&self) -> Result<Self, Error> {
-        let Some(all) = self.bounds() else {
-            return Err(Error::too_many("passes of the division on a grid", 0, 1)); // no segments, no contradiction
-        };
+    /// [`Error::TooMany`] for more than 2²² lines or corners, or too many pairs of lines that may cross.
+    pub(super) fn on_grid(&self, replaced: &Replaced) -> Result<Self, Error> {
+        let nothing = Bounds::from_points(&[DVec2::ZERO]);
+        let all = self.bounds().unwrap_or(nothing);
         let size = (all.max - all.min).max_element();
         let cells = (CELLS * unit_scale(size)).min(1.0 / SMALLEST_CELL);
-        let lines = noded(self.chords(all, cells)?)?;
-        let mut polygons = Self {
-            list: Vec::with_capacity(lines.len()),
-            joints: Vec::with_capacity(lines.len()),
+        let lines = noded(self.chords(replaced, all, cells)?)?;
+        let mut mixed = Self {
+            list: Vec::with_capacity(self.list.len() + lines.len()),
+            joints: Vec::with_capacity(self.list.len() + lines.len()),
             path_count: self.path_count,
             roles: self.roles.clone(),
             unit: 1.0,
             epsilon: self.epsilon,
         };
-        let ends: Vec<[DVec2; 2]> = lines
-            .iter()
-            .map(|line| line.ends.map(|p| all.min + p / cells))
-            .collect();
+        let mut rest = &lines[..];
         let mut from = 0;
         for subpath in self.list.chunk_by(|_, next| !next.is_first) {
+            let mut curves: Vec<Points<DVec2>> = Vec::with_capacity(subpath.len());
+            for (k, segment) in subpath.iter().enumerate() {
+                if !replaced.segments[from + k] {
+                    curves.push(segment.points.clone());
+                    continue;
+                }
+                let count = rest.partition_point(|line| line.segment <= from + k);
+                let (own, others) = rest.split_at(count);
+                rest = others;
+                let [start, end] = [segment.start(), segment.end()];
+                let mut ends: Vec<[DVec2; 2]> = own
+                    .iter()
+                    .map(|line| line.ends.map(|p| all.min + p / cells))
+                    .collect();
+                if ends.is_empty() {
+                    let p = all.min + cell_of(start, all, cells) / cells;
+                    ends.push([p; 2]);
+                }
+                let last = ends.len() - 1;
+                let keeps = segment.ends.map(|joint| !replaced.joints[joint]);
+                if keeps[0] {
+                    ends[0][0] = start;
+                }
+                if keeps[1] {
+                    ends[last][1] = end;
+                }
+                curves.extend(ends.iter().map(|ends| points_of(ends)));
+            }
             let last = &subpath[subpath.len() - 1];
-            let end = from + subpath.len();
-            let own = |line: &Line| line.segment < end;
-            let range =
-                lines.partition_point(|line| line.segment < from)..lines.partition_point(own);
-            let curves = ends[range].iter().map(|ends| &ends[..]);
-            polygons.push_subpath(curves, last.path, !last.is_last);
-            from = end;
+            let curves = curves.iter().map(|points| &points[..]);
+            mixed.push_subpath(curves, last.path, !last.is_last);
+            from += subpath.len();
         }
-        polygons.unit = self.unit;
-        Ok(polygons)
+        mixed.unit = self.unit;
+        Ok(mixed)
     }
 
-    /// The chords of the segments between rounded corners. Equal steps of √(n(n−1)/8 · |Δ²P| / tolerance) are sufficient
-    /// (Wang, "The subdivision method for finding the intersection between two Bézier curves or surfaces", 1984).
-    fn chords(&self, all: Bounds<DVec2>, cells: f64) -> Result<Vec<Line>, Error> {
-        let last = ((all.max - all.min) * cells).floor();
+    /// The chords of the replaced segments between rounded corners. Equal steps of √(n(n−1)/8 · |Δ²P| / tolerance) are
+    /// sufficient (Wang, "The subdivision method for finding the intersection between two Bézier curves or surfaces",
+    /// 1984).
+    fn chords(
+        &self,
+        replaced: &Replaced,
+        all: Bounds<DVec2>,
+        cells: f64,
+    ) -> Result<Vec<Line>, Error> {
+        let curves = || {
+            let all = self.list.iter().enumerate();
+            all.filter(|&(segment, _)| replaced.segments[segment])
+        };
         let [finest, coarsest] = DEVIATIONS;
-        let counts = self
-            .list
-            .iter()
-            .map(|curve| chord_count(curve, cells / finest));
+        let counts = curves().map(|(_, curve)| chord_count(curve, cells / finest));
         let many = counts.map(as_f64).sum::<f64>() / MANY_CHORDS;
         let deviation = (finest * many * many).clamp(finest, coarsest);
         let mut lines = Vec::new();
-        for (segment, curve) in self.list.iter().enumerate() {
+        for (segment, curve) in curves() {
             let steps = chord_count(curve, cells / deviation);
-            let needed = lines.len().saturating_add(steps);
-            if needed > MAX_CHORDS {
-                return Err(Error::too_many(
-                    "chords of the outlines",
-                    MAX_CHORDS,
-                    needed,
-                ));
-            }
-            let corner = |k| {
-                let p = evaluate(&curve.points, ratio(k, steps)) - all.min;
-                (p * cells).round().min(last).max(DVec2::ZERO)
-            };
+            check_count("chords of the outlines", lines.len().saturating_add(steps))?;
+            let corner = |k| cell_of(evaluate(&curve.points, ratio(k, steps)), all, cells);
             let mut from = corner(0);
             for k in 1..=steps {
                 let to = corner(k);
@@ -114,7 +146,6 @@ impl Segments {
                     lines.push(Line {
                         ends: [from, to],
                         segment,
-                        next: lines.len() + 1,
                     });
                 }
                 from = to;
@@ -122,6 +153,12 @@ impl Segments {
         }
         Ok(lines)
     }
+}
+
+/// The cell of a point in the box around all segments, in units of the grid.
+fn cell_of(p: DVec2, all: Bounds<DVec2>, cells: f64) -> DVec2 {
+    let last = ((all.max - all.min) * cells).floor();
+    ((p - all.min) * cells).round().min(last).max(DVec2::ZERO)
 }
 
 #[allow(
@@ -137,99 +174,86 @@ fn chord_count(curve: &Segment, per_deviation: f64) -> usize {
     steps.ceil().max(1.0) as usize
 }
 
-/// The lines, cut until they meet in common corners only.
-///
-/// A line that is cut keeps its number for its first part; the other parts get new numbers. After the first pass only
-/// lines that were cut are compared, with all. Nearly parallel lines may need hundreds of passes that cut a few lines
-/// each, so the added lines get trees of their own; a tree is built again with those after it when they have half as many
-/// lines, and each line is in O(log n) built trees.
-fn noded(mut lines: Vec<Line>) -> Result<Vec<Line>, Error> {
-    if let Some(last) = lines.last_mut() {
-        last.next = usize::MAX;
+fn check_count(what: &'static str, count: usize) -> Result<(), Error> {
+    if count > MAX_LINES {
+        return Err(Error::too_many(what, MAX_LINES, count));
     }
-    let mut work = steps_for(lines.len());
-    let mut changed: Vec<usize> = (0..lines.len()).collect();
-    // The pass before which each line was cut.
-    let mut cut_before = vec![0; lines.len()];
-    // Trees of consecutive lines, each with more than twice as many as the next one. Lines only get shorter, so the boxes
-    // still contain them.
-    let mut trees = vec![(0, tree_of(lines.iter()))];
-    for pass in 0..MAX_PASSES {
-        let of_changed = tree_of(changed.iter().map(|&k| &lines[k]));
-        let mut cuts = Vec::new();
-        for (first, tree) in &trees {
-            tree.pairs_with(&of_changed, &mut work, |i, j| {
-                let (i, j) = (first + i, changed[j]);
-                // Two lines that were cut are found twice.
-                if i < j || cut_before[i] != pass {
-                    cut_pair(&lines, [i, j], &mut cuts);
-                }
-            });
-        }
-        Error::unless_within("steps of the division on a grid", &work)?;
-        if cuts.is_empty() {
-            let number = |k: usize| (k < lines.len()).then_some(k);
-            let order = successors(number(0), |&k| number(lines[k].next));
-            return Ok(order.map(|k| lines[k]).collect());
-        }
-        work.raise_limit(STEPS_PER_ITEM, cuts.len());
-        let mut first = lines.len();
-        changed = cut(&mut lines, cuts);
-        cut_before.resize(lines.len(), 0);
-        changed.iter().for_each(|&k| cut_before[k] = pass + 1);
-        if lines.len() > MAX_CHORDS {
-            let needed = lines.len();
-            return Err(Error::too_many(
-                "chords of the outlines",
-                MAX_CHORDS,
-                needed,
-            ));
-        }
-        while let Some(&(start, _)) = trees.last()
-            && 2 * (lines.len() - first) >= first - start
-        {
-            first = start;
-            trees.pop();
-        }
-        if first < lines.len() {
-            trees.push((first, tree_of(lines[first..].iter())));
-        }
-    }
-    let passes = "passes of the division on a grid";
-    Err(Error::too_many(passes, MAX_PASSES, MAX_PASSES + 1))
+    Ok(())
 }
 
-fn tree_of<'a>(lines: impl Iterator<Item = &'a Line>) -> BoxTree {
-    let boxes: Vec<_> = lines.map(|line| Bounds::from_points(&line.ends)).collect();
+/// The lines, led through the cells in which lines end or cross, so that they meet in common corners only.
+fn noded(lines: Vec<Line>) -> Result<Vec<Line>, Error> {
+    let mut work = steps_for(lines.len());
+    let corners = corners(&lines, &mut work)?;
+    let boxes: Vec<_> = corners.iter().map(|&p| Bounds::from_points(&[p])).collect();
+    let tree = BoxTree::new(&boxes);
+    let led = cut(&lines, (&corners, &tree), passes_cell, &mut work)?;
+    // A line that was moved may run exactly through the centre of a cell that it did not pass before.
+    cut(&led, (&corners, &tree), passes_centre, &mut work)
+}
+
+fn tree_of(lines: &[Line]) -> BoxTree {
+    let bounds = |line: &Line| Bounds::from_points(&line.ends);
+    let boxes: Vec<_> = lines.iter().map(bounds).collect();
     BoxTree::new(&boxes)
 }
 
-/// Adds the corners at which two lines are cut: ends of the other one in whose cell a line runs, and their crossing.
-fn cut_pair(lines: &[Line], pair: [usize; 2], cuts: &mut Vec<(usize, DVec2)>) {
-    let [a, b] = pair.map(|k| lines[k].ends);
-    let mut add = |k: usize, p: DVec2| {
-        if !lines[k].ends.contains(&p) {
-            cuts.push((k, p));
-        }
-    };
-    let heights_of_a = heights(b, a);
-    let heights_of_b = heights(a, b);
-    for (k, line, points, heights) in [(pair[0], a, b, heights_of_b), (pair[1], b, a, heights_of_a)]
-    {
-        let chord = (line[1] - line[0]).abs();
-        let reach = 0.5 * (chord.x + chord.y);
-        for (p, height) in points.into_iter().zip(heights) {
-            if height.abs() < reach && Bounds::from_points(&line).contains(p) {
-                add(k, p);
+/// The cells in which lines end or cross, each once.
+fn corners(lines: &[Line], work: &mut WorkLimit) -> Result<Vec<DVec2>, Error> {
+    let mut corners: Vec<DVec2> = lines.iter().flat_map(|line| line.ends).collect();
+    keep_different(&mut corners);
+    tree_of(lines).pairs_within(work, |i, j, work| {
+        if let Some(p) = crossing(lines[i].ends, lines[j].ends) {
+            corners.push(p);
+            work.raise_limit(STEPS_PER_ITEM, 1);
+            if corners.len() > 2 * MAX_LINES {
+                keep_different(&mut corners);
+                if corners.len() > MAX_LINES {
+                    work.stop();
+                }
             }
         }
-    }
+    });
+    keep_different(&mut corners);
+    check_count("corners of the division on a grid", corners.len())?;
+    Error::unless_within("steps of the division on a grid", work)?;
+    Ok(corners)
+}
+
+fn keep_different(corners: &mut Vec<DVec2>) {
+    sort_by(corners, |p, q| {
+        p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
+    });
+    corners.dedup();
+}
+
+/// The cell in which two lines cross, if they do.
+fn crossing(a: [DVec2; 2], b: [DVec2; 2]) -> Option<DVec2> {
     let crosses = |[from, to]: [f64; 2]| from < 0.0 && to > 0.0 || from > 0.0 && to < 0.0;
-    if crosses(heights_of_a) && crosses(heights_of_b) {
-        let [from, to] = heights_of_a;
-        let p = a[0].lerp(a[1], from / (from - to)).round();
-        pair.into_iter().for_each(|k| add(k, p));
+    let [from, to] = heights(b, a);
+    let steps = (a[1] - a[0]).to_array();
+    (crosses([from, to]) && crosses(heights(a, b)))
+        .then(|| a[0] + DVec2::from_array(steps.map(|step| rounded(step, from, from - to))))
+}
+
+/// The product a b / c of integers of up to 2²⁵, 2⁵¹ and 2⁵² rounded to the nearest integer, exactly; one in the middle is
+/// rounded up.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "integers of at most 53 bits"
+)]
+fn rounded(a: f64, b: f64, c: f64) -> f64 {
+    let (b, c) = (b * c.signum(), c.abs());
+    let whole = |x: f64| i128::from(x as i64);
+    let twice = 2 * whole(a) * whole(b);
+    // The quotient of rounded numbers may be wrong by 1 next to the middle of two integers.
+    let mut n = (a * b / c).round();
+    if twice < (2 * whole(n) - 1) * whole(c) {
+        n -= 1.0;
+    } else if twice >= (2 * whole(n) + 1) * whole(c) {
+        n += 1.0;
     }
+    n
 }
 
 /// The distances of two points from a line, times its length; exact.
@@ -237,8 +261,40 @@ fn heights(line: [DVec2; 2], points: [DVec2; 2]) -> [f64; 2] {
     points.map(|p| (line[1] - line[0]).perp_dot(p - line[0]))
 }
 
-/// Cuts lines at corners; returns the numbers of all their parts.
-fn cut(lines: &mut Vec<Line>, mut cuts: Vec<(usize, DVec2)>) -> Vec<usize> {
+/// Whether a line passes the cell with the centre p: a square of side 1 with its left and its lower side. The box of the
+/// line contains p.
+fn passes_cell([from, to]: [DVec2; 2], p: DVec2) -> bool {
+    let chord = to - from;
+    let twice = 2.0 * chord.perp_dot(p - from);
+    // On the other side of the equation is the height of the lower left corner over p.
+    twice.abs() < chord.x.abs() + chord.y.abs() || twice == chord.x - chord.y
+}
+
+/// Whether a line passes the point p in its box.
+fn passes_centre([from, to]: [DVec2; 2], p: DVec2) -> bool {
+    (to - from).perp_dot(p - from) == 0.0
+}
+
+/// The lines with further corners where they pass one.
+fn cut(
+    lines: &[Line],
+    (corners, tree): (&[DVec2], &BoxTree),
+    passes: impl Fn([DVec2; 2], DVec2) -> bool,
+    work: &mut WorkLimit,
+) -> Result<Vec<Line>, Error> {
+    let mut cuts: Vec<(usize, DVec2)> = Vec::new();
+    let mut needed = lines.len();
+    tree_of(lines).pairs_with(tree, work, |line, corner| {
+        let (ends, p) = (lines[line].ends, corners[corner]);
+        if !ends.contains(&p) && passes(ends, p) {
+            needed += 1;
+            if needed <= MAX_LINES {
+                cuts.push((line, p));
+            }
+        }
+    });
+    check_count("lines of the division on a grid", needed)?;
+    Error::unless_within("steps of the division on a grid", work)?;
     let along = |&(k, p): &(usize, DVec2)| {
         let [from, to] = lines[k].ends;
         (p - from).dot(to - from)
@@ -246,27 +302,20 @@ fn cut(lines: &mut Vec<Line>, mut cuts: Vec<(usize, DVec2)>) -> Vec<usize> {
     sort_by(&mut cuts, |a, b| {
         a.0.cmp(&b.0).then(along(a).total_cmp(&along(b)))
     });
-    let mut changed = Vec::with_capacity(2 * cuts.len());
-    for own in cuts.chunk_by(|a, b| a.0 == b.0) {
-        let mut number = own[0].0;
-        let line = lines[number];
-        let [start, end] = line.ends;
-        let mut from = start;
-        for to in own.iter().map(|cut| cut.1).chain([end]) {
-            if to == from {
-                continue;
-            }
-            if from != start {
-                lines[number].next = lines.len();
-                number = lines.len();
-                lines.push(line);
-            }
-            lines[number].ends = [from, to];
-            changed.push(number);
+    let mut parts = Vec::with_capacity(needed);
+    let mut rest = cuts.iter().peekable();
+    for (k, line) in lines.iter().enumerate() {
+        let [mut from, end] = line.ends;
+        let own = std::iter::from_fn(|| rest.next_if(|cut| cut.0 == k));
+        for to in own.map(|cut| cut.1).chain([end]) {
+            parts.push(Line {
+                ends: [from, to],
+                ..*line
+            });
             from = to;
         }
     }
-    changed
+    Ok(parts)
 }
 
 #[cfg(test)]
@@ -280,7 +329,9 @@ mod tests {
     fn lines(text: &str) -> Vec<[[i128; 2]; 2]> {
         let path: Path = text.parse().expect("path data");
         let segments = Segments::new(&[(&path, Role::Region)]).expect("few segments");
-        let polygons = segments.on_grid().expect("few chords");
+        let polygons = segments
+            .on_grid(&Replaced::all(&segments))
+            .expect("few chords");
         let size = segments.bounds().expect("segments");
         let cells = CELLS * unit_scale((size.max - size.min).max_element());
         let whole = |p: DVec2| {

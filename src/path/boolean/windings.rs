@@ -43,14 +43,14 @@ fn weights<'a>(
     })
 }
 
-/// Calls `enter` for each face with its winding numbers. Returns whether they are the same on all ways to a face.
+/// Calls `enter` for each face with its winding numbers. Returns the edges beside which these contradict each other.
 pub(super) fn visit_faces(
     segments: &Segments,
     edges: &Edges,
     faces: &Faces,
     rule: FillRule,
     mut enter: impl FnMut(usize, &Windings),
-) -> bool {
+) -> Vec<usize> {
     let (starts, around) = half_edges_of_faces(faces);
     let mut windings = Windings {
         numbers: vec![0; segments.path_count],
@@ -80,10 +80,11 @@ pub(super) fn visit_faces(
             way.push((beyond, starts[beyond], Some(h)));
         }
     }
-    (0..edges.list.len()).all(|e| {
+    let contradicts = |e: &usize| {
         let [left, right] = [2 * e, 2 * e + 1].map(|h| sums[faces.left[h]].unwrap_or(0));
-        left.wrapping_sub(right) == checksum(segments, edges, 2 * e)
-    })
+        left.wrapping_sub(right) != checksum(segments, edges, 2 * e)
+    };
+    (0..edges.list.len()).filter(contradicts).collect()
 }
 
 /// The half-edges of face f on whose left it lies are those from `starts[f]` to `starts[f + 1]`.
