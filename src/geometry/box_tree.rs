@@ -107,18 +107,58 @@ impl BoxTree {
         &self,
         p: DVec2,
         work: &mut WorkLimit,
+        act: impl FnMut(usize, &mut WorkLimit),
+    ) {
+        let contains =
+            |bounds: &Bounds<DVec2>| !(p.cmplt(bounds.min).any() || p.cmpgt(bounds.max).any());
+        self.matching(contains, work, act);
+    }
+
+    /// Calls `act` for each item whose box matches, until the work is used up. A comparison is one step. A box matches if
+    /// one in it does.
+    pub(crate) fn matching(
+        &self,
+        matches: impl Fn(&Bounds<DVec2>) -> bool,
+        work: &mut WorkLimit,
         mut act: impl FnMut(usize, &mut WorkLimit),
     ) {
         let mut stack = vec![1];
         while let Some(k) = stack.pop() {
-            let Bounds { min, max } = self.boxes[k];
-            if !work.spend(1) || p.cmplt(min).any() || p.cmpgt(max).any() {
+            if !work.spend(1) || !matches(&self.boxes[k]) {
                 continue;
             }
             if k < self.leaves() {
                 stack.extend([2 * k, 2 * k + 1]);
             } else if let Some(&item) = self.order.get(k - self.leaves()) {
                 act(item, work);
+            }
+        }
+    }
+
+    /// Lowers a distance to that of the nearest item of all that are closer to a point, until the work is used up. A
+    /// comparison is one step.
+    pub(crate) fn within(
+        &self,
+        p: DVec2,
+        distance: &mut f64,
+        work: &mut WorkLimit,
+        distance_of: impl Fn(usize) -> f64,
+    ) {
+        let to_box = |k: usize| self.boxes[k].distance(p);
+        let mut stack = vec![(1, to_box(1))];
+        while let Some((k, to_box_of_k)) = stack.pop() {
+            if !work.spend(1) || to_box_of_k >= *distance {
+                continue;
+            }
+            if k < self.leaves() {
+                // The nearer child is examined first.
+                let mut children = [2 * k, 2 * k + 1].map(|child| (child, to_box(child)));
+                if children[0].1 < children[1].1 {
+                    children.reverse();
+                }
+                stack.extend(children);
+            } else if let Some(&item) = self.order.get(k - self.leaves()) {
+                *distance = distance.min(distance_of(item));
             }
         }
     }

@@ -294,8 +294,10 @@ pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: Stro
     chain.connect_to(end.point(to));
 }
 
-/// Appends a closed subpath that ends where it starts.
+/// Appends a closed subpath that ends where it starts; none if rounding leaves a point.
 pub(super) fn push_closed(path: &mut Path, mut chain: SplineBuilder) {
-    chain.points.pop();
-    path.push(&chain.points, chain.degrees.iter().copied(), true);
+    if !chain.degrees.is_empty() {
+        chain.points.pop();
+        path.push(&chain.points, chain.degrees.iter().copied(), true);
+    }
 }
