@@ -200,7 +200,7 @@ impl<'a> Maker<'a> {
     /// A part of the size; one in thirty is out of range.
     fn tolerance(&mut self, size: f64, min: f64, max: f64) -> f64 {
         match self.rng.below(60) {
-            0 => self.rng.pick(&[0.0, -1.0, 1e-300]),
+            0 => self.rng.pick(&[0.0, -1.0, 1e-300, 1e-30, 1e30, 1e300]),
             1 => size * self.rng.magnitude(-20.0, -14.0),
             _ => size * self.rng.magnitude(min, max),
         }
@@ -236,7 +236,7 @@ impl<'a> Maker<'a> {
         }
         let sign = self.rng.sign();
         match self.rng.below(10) {
-            0 => 0.0,
+            0 => sign * self.rng.pick(&EXTREME_LENGTHS),
             1 => sign * size,
             2 if self.mode == Mode::MixedScale => sign * size * self.rng.magnitude(-12.0, 3.0),
             _ => sign * size * self.rng.magnitude(-3.0, 0.5),
@@ -295,6 +295,9 @@ impl<'a> Maker<'a> {
         real(self.whole_segments())
     }
 }
+
+/// Lengths that rounding swallows, whose squares underflow or overflow, and that exceed the limit of coordinates.
+const EXTREME_LENGTHS: [f64; 8] = [0.0, 0.0, 1e-300, 1e-160, 1e-17, 1e17, 1e149, 1e300];
 
 /// In the range, at its ends, at joints, and outside.
 pub(crate) fn parameter(rng: &mut Rng, end: f64) -> f64 {
