@@ -54,7 +54,8 @@
 //!   thread pool of the crate rayon or the pool in which they are called. The results are the same bit for bit. It pays
 //!   off for surfaces with many patches.
 //!
-//! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), for tests of the work limits.
+//! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), and the segments that lines replace in
+//!   Boolean operations (`path::take_replaced_segments`), for tests.
 //!
 //! # Example
 //!

@@ -2,6 +2,7 @@
 #![cfg(not(target_family = "wasm"))]
 
 mod arc;
+mod composition;
 mod facts;
 mod flatten;
 mod intersect;

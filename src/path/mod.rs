@@ -28,6 +28,8 @@ pub use crate::io::svg_error::SvgError;
 pub use crate::io::svg_write::SvgOptions;
 pub use crate::spline::OffsetJoin;
 pub use arcs::CircularArc;
+#[cfg(feature = "count-work")]
+pub use boolean::take_replaced_segments;
 pub use boolean::{BooleanOperation, Face};
 pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;

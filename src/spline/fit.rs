@@ -6,7 +6,7 @@ use super::cubics::{
     FitCriteria, FitEffort, FitSamples, ROUNDING_SHARE, chord_lengths, is_straight,
 };
 use super::grid::{Grid, NormalizedGrid};
-use super::polyline::SampledPolyline;
+use super::polyline::{PointTree, SampledPolyline};
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -197,26 +197,35 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         self.corners.dedup();
     }
 
+    /// The tree of the points, for [`turn_at`](Self::turn_at).
+    pub(crate) fn tree(&self) -> PointTree<'_, P> {
+        PointTree::new(&self.polyline.points[..self.polyline.period()])
+    }
+
     /// The angle by which the polyline turns at a point, over arms of at least some tolerances.
-    pub(crate) fn turn_at(&self, k: usize, arm: f64) -> f64 {
+    pub(crate) fn turn_at(&self, tree: &PointTree<P>, k: usize, arm: f64) -> f64 {
         let period = self.polyline.period();
         let here = self.polyline.point(k);
-        let is_far = |p: &P| (*p - here).norm() >= arm * self.tolerance;
-        let [before, after] = [false, true].map(|ahead| {
-            let (room, at) = match (self.polyline.is_closed(), ahead) {
-                (true, _) => (period - 1, k + period),
-                (false, true) => (period - 1 - k, k),
-                (false, false) => (k, k),
-            };
-            let point = |steps: usize| {
-                let index = if ahead { at + steps } else { at - steps };
-                self.polyline.point(index)
-            };
-            (1..=room)
-                .map(point)
-                .find(is_far)
-                .unwrap_or_else(|| point(room))
-        });
+        let far = arm * self.tolerance;
+        let closed = self.polyline.is_closed();
+        let before = tree.last_beyond(here, far, 0..k);
+        let after = tree.first_beyond(here, far, k + 1..period);
+        // A closed polyline goes on around its start. Where no point is far away, an arm has all of them.
+        let (before, after) = if closed {
+            (
+                before.or_else(|| tree.last_beyond(here, far, k + 1..period)),
+                after.or_else(|| tree.first_beyond(here, far, 0..k)),
+            )
+        } else {
+            (before, after)
+        };
+        let (first, last) = if closed {
+            (k + 1, k + period - 1)
+        } else {
+            (0, period - 1)
+        };
+        let before = self.polyline.point(before.unwrap_or(first));
+        let after = self.polyline.point(after.unwrap_or(last));
         angle_between(here - before, after - here)
     }
 

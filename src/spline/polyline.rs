@@ -1,7 +1,9 @@
 //! The polyline of sampled points that a spline is fitted to, and its division into clusters.
 
 use super::cubics::chord_lengths;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
+use std::ops::Range;
 
 /// Sampled points in order, with the chord length from the start at each point.
 ///
@@ -76,5 +78,67 @@ impl<P: Point> SampledPolyline<P> {
             from = to;
         }
         clusters
+    }
+}
+
+/// Boxes of consecutive points, to find the next one beyond a distance in a time that grows with the logarithm of their
+/// number, also where all points are close together.
+pub(crate) struct PointTree<'a, P> {
+    points: &'a [P],
+    /// Node k has the children 2k and 2k + 1; the points are the last nodes.
+    boxes: Vec<Bounds<P>>,
+}
+
+impl<'a, P: Point> PointTree<'a, P> {
+    /// Expects at least one point.
+    pub(crate) fn new(points: &'a [P]) -> Self {
+        let leaves = points.len().next_power_of_two();
+        let last = points[points.len() - 1];
+        let mut boxes = vec![Bounds::from_points(&[last]); 2 * leaves];
+        for (leaf, &p) in boxes[leaves..].iter_mut().zip(points) {
+            *leaf = Bounds::from_points(&[p]);
+        }
+        for k in (1..leaves).rev() {
+            boxes[k] = boxes[2 * k].union(boxes[2 * k + 1]);
+        }
+        Self { points, boxes }
+    }
+
+    /// The first point of a range at least a distance from p.
+    pub(crate) fn first_beyond(&self, p: P, distance: f64, range: Range<usize>) -> Option<usize> {
+        self.beyond(p, distance, &range, true)
+    }
+
+    /// The last point of a range at least a distance from p.
+    pub(crate) fn last_beyond(&self, p: P, distance: f64, range: Range<usize>) -> Option<usize> {
+        self.beyond(p, distance, &range, false)
+    }
+
+    fn beyond(&self, p: P, distance: f64, range: &Range<usize>, ahead: bool) -> Option<usize> {
+        let leaves = self.boxes.len() / 2;
+        let farthest = |k: usize| {
+            let Bounds { min, max } = self.boxes[k];
+            (p - min).max(max - p).norm()
+        };
+        // Nodes and the points in them; the next one is the last.
+        let mut stack = vec![(1, 0..leaves)];
+        while let Some((k, own)) = stack.pop() {
+            let is_outside = own.end <= range.start || range.end <= own.start;
+            if is_outside || farthest(k) < distance {
+                continue;
+            }
+            if k >= leaves {
+                return (own.start < self.points.len()).then_some(own.start);
+            }
+            let middle = usize::midpoint(own.start, own.end);
+            let halves = [(2 * k, own.start..middle), (2 * k + 1, middle..own.end)];
+            let [first, second] = halves;
+            stack.extend(if ahead {
+                [second, first]
+            } else {
+                [first, second]
+            });
+        }
+        None
     }
 }

@@ -259,8 +259,10 @@ impl<P: Point> Vertices<P> {
             .iter()
             .map(|[before, after]| angle_between(*before, *after));
         let inner = if closed { 0..last } else { 1..last };
+        let tree = fitter.tree();
         let sharp = turns.enumerate().filter(|&(k, turn)| {
-            inner.contains(&k) && turn > corner_angle && fitter.turn_at(k, ARM) > corner_angle
+            let turns_at = |k| fitter.turn_at(&tree, k, ARM) > corner_angle;
+            inner.contains(&k) && turn > corner_angle && turns_at(k)
         });
         let sharp: Vec<usize> = sharp.map(|(k, _)| k).collect();
         fitter.add_corners(sharp);

@@ -64,6 +64,8 @@ impl Segments {
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² lines or corners, or too many pairs of lines that may cross.
     pub(super) fn on_grid(&self, replaced: &Replaced) -> Result<Self, Error> {
+        #[cfg(feature = "count-work")]
+        total::count(replaced.segments.iter().filter(|&&is| is).count());
         let nothing = Bounds::from_points(&[DVec2::ZERO]);
         let all = self.bounds().unwrap_or(nothing);
         let size = (all.max - all.min).max_element();
@@ -318,6 +320,29 @@ fn cut(
     Ok(parts)
 }
 
+/// With the feature `count-work`, the replaced segments of all calls are added up for each thread, so that tests can check
+/// that lines replace few.
+#[cfg(feature = "count-work")]
+mod total {
+    use std::cell::Cell;
+
+    thread_local! {
+        static REPLACED: Cell<usize> = const { Cell::new(0) };
+    }
+
+    pub(super) fn count(segments: usize) {
+        REPLACED.with(|replaced| replaced.set(replaced.get().saturating_add(segments)));
+    }
+
+    /// The segments that lines replaced on this thread since the last call of this function.
+    pub fn take_replaced_segments() -> usize {
+        REPLACED.with(|replaced| replaced.replace(0))
+    }
+}
+
+#[cfg(feature = "count-work")]
+pub use total::take_replaced_segments;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -352,13 +377,7 @@ mod tests {
         (0..2).all(|k| a[k].min(b[k]) <= p[k] && p[k] <= a[k].max(b[k]))
     }
 
-    /// A cubic beside itself at a distance of 10⁻⁸ of the size, and with many crossings of a star.
-    #[test]
-    fn lines_meet_in_common_corners_only() {
-        let all = lines(
-            "M0 0C30 90 60-80 100 20C60-80.000001 30 90.000001 0 0Z M0 10L90 60L10 50L95 5L3 33L77 71L50-9Z",
-        );
-        assert!(all.len() > 500, "{} lines", all.len());
+    fn check(all: &[[[i128; 2]; 2]]) {
         for (k, a) in all.iter().enumerate() {
             for b in &all[..k] {
                 for (line, points) in [(a, b), (b, a)] {
@@ -373,5 +392,42 @@ mod tests {
                 assert!(!(crosses(a, b) && crosses(b, a)), "{a:?} crosses {b:?}");
             }
         }
+    }
+
+    /// A cubic beside itself at a distance of 10⁻⁸ of the size, and with many crossings of a star.
+    #[test]
+    fn lines_meet_in_common_corners_only() {
+        let all = lines(
+            "M0 0C30 90 60-80 100 20C60-80.000001 30 90.000001 0 0Z M0 10L90 60L10 50L95 5L3 33L77 71L50-9Z",
+        );
+        assert!(all.len() > 500, "{} lines", all.len());
+        check(&all);
+    }
+
+    /// Lines of 2²³ cells that cross each other in a strip of some cells, again and again where one was rounded.
+    #[test]
+    fn nearly_parallel_lines_meet_in_common_corners_only() {
+        let mut text = "M0 0".to_string();
+        for k in 0..24 {
+            let height = f64::from(k * 7 % 24) * 2e-6 + f64::from(k % 2) * 3e-5;
+            text += &format!("L{} {height}", 100 * ((k + 1) % 2));
+        }
+        let all = lines(&text);
+        assert!(all.len() > 200, "{} lines", all.len());
+        check(&all);
+    }
+
+    #[test]
+    fn quotients_are_rounded_exactly() {
+        let largest = (1_i64 << 51) as f64;
+        // In the middle of two integers, and next to it by one part in 2⁵¹.
+        assert_eq!(rounded(1.0, 1.0, 2.0), 1.0);
+        assert_eq!(rounded(-1.0, 1.0, 2.0), 0.0);
+        assert_eq!(rounded(3.0, largest - 1.0, 2.0 * largest), 1.0);
+        assert_eq!(rounded(3.0, -largest - 1.0, 2.0 * largest), -2.0);
+        assert_eq!(
+            rounded(33_554_431.0, largest - 1.0, 2.0 * largest),
+            16_777_215.0
+        );
     }
 }

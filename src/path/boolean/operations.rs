@@ -56,9 +56,9 @@ impl Path {
     /// Let ε be 10⁻⁹ of the larger side of the box around all control points, or 32 roundings of the largest
     /// coordinate if that is more. The boundary is within ε of the true one. Outlines that run along each other within
     /// 0.4 ε count as one, so coinciding and touching outlines need no special care; parts thinner than that may
-    /// disappear. If rounding makes the winding numbers of the parts of the plane contradict each other, polygons
-    /// replace all outlines: lines between points of a grid, within 2⁻¹⁵ of the larger side of the true boundary, and
-    /// within 2⁻²⁰ if few lines are enough. This is known only of curves of degree 6 with details of 10⁻⁵ of the size.
+    /// disappear. If rounding makes the winding numbers of the parts of the plane contradict each other, lines replace the
+    /// segments next to the features of about this size there: between points of a grid, within 2⁻¹⁵ of the larger side
+    /// of the segment, and within 2⁻²⁰ if few lines are enough. Other segments stay as they are. FIGURE
     ///
     /// Pairs of segments are found with a tree of boxes: for n segments with k intersections the time is about
     /// (n + k) log (n + k), some microseconds for each. The union of many paths takes one call of
@@ -67,7 +67,7 @@ impl Path {
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² segments, more than 2²² contacts of segments, or more steps of the
     /// search for contacts than 2³⁰ and 2¹³ for each segment and each contact: only tens of thousands of long segments
-    /// beside each other need as many. The same for the polygons, if they need more than 2²² lines.
+    /// beside each other need as many. The same for lines that replace segments, if there are more than 2²².
     ///
     /// Source: winding numbers of the faces of a planar map, as in de Berg et al., *Computational Geometry*, §2.3 (the
     /// overlay of two subdivisions).

@@ -6,6 +6,7 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_tolerance, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::numeric::float::as_f64;
+use crate::numeric::sort::sort_by;
 use crate::path::{Path, PathTime, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
 use crate::spline::offset::{end_tangent, start_tangent};
@@ -77,11 +78,20 @@ impl Path {
         if radius == 0.0 {
             return Ok(self.clone());
         }
+        let sorted = corners.map(|all| {
+            let mut sorted = all.to_vec();
+            sort_by(&mut sorted, |a, b| {
+                a.subpath.cmp(&b.subpath).then(a.t.total_cmp(&b.t))
+            });
+            sorted
+        });
+        let mut rest = sorted.as_deref();
         let mut path = Self::default();
         for (subpath, part) in self.parts().enumerate() {
-            let chosen = corners.map(|all| {
-                let here = all.iter().filter(|corner| corner.subpath == subpath);
-                here.map(|corner| corner.t).collect()
+            let chosen = rest.map(|all| {
+                let (own, others) = all.split_at(all.partition_point(|c| c.subpath <= subpath));
+                rest = Some(others);
+                own
             });
             RoundedSubpath::new(part, radius, chosen).push_to(&mut path, options.tolerance);
         }
@@ -125,8 +135,8 @@ struct Cut {
 }
 
 impl<'a> RoundedSubpath<'a> {
-    /// `chosen`: the joints at which corners are rounded, if not all are.
-    fn new(part: Subpath<'a>, radius: f64, chosen: Option<Vec<f64>>) -> Self {
+    /// `chosen`: the joints at which corners are rounded, in order, if not all are.
+    fn new(part: Subpath<'a>, radius: f64, chosen: Option<&[PathTime]>) -> Self {
         let segments = part.segments().map(Curve::from_slice).enumerate();
         let (places, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
             segments.filter(|(_, curve)| curve.has_size()).unzip();
@@ -134,15 +144,16 @@ impl<'a> RoundedSubpath<'a> {
         let total = part.segment_count();
         // Segments that are points may follow segment k: the joints at both of their ends are those of the corner.
         let is_chosen_after = |k: usize| {
-            chosen.as_ref().is_none_or(|joints| {
+            chosen.is_none_or(|joints| {
                 let next = places[(k + 1) % count];
                 let last = if next > places[k] { next } else { next + total };
-                let joints_here = as_f64(places[k] + 1)..=as_f64(last);
-                let mut joints = joints.iter();
-                joints.any(|joint| {
-                    [0.0, as_f64(total)]
-                        .iter()
-                        .any(|turn| joints_here.contains(&(joint + turn)))
+                let (first, last) = (as_f64(places[k] + 1), as_f64(last));
+                // In this round of a closed subpath or in the next one.
+                [0.0, as_f64(total)].iter().any(|turn| {
+                    let after = joints.partition_point(|joint| joint.t + turn < first);
+                    joints
+                        .get(after)
+                        .is_some_and(|joint| joint.t + turn <= last)
                 })
             })
         };
