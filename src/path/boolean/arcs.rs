@@ -74,53 +74,6 @@ impl Arcs {
         Self::with_vertices(segments, arcs, nodes, &points, tolerance)
     }
 
-    /// One arc for each segment, of segments that meet in equal ends only.
-    pub(super) fn whole(segments: &Segments) -> Self {
-        let ends = segments
-            .list
-            .iter()
-            .enumerate()
-            .flat_map(|(k, segment)| [(segment.start(), 2 * k), (segment.end(), 2 * k + 1)]);
-        let mut ends: Vec<(DVec2, usize)> = ends.collect();
-        sort_by(&mut ends, |(p, k), (q, l)| {
-            let by_place = p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
-            by_place.then(k.cmp(l))
-        });
-        let mut vertices = Vec::with_capacity(ends.len() / 2);
-        let mut numbers = vec![0; ends.len()];
-        for same in ends.chunk_by(|a, b| a.0 == b.0) {
-            for &(_, end) in same {
-                numbers[end] = vertices.len();
-            }
-            vertices.push(Vertex {
-                point: same[0].0,
-                spread: 0.0,
-                count: same.len().div_ceil(2),
-            });
-        }
-        let arc = |segment: usize| Arc {
-            segment,
-            t: [0.0, 1.0],
-            vertices: [numbers[2 * segment], numbers[2 * segment + 1]],
-        };
-        let list: Vec<Arc> = (0..segments.list.len()).map(arc).collect();
-        let mut joints = vec![0; segments.joints.len()];
-        for arc in &list {
-            for (joint, vertex) in segments.list[arc.segment]
-                .ends
-                .into_iter()
-                .zip(arc.vertices)
-            {
-                joints[joint] = vertex;
-            }
-        }
-        Self {
-            vertices,
-            joints,
-            list,
-        }
-    }
-
     /// Numbers the vertices, and removes arcs that are not longer than the distance that counts as one point.
     fn with_vertices(
         segments: &Segments,

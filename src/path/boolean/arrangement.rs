@@ -53,28 +53,20 @@ impl Arrangement {
     pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
         let mut segments = Segments::new(paths)?;
         let mut sizes = SMALL_FEATURES.iter();
+        let mut all_replaced = false;
         loop {
             let failed = match Attempt::consistent(&segments)? {
                 Ok(attempt) => return Ok(attempt.with(segments)),
                 Err(failed) => failed,
             };
-            let next = sizes.find_map(|size| failed.next_to_small(&segments, *size));
-            match next {
-                Some(replaced) => segments = segments.on_grid(&replaced)?,
-                None => break,
+            if all_replaced {
+                let attempts = TOLERANCES.len() * (SMALL_FEATURES.len() + 2);
+                let what = "attempts to divide the plane";
+                return Err(Error::too_many(what, attempts, attempts + 1));
             }
-        }
-        let polygons = segments.on_grid(&Replaced::all(&segments))?;
-        let attempt = Attempt::of_arcs(&polygons, &tree_of(&polygons), Arcs::whole(&polygons), 0.0);
-        if attempt.contradictory(&polygons).is_empty() {
-            Ok(attempt.with(polygons))
-        } else {
-            let attempts = TOLERANCES.len() * (SMALL_FEATURES.len() + 1) + 1;
-            Err(Error::too_many(
-                "attempts to divide the plane",
-                attempts,
-                attempts + 1,
-            ))
+            let next = sizes.find_map(|size| failed.next_to_small(&segments, *size));
+            all_replaced = next.is_none();
+            segments = segments.on_grid(next.unwrap_or_else(|| Replaced::all(&segments)))?;
         }
     }
 
@@ -116,14 +108,10 @@ impl Attempt {
         Ok(consistent.ok_or(first))
     }
 
+    /// The faces between the arcs; those within twice the tolerance of each other become one edge.
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
         let arcs = Arcs::new(segments, contacts, tolerance);
-        Self::of_arcs(segments, tree, arcs, 2.0 * tolerance)
-    }
-
-    /// The faces between arcs; those within a distance of each other become one edge.
-    fn of_arcs(segments: &Segments, tree: &BoxTree, arcs: Arcs, distance: f64) -> Self {
-        let edges = Edges::new(segments, &arcs, distance);
+        let edges = Edges::new(segments, &arcs, 2.0 * tolerance);
         let order = Order::new(&arcs, &edges);
         let faces = Faces::new(segments, tree, &arcs, &edges, &order);
         Self { arcs, edges, faces }

@@ -62,6 +62,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
         }
     });
     near_crossings(segments, &mut work, &mut found);
+    common_corners(segments, &mut found);
     if found.len() > MAX_CONTACTS {
         return Err(Error::too_many(
             "contacts of segments",
@@ -182,6 +183,23 @@ fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<Part> {
     parts
 }
 
+/// Adds a contact of each two consecutive ends of noded segments at the same point.
+fn common_corners(segments: &Segments, found: &mut Vec<Contact>) {
+    let noded = segments.list.iter().enumerate().filter(|(_, s)| s.is_noded);
+    let mut ends: Vec<(DVec2, (usize, f64))> = noded
+        .flat_map(|(k, s)| [(s.start(), (k, 0.0)), (s.end(), (k, 1.0))])
+        .collect();
+    sort_by(&mut ends, |(p, a), (q, b)| {
+        let by_place = p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
+        by_place.then(a.0.cmp(&b.0)).then(a.1.total_cmp(&b.1))
+    });
+    let same = ends.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+    found.extend(same.map(|pair| Contact {
+        places: [pair[0].1, pair[1].1],
+        gap: 0.0,
+    }));
+}
+
 fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {
     let points = &segments.list[index].points;
     if points.len() < 4 {
@@ -198,6 +216,9 @@ fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {
 fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contact>) -> usize {
     let (a, b) = (&segments.list[i], &segments.list[j]);
     let epsilon = segments.epsilon;
+    if a.is_noded && b.is_noded {
+        return BESIDE_STEPS;
+    }
     if is_beside(&a.points, &b.points, epsilon) || is_beside(&b.points, &a.points, epsilon) {
         return BESIDE_STEPS;
     }

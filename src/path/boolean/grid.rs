@@ -58,19 +58,19 @@ struct Line {
 }
 
 impl Segments {
-    /// The segments with lines within about 2⁻¹⁵ of the size in the place of some. Where all are replaced, they meet in
-    /// common corners only.
+    /// The segments with lines within about 2⁻¹⁵ of the size in the place of some.
     ///
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² lines or corners, or too many pairs of lines that may cross.
-    pub(super) fn on_grid(&self, replaced: &Replaced) -> Result<Self, Error> {
+    pub(super) fn on_grid(&self, mut replaced: Replaced) -> Result<Self, Error> {
         #[cfg(feature = "count-work")]
         total::count(replaced.segments.iter().filter(|&&is| is).count());
+        self.replace_noded(&mut replaced);
         let nothing = Bounds::from_points(&[DVec2::ZERO]);
         let all = self.bounds().unwrap_or(nothing);
         let size = (all.max - all.min).max_element();
         let cells = (CELLS * unit_scale(size)).min(1.0 / SMALLEST_CELL);
-        let lines = noded(self.chords(replaced, all, cells)?)?;
+        let lines = noded(self.chords(&replaced, all, cells)?)?;
         let mut mixed = Self {
             list: Vec::with_capacity(self.list.len() + lines.len()),
             joints: Vec::with_capacity(self.list.len() + lines.len()),
@@ -82,10 +82,10 @@ impl Segments {
         let mut rest = &lines[..];
         let mut from = 0;
         for subpath in self.list.chunk_by(|_, next| !next.is_first) {
-            let mut curves: Vec<Points<DVec2>> = Vec::with_capacity(subpath.len());
+            let mut curves: Vec<(Points<DVec2>, bool)> = Vec::with_capacity(subpath.len());
             for (k, segment) in subpath.iter().enumerate() {
                 if !replaced.segments[from + k] {
-                    curves.push(segment.points.clone());
+                    curves.push((segment.points.clone(), false));
                     continue;
                 }
                 let count = rest.partition_point(|line| line.segment <= from + k);
@@ -108,15 +108,35 @@ impl Segments {
                 if keeps[1] {
                     ends[last][1] = end;
                 }
-                curves.extend(ends.iter().map(|ends| points_of(ends)));
+                curves.extend(ends.iter().enumerate().map(|(k, ends)| {
+                    let is_moved = k == 0 && keeps[0] || k == last && keeps[1];
+                    (points_of(ends), !is_moved)
+                }));
             }
             let last = &subpath[subpath.len() - 1];
-            let curves = curves.iter().map(|points| &points[..]);
+            let curves = curves
+                .iter()
+                .map(|(points, is_noded)| (&points[..], *is_noded));
             mixed.push_subpath(curves, last.path, !last.is_last);
             from += subpath.len();
         }
         mixed.unit = self.unit;
         Ok(mixed)
+    }
+
+    /// Adds the lines of an earlier division, which have to meet the new ones in common corners too.
+    fn replace_noded(&self, replaced: &mut Replaced) {
+        let mut joins_noded = vec![true; self.joints.len()];
+        let others = self.list.iter().filter(|segment| !segment.is_noded);
+        for joint in others.flat_map(|segment| segment.ends) {
+            joins_noded[joint] = false;
+        }
+        for (segment, is_replaced) in self.list.iter().zip(&mut replaced.segments) {
+            *is_replaced |= segment.is_noded;
+        }
+        for (is_replaced, joins_noded) in replaced.joints.iter_mut().zip(joins_noded) {
+            *is_replaced |= joins_noded;
+        }
     }
 
     /// The chords of the replaced segments between rounded corners. Equal steps of √(n(n−1)/8 · |Δ²P| / tolerance) are
@@ -355,7 +375,7 @@ mod tests {
         let path: Path = text.parse().expect("path data");
         let segments = Segments::new(&[(&path, Role::Region)]).expect("few segments");
         let polygons = segments
-            .on_grid(&Replaced::all(&segments))
+            .on_grid(Replaced::all(&segments))
             .expect("few chords");
         let size = segments.bounds().expect("segments");
         let cells = CELLS * unit_scale((size.max - size.min).max_element());

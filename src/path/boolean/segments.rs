@@ -41,6 +41,8 @@ pub(super) struct Segment {
     pub(super) is_first: bool,
     /// Whether the segment ends where an open subpath ends.
     pub(super) is_last: bool,
+    /// Whether it is a line that meets others of its kind in common ends only.
+    pub(super) is_noded: bool,
 }
 
 impl Segment {
@@ -96,22 +98,23 @@ impl Segments {
                 let line = [end, start];
                 let closing = (*role == Role::Region && start != end).then_some(&line[..]);
                 let closed = part.closed || *role == Role::Region;
-                segments.push_subpath(part.segments().chain(closing), index, closed);
+                let curves = part.segments().chain(closing);
+                segments.push_subpath(curves.map(|curve| (curve, false)), index, closed);
             }
         }
         segments.epsilon = segments.distance_of_one();
         Ok(segments)
     }
 
-    /// Appends a subpath, without segments that are a point.
+    /// Appends a subpath, without segments that are a point; for each one whether it is noded.
     pub(super) fn push_subpath<'a>(
         &mut self,
-        curves: impl Iterator<Item = &'a [DVec2]>,
+        curves: impl Iterator<Item = (&'a [DVec2], bool)>,
         path: usize,
         closed: bool,
     ) {
         let (first, first_joint) = (self.list.len(), self.joints.len());
-        for curve in curves {
+        for (curve, is_noded) in curves {
             let points: Points<DVec2> = curve.iter().map(|&p| p * self.unit).collect();
             if points.iter().all(|&p| p == points[0]) {
                 continue;
@@ -121,12 +124,12 @@ impl Segments {
                     let mut from = points[0];
                     for t in turns {
                         let to = evaluate(&points, t);
-                        self.push_segment(&[from, to], path);
+                        self.push_segment(&[from, to], path, is_noded);
                         from = to;
                     }
-                    self.push_segment(&[from, points[points.len() - 1]], path);
+                    self.push_segment(&[from, points[points.len() - 1]], path, is_noded);
                 }
-                _ => self.push_segment(&points, path),
+                _ => self.push_segment(&points, path, is_noded),
             }
         }
         let Some(last) = self.list.len().checked_sub(1).filter(|&last| last >= first) else {
@@ -142,7 +145,7 @@ impl Segments {
     }
 
     /// Appends a segment that starts at a new joint, and expects the next one to start where it ends.
-    fn push_segment(&mut self, points: &[DVec2], path: usize) {
+    fn push_segment(&mut self, points: &[DVec2], path: usize, is_noded: bool) {
         let joint = self.joints.len();
         self.joints.push(points[0]);
         self.list.push(Segment {
@@ -152,6 +155,7 @@ impl Segments {
             ends: [joint, joint + 1],
             is_first: false,
             is_last: false,
+            is_noded,
         });
     }
 
