@@ -93,7 +93,7 @@ fn unions_are_made_of_curves() {
 
 #[test]
 fn simplifications_are_made_of_curves() {
-    check(4.0, |rng| {
+    check(2.487, |rng| {
         let closed = rng.chance(0.5);
         let path = random_path(rng, closed);
         let simplified = path.simplify(rng.magnitude(-3.0, -0.5));

@@ -1,6 +1,7 @@
 //! Runs the cases of a group on a separate thread, detects calls that do not return, and reports failures.
 
 use crate::check::{self, Checked, Failure};
+use casteljau::path::take_replaced_segments;
 use casteljau_generator::{Case, case, find};
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -18,6 +19,8 @@ const DEEP_CASES: u64 = 10_000;
 /// A call that takes longer than this is reported as one that does not return. No successful call takes a thousandth of
 /// it.
 const HANG: Duration = Duration::from_secs(300);
+/// Lines replace segments in at most one of this number of calls; scales are mixed in half of the calls.
+const MIN_CALLS_WITHOUT_LINES: usize = 100;
 /// The maximum number of failures of a function that are shown.
 const SHOWN: usize = 2;
 
@@ -81,6 +84,9 @@ struct Shared {
     /// The running case, the row of its function, and its start time.
     current: Option<(Case, usize, Instant)>,
     failures: Failures,
+    /// The number of calls, and of those in which lines replaced segments of a contradictory division of the plane.
+    calls: usize,
+    calls_with_lines: usize,
     /// The number of the worker. A worker that was given up has a lower number and must not write any more.
     worker: usize,
 }
@@ -106,8 +112,14 @@ pub(crate) fn run(rows: &'static [Row]) {
     while let Some(next) = watch(&spawn(rows, first, &settings, &shared), &shared) {
         first = next;
     }
-    let failures = &lock(&shared).failures;
-    assert!(failures.is_empty(), "{}", report(failures));
+    let shared = lock(&shared);
+    assert!(shared.failures.is_empty(), "{}", report(&shared.failures));
+    let (some, all) = (shared.calls_with_lines, shared.calls);
+    println!("lines replaced segments in {some} of {all} calls");
+    assert!(
+        some * MIN_CALLS_WITHOUT_LINES <= all + MIN_CALLS_WITHOUT_LINES,
+        "{some} of {all}"
+    );
 }
 
 fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
@@ -131,10 +143,13 @@ fn spawn(
                 let case = case(settings.seed, name, number_of_case);
                 lock(&shared).current = Some((case.clone(), row, Instant::now()));
                 let outcome = guarded(check, &case);
+                let replaced = take_replaced_segments();
                 let mut shared = lock(&shared);
                 if shared.worker != number {
                     return;
                 }
+                shared.calls += 1;
+                shared.calls_with_lines += usize::from(replaced > 0);
                 if let Err(Failure(message)) = outcome {
                     shared.add(&case, &message);
                 }

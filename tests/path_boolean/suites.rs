@@ -2,7 +2,7 @@
 
 use crate::path_boolean::check::{faults, identity_error, path};
 use crate::support::Rng;
-use casteljau::path::FillRule;
+use casteljau::path::{FillRule, take_replaced_segments};
 
 /// The largest error of an identity of areas, relative to the square of the size. These drawings have outlines that
 /// nearly coincide.
@@ -12,8 +12,10 @@ fn check(suite: &str, at_least: usize) {
     let cases = suite.lines().filter(|line| !line.starts_with("# "));
     let cases: Vec<&str> = cases.collect();
     assert!(cases.len() >= at_least, "only {} cases", cases.len());
+    take_replaced_segments();
     let wrong: Vec<String> = cases.into_iter().flat_map(faults_of).collect();
     assert!(wrong.is_empty(), "{} wrong: {wrong:#?}", wrong.len());
+    assert_eq!(take_replaced_segments(), 0, "lines replace segments");
 }
 
 /// What is wrong with the results of a case, with its name and fill rule.

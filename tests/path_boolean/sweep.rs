@@ -5,7 +5,7 @@ use crate::path_boolean::families::{FAMILIES, Family, mixed_scales};
 use crate::support::{Rng, cases};
 use casteljau::Curve;
 use casteljau::glam::{DAffine2, DVec2};
-use casteljau::path::FillRule;
+use casteljau::path::{FillRule, take_replaced_segments};
 
 const SCALES: [f64; 3] = [1e-6, 1.0, 1e6];
 
@@ -25,9 +25,13 @@ fn check(name: &str) {
     let &(_, family, coincident) = family.expect("a family");
     let seed = std::env::var("CASTELJAU_SEED").ok();
     let only: Option<usize> = seed.and_then(|seed| seed.parse().ok());
+    let mut pairs_with_lines = 0;
     for seed in only.map_or(0..pairs_of_each_family(), |seed| seed..seed + 1) {
+        take_replaced_segments();
         check_pair(name, seed, family, coincident);
+        pairs_with_lines += usize::from(take_replaced_segments() > 0);
     }
+    assert_eq!(pairs_with_lines, 0, "lines replace segments");
 }
 
 fn check_pair(name: &str, seed: usize, family: Family, coincident: bool) {
