@@ -16,13 +16,13 @@ export type { SplineOptions, SplineJSON } from "./geometry/spline/core-spline.js
 export type { InterpolateOptions } from "./geometry/interpolate.js";
 export type { FitEffort, FitOptions, SimplifyOptions } from "./geometry/spline/spline.js";
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
+export type { StrokeJoin } from "./geometry/joins.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
 export type { FillRule, Moments, RegionOptions } from "./geometry/path/core-path.js";
 export type { SvgError, Face } from "./geometry/path/path.js";
 export type {
   StrokeOptions,
   StrokeShape,
-  StrokeJoin,
   StrokeCap,
   RegionOffsetOptions,
   CornerOptions,
