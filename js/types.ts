@@ -36,7 +36,7 @@ export type { ArcOptions, RectOptions } from "./geometry/path/path-shapes.js";
 export type { NearestPath, Shape } from "./geometry/path/core-path.js";
 export type { PathBuilder } from "./geometry/path/path-builder.js";
 export type { PathSegment, CssOptions } from "./io/path-data.js";
-export type { SvgOptions, PathSvgOptions } from "./io/svg-write.js";
+export type { SvgOptions, PathSvgOptions, ArcSvgOptions } from "./io/svg-write.js";
 export type { PatchJSON } from "./geometry/patch/core-patch.js";
 export type { Partials } from "./geometry/patch/core-patch.js";
 export type { Curvature, PatchDeCasteljau, PatchPoint, SurfacePoint } from "./geometry/surface-queries.js";

@@ -8,6 +8,8 @@ const TYPES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh"];
 const MAX_TEXT_LENGTH = 40;
 const MAX_KEYS = 4;
 
+const EMPTY = "an object without keys";
+
 /** Describes a value for the "got …" part of a message. */
 export function describe(value: unknown): string {
   if (typeof value === "string") return JSON.stringify(shorten(value));
@@ -21,8 +23,17 @@ export function describe(value: unknown): string {
   const tag = Object.prototype.toString.call(value).slice("[object ".length, -1);
   if (tag !== "Object") return `an object (${tag})`;
   const keys = Object.keys(value);
-  if (keys.length === 0) return "an object without keys";
+  if (keys.length === 0) return EMPTY;
   return `an object with ${shorten(keys.slice(0, MAX_KEYS).join(", "))}${keys.length > MAX_KEYS ? ", …" : ""}`;
+}
+
+/**
+ * Describes what came instead of a value of this package or its JSON. A structured clone of such a value is an object
+ * without keys.
+ */
+export function describeWithCloneHint(value: unknown): string {
+  const text = describe(value);
+  return text === EMPTY ? `${text}; structuredClone and postMessage need toJSON() and fromJSON()` : text;
 }
 
 export function shorten(text: string): string {

@@ -1,4 +1,5 @@
 import { History } from "../../editor/history.js";
+import { describeWithCloneHint } from "../../geometry/describe.js";
 import { Surface } from "../../surfaces.js";
 import { historyStep, isForText } from "../../ui/keys.js";
 import { adoptProperties } from "../adopt.js";
@@ -54,7 +55,7 @@ type UndoState = { edits: Edits } & Pick<SurfaceAttributes, (typeof UNDOABLE)[nu
 /** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
 function surfaceOfOtherBundle(value: Surface): Surface {
   if (value?.casteljauType !== "surface")
-    throw new TypeError(`surface: expected a Surface or null, got ${typeof value}`);
+    throw new TypeError(`surface: expected a Surface or null, got ${describeWithCloneHint(value)}`);
   return Surface.fromJSON(value.toJSON());
 }
 

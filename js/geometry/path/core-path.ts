@@ -1,6 +1,6 @@
 import * as check from "../check.js";
 import * as shapes from "./path-shapes.js";
-import { pathData } from "../brand.js";
+import { pathData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
 import { showInNode } from "../inspected.js";
 import { samePoints, writePoint, boxAt, requireList } from "../points.js";
@@ -101,9 +101,9 @@ export type PathClass<P> = new (splines: ArrayLike<CoreSpline | CoreCurve>) => P
 export class CorePath {
   /** See `packed-path.js` */
   #packed: Float64Array;
-  #subpaths: readonly Spline[] | null = null;
+  #subpaths: readonly Spline<2>[] | null = null;
   /** The segments of the subpaths that were asked for */
-  #segments: (readonly Curve[])[] = [];
+  #segments: (readonly Curve<2>[])[] = [];
 
   /**
    * The path with the given splines and curves as its subpaths, in their order.
@@ -287,7 +287,7 @@ export class CorePath {
    *
    * @internal
    */
-  _segments(subpath: number): readonly Curve[] {
+  _segments(subpath: number): readonly Curve<2>[] {
     this.#segments[subpath] ??= this.subpaths[subpath].segments();
     return this.#segments[subpath];
   }
@@ -579,8 +579,9 @@ export class CorePath {
    *
    * @param point the point, in the unit of the points
    */
-  nearest(point: PointLike): PathPoint | null {
+  nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
     const p = coordinatesOf(point);
+    check.noSurplus(surplus, "nearest", 1, "Path.nearestOf([path], point, { maxDistance })");
     if (this.#tree || this.#askedForNearest) return this._nearest(p, Infinity);
     this.#askedForNearest = true;
     return nearestOnPath(this._packed, p);
@@ -593,7 +594,10 @@ export class CorePath {
    * @param point the point, in the unit of the points
    */
   windingNumber(point: PointLike): number {
-    const [x, y] = coordinatesOf(point);
+    return this.#windingNumber(coordinatesOf(point));
+  }
+
+  #windingNumber([x, y]: Float64Array): number {
     if (this.#filled || this.#askedForWinding) {
       this.#filled ??= new SegmentTree(new PathSegmentIndex(this._packed, true));
       return this.#filled.crossings(x, y);
@@ -609,8 +613,9 @@ export class CorePath {
    * @param point the point, in the unit of the points
    */
   contains(point: PointLike, options?: RegionOptions): boolean {
+    const p = coordinatesOf(point);
     const evenOdd = isEvenOdd(options);
-    const winding = this.windingNumber(point);
+    const winding = this.#windingNumber(p);
     return evenOdd ? winding % 2 !== 0 : winding !== 0;
   }
 
@@ -932,10 +937,11 @@ export function coordinatesOf(point: PointLike): Float64Array {
   return coordinates;
 }
 
-function unpack(packed: Float64Array): Spline[] {
-  return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
-    splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
-  );
+function unpack(packed: Float64Array): Spline<2>[] {
+  return Array.from(extents(packed), ({ closed, degrees: from, points, end }) => {
+    const degrees = [...packed.subarray(from, points)];
+    return splineOf({ flat: packed.slice(points, end), dimension: 2, degrees, closed }) as Spline<2>;
+  });
 }
 
 function shownData(path: CorePath): string {
@@ -975,9 +981,7 @@ export function packedFrom(shapes: Shape | ArrayLike<Shape>, surplus: never[]): 
  * @internal
  */
 export function packedFromJSON(json: { subpaths: SplineJSON[] }): Float64Array {
-  if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
-    throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "subpaths", ({ subpaths }) => Array.isArray(subpaths));
   return packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`)));
 }
 

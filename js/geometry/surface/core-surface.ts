@@ -240,8 +240,10 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike): SurfacePoint | null {
-    return queries.nearest(this.#writer(false), p);
+  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+    const found = queries.nearest(this.#writer(false), p);
+    check.noSurplus(surplus, "nearest", 1);
+    return found;
   }
 
   /**
