@@ -130,8 +130,8 @@ export interface SvgOptions {
 }
 
 /**
- * The options of SVG path data of paths. `arcs`: whether cubics that `Path.fromSVG` makes of an arc, up to rounding, are
- * written as that arc, true by default.
+ * The options of SVG path data of paths. `arcs`: whether cubics that are equal arcs of one ellipse, up to rounding, and at
+ * least as many as `Path.fromSVG` makes of it, are written as one arc, true by default.
  */
 export type PathSvgOptions = SvgOptions & { arcs?: boolean };
 

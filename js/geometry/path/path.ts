@@ -235,7 +235,8 @@ export class Path extends CorePath {
    * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
    * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
    * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
-   * rounding. With a number as `arcs`, all segments are written as lines and arcs of circles within that distance.
+   * rounding. Finer cubics of equal angles are written as one arc, too, and read within the tolerance of `fromSVG`. With a
+   * number as `arcs`, all segments are written as lines and arcs of circles within that distance.
    */
   override toSVG(options?: PathSvgOptions | ArcSvgOptions): string {
     if (typeof options?.arcs !== "number") return super.toSVG(options as PathSvgOptions | undefined);
