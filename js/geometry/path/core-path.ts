@@ -464,13 +464,13 @@ export class CorePath {
   /** The smallest box that contains the path; null for an empty one. */
   bounds(...surplus: never[]): Bounds<2> | null {
     check.noSurplus(surplus, "bounds", 0);
-    this.#bounds ??= this._box(true);
+    if (this.#bounds === undefined) this.#bounds = this._box(true);
     return copyOfBounds(this.#bounds);
   }
 
   /** The box of the control points, which contains the path; null for an empty one. */
   controlBounds(): Bounds<2> | null {
-    this.#controlBounds ??= this._box(false);
+    if (this.#controlBounds === undefined) this.#controlBounds = this._box(false);
     return copyOfBounds(this.#controlBounds);
   }
 
