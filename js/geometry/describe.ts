@@ -8,7 +8,8 @@ const TYPES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh"];
 const MAX_TEXT_LENGTH = 40;
 const MAX_KEYS = 4;
 
-const EMPTY = "an object without keys";
+/** Of `{}`, and of a structured clone of a value of this package. */
+export const EMPTY = "an object without keys";
 
 /** Describes a value for the "got …" part of a message. */
 export function describe(value: unknown): string {
@@ -25,15 +26,6 @@ export function describe(value: unknown): string {
   const keys = Object.keys(value);
   if (keys.length === 0) return EMPTY;
   return `an object with ${shorten(keys.slice(0, MAX_KEYS).join(", "))}${keys.length > MAX_KEYS ? ", …" : ""}`;
-}
-
-/**
- * Describes what came instead of a value of this package or its JSON. A structured clone of such a value is an object
- * without keys.
- */
-export function describeWithCloneHint(value: unknown): string {
-  const text = describe(value);
-  return text === EMPTY ? `${text}; structuredClone and postMessage need toJSON() and fromJSON()` : text;
 }
 
 export function shorten(text: string): string {
