@@ -161,8 +161,9 @@ export class CorePath {
   }
 
   /**
-   * The path as the function `shape()` of CSS, for `clip-path`, `offset-path` and `shape-outside`, in pixels; an empty
-   * path gives "none".
+   * The path as the function `shape()` of CSS, for `clip-path` and `shape-outside`, in pixels; an empty path gives
+   * "none". For `offset-path`, `path("${path.toSVG()}")` is better: with `shape()`, Chromium 156 draws an
+   * `offset-distance` of 100 % at the start of an open path of lines.
    *
    *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
    */
