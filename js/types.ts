@@ -16,13 +16,13 @@ export type { SplineOptions, SplineJSON } from "./geometry/spline/core-spline.js
 export type { InterpolateOptions } from "./geometry/interpolate.js";
 export type { FitEffort, FitOptions, SimplifyOptions } from "./geometry/spline/spline.js";
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
+export type { StrokeJoin } from "./geometry/joins.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
 export type { FillRule, Moments, RegionOptions } from "./geometry/path/core-path.js";
 export type { SvgError, Face } from "./geometry/path/path.js";
 export type {
   StrokeOptions,
   StrokeShape,
-  StrokeJoin,
   StrokeCap,
   RegionOffsetOptions,
   CornerOptions,
@@ -36,7 +36,7 @@ export type { ArcOptions, RectOptions } from "./geometry/path/path-shapes.js";
 export type { NearestPath, Shape } from "./geometry/path/core-path.js";
 export type { PathBuilder } from "./geometry/path/path-builder.js";
 export type { PathSegment, CssOptions } from "./io/path-data.js";
-export type { SvgOptions, PathSvgOptions } from "./io/svg-write.js";
+export type { SvgOptions, PathSvgOptions, ArcSvgOptions } from "./io/svg-write.js";
 export type { PatchJSON } from "./geometry/patch/core-patch.js";
 export type { Partials } from "./geometry/patch/core-patch.js";
 export type { Curvature, PatchDeCasteljau, PatchPoint, SurfacePoint } from "./geometry/surface-queries.js";

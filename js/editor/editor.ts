@@ -27,7 +27,7 @@ export class Editor<State extends object> {
 
   /**
    * @param transient properties whose changes alone make no step
-   * @param kept properties that undo and redo leave as they are
+   * @param kept properties that undo, redo and `revert` leave as they are
    */
   constructor(state: State, transient: readonly (keyof State)[] = [], kept: readonly (keyof State)[] = []) {
     this.#state = state;
@@ -90,9 +90,9 @@ export class Editor<State extends object> {
     if (this.#history.close(this.#state)) this.#notify("change");
   }
 
-  /** What the user was doing has not been done. */
+  /** What the user was doing has not been done; the kept properties stay as they are. */
   revert() {
-    const before = this.#history.abandon();
+    const before = this.#history.abandon(this.#state);
     if (!before) return;
     this.show(before);
     this.#notify("input");

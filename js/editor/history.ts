@@ -53,11 +53,16 @@ export class History<State extends object> {
     return true;
   }
 
-  /** Forgets the action that is going on. @returns the state before it */
-  abandon(): State | null {
+  /**
+   * Forgets the action that is going on.
+   *
+   * @param state the present one
+   * @returns the state before the action; null without one
+   */
+  abandon(state: State): State | null {
     const before = this.#open;
     this.#open = null;
-    return before;
+    return before && this.#withKept(before, state);
   }
 
   /**
@@ -78,7 +83,12 @@ export class History<State extends object> {
     const found = from.pop();
     if (!found) return state;
     to.push(state);
-    const next = { ...found };
+    return this.#withKept(found, state);
+  }
+
+  /** A state from before with the kept properties of the present one. */
+  #withKept(before: State, state: State): State {
+    const next = { ...before };
     for (const name of this.#kept) next[name] = state[name];
     return next;
   }

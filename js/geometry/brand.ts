@@ -1,7 +1,7 @@
 // How curves, splines, paths, patches and surfaces of one copy of this package are recognised by another copy: each entry point
 // is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
 // of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
-import { describe } from "./describe.js";
+import { describe, EMPTY } from "./describe.js";
 
 /**
  * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
@@ -89,7 +89,25 @@ export function packedPath(value: unknown): Float64Array | undefined {
   return typeOf(value) === "path" ? (value as Branded<Float64Array>).casteljauData() : undefined;
 }
 
+/**
+ * Checks what `fromJSON` gets.
+ *
+ * @internal
+ * @param hasMembers whether an object has the members that are needed
+ * @throws {TypeError} for anything but an object with these members
+ */
+export function requireJSON<T>(json: T, expected: string, hasMembers: (json: T & object) => boolean) {
+  if (typeof json === "object" && json !== null && hasMembers(json)) return;
+  throw new TypeError(`json: expected an object with ${expected}, got ${describeWithCloneHint(json)}`);
+}
+
+/** Describes what came instead of a value of this package or its JSON. */
+function describeWithCloneHint(value: unknown): string {
+  const text = describe(value);
+  return text === EMPTY ? `${text}; structuredClone and postMessage need toJSON() and fromJSON()` : text;
+}
+
 function dataOf<T>(value: unknown, name: string, isExpected: boolean, expected: string): T {
   if (isExpected) return (value as Branded<T>).casteljauData();
-  throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
+  throw new TypeError(`${name}: expected ${expected}, got ${describeWithCloneHint(value)}`);
 }

@@ -1,6 +1,7 @@
 // Checks of arguments. The public functions check every argument once; after that, values have the right type, are
 // finite and have matching counts.
-import { describe } from "./describe.js";
+import { describe, shorten } from "./describe.js";
+import { similarName } from "./options.js";
 
 export { describe } from "./describe.js";
 export { noSurplus, optionalBoolean, options } from "./options.js";
@@ -105,7 +106,9 @@ export function oneOf<T extends string>(value: unknown, name: string, words: rea
   if (found !== undefined) return found;
   const list = words.map((word) => JSON.stringify(word)).join(", ");
   const message = `${name}: expected one of ${list}, got ${describe(value)}`;
-  throw typeof value === "string" ? new RangeError(message) : new TypeError(message);
+  if (typeof value !== "string") throw new TypeError(message);
+  const similar = value && similarName(shorten(value), words, 0.4);
+  throw new RangeError(similar ? `${message}; did you mean "${similar}"?` : message);
 }
 
 /** An object whose keys are not a fixed list of options; undefined and null count as an empty one. */

@@ -8,6 +8,9 @@ const TYPES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh"];
 const MAX_TEXT_LENGTH = 40;
 const MAX_KEYS = 4;
 
+/** Of `{}`, and of a structured clone of a value of this package. */
+export const EMPTY = "an object without keys";
+
 /** Describes a value for the "got …" part of a message. */
 export function describe(value: unknown): string {
   if (typeof value === "string") return JSON.stringify(shorten(value));
@@ -21,7 +24,7 @@ export function describe(value: unknown): string {
   const tag = Object.prototype.toString.call(value).slice("[object ".length, -1);
   if (tag !== "Object") return `an object (${tag})`;
   const keys = Object.keys(value);
-  if (keys.length === 0) return "an object without keys";
+  if (keys.length === 0) return EMPTY;
   return `an object with ${shorten(keys.slice(0, MAX_KEYS).join(", "))}${keys.length > MAX_KEYS ? ", …" : ""}`;
 }
 

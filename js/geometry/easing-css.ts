@@ -99,8 +99,12 @@ export function readEasing(text: string): Timing {
     "linear(": readLinear,
   };
   const isKeyword = Object.hasOwn(KEYWORDS, word);
-  if (!isKeyword && !Object.hasOwn(readers, word))
-    scanner.refuse(`${Object.keys(KEYWORDS).join(", ")}, cubic-bezier(…), steps(…) or linear(…)`);
+  if (!isKeyword && !Object.hasOwn(readers, word)) {
+    const words = [...Object.keys(KEYWORDS), "cubic-bezier(…)"];
+    // Other libraries write `easeInOut`.
+    const meant = words.find((known) => known.replace(/[-…)]/g, "") === word);
+    scanner.refuse(meant ?? `${words.join(", ")}, steps(…) or linear(…)`);
+  }
   scanner.skip(word);
   const timing = isKeyword ? readEasing(KEYWORDS[word]) : readers[word](scanner);
   if (!isKeyword) scanner.expect(")");

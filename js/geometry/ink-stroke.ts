@@ -147,7 +147,7 @@ export class InkStroke {
   /** The centre line; null without samples. A single point is a line of length 0. */
   spline(): Spline<2> | null {
     const { subpaths } = pathOf(readPath(core(regionsModule).region_ink_spline(this.#index)));
-    return (subpaths[0] as Spline<2> | undefined) ?? null;
+    return subpaths[0] ?? null;
   }
 
   /** The widths along the centre line, as `path.stroke` takes them. */

@@ -1,5 +1,6 @@
 // Joint modes and continuity.
 import * as check from "./check.js";
+import { shorten } from "./describe.js";
 
 /**
  * The constraint of a joint while points move: "free", none; "g1", equal tangent directions; "c1", equal first
@@ -41,20 +42,30 @@ export function modeCode(mode: JointMode, name: string, dimension: 2 | 3): numbe
 }
 
 /**
- * The code of the joint at the start of each segment.
+ * The code of the joint at the start of each segment. Modes at the ends of an open spline, and those that are undefined,
+ * have no effect.
  *
  * @internal
+ * @throws {RangeError} for an unknown mode, and for a joint that does not exist
  */
 export function modeCodes(
   joints: ArrayLike<JointMode | undefined> | Record<number, JointMode> | undefined,
   segments: number,
+  closed: boolean,
   dimension: 2 | 3,
 ): Float64Array {
-  const modes = check.object(joints, "joints") as Record<number, JointMode | undefined>;
+  const modes = check.object(joints, "joints") as Record<string, JointMode | undefined>;
   const codes = new Float64Array(segments);
-  for (let k = 0; k < segments; k++) {
-    const mode = modes[k];
-    if (mode !== undefined) codes[k] = modeCode(mode, `joints[${k}]`, dimension);
+  const last = closed ? segments - 1 : segments;
+  for (const [key, mode] of Object.entries(modes)) {
+    if (mode === undefined) continue;
+    const name = `joints[${shorten(key)}]`;
+    const k = Number(key);
+    if (!(Number.isInteger(k) && k >= 0 && k <= last)) {
+      throw new RangeError(`joints: expected joints from 0 to ${last}, got ${shorten(key)}`);
+    }
+    const code = modeCode(mode, name, dimension);
+    if (k < segments) codes[k] = code;
   }
   return codes;
 }

@@ -14,7 +14,7 @@ export function options<T extends object>(
 ): Partial<T> {
   if (value === undefined || value === null) return {};
   if (typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value)) {
-    throw new TypeError(`options: expected an object, got ${describe(value)}${optionForNumber(value, known)}`);
+    throw new TypeError(`options: expected an object, got ${describe(value)}${hintForOption(value, known)}`);
   }
   const { casteljauType } = value as { casteljauType?: unknown };
   if (casteljauType) {
@@ -29,11 +29,19 @@ export function options<T extends object>(
   return value;
 }
 
-/** The option that a number in the place of the options was probably meant for, as the end of a message. */
-function optionForNumber(value: unknown, known: readonly PropertyKey[]): string {
-  const names = Number.isInteger(value) ? ["segments", "precision", "tolerance"] : ["tolerance"];
-  const name = names.find((option) => known.includes(option));
-  return typeof value === "number" && name ? `; did you mean { ${name}: ${value} }?` : "";
+/** The options that a value in the place of the options was probably meant for, by its type. */
+const LIKELY_OPTIONS: Partial<Record<string, readonly string[]>> = {
+  integer: ["segments", "precision", "tolerance"],
+  number: ["tolerance"],
+  string: ["fillRule", "join", "kind"],
+  boolean: ["closed"],
+};
+
+/** The end of a message: the option that a value in the place of the options was probably meant for. */
+function hintForOption(value: unknown, known: readonly PropertyKey[]): string {
+  const names = LIKELY_OPTIONS[Number.isInteger(value) ? "integer" : typeof value];
+  const name = names?.find((option) => known.includes(option));
+  return name ? `; did you mean { ${name}: ${describe(value)} }?` : "";
 }
 
 /**
@@ -59,16 +67,26 @@ export function optionalBoolean(value: unknown, name: string, byDefault = false)
 }
 
 function suggestion(key: string, known: readonly string[]): string {
-  const wanted = key.toLowerCase();
+  const nearest = similarName(key, known, 1 / 3);
+  return nearest === undefined ? `expected ${known.join(", ")}` : `did you mean ${nearest}?`;
+}
+
+/**
+ * The name that was probably meant: one that begins with the text, or is its beginning or end; otherwise the nearest one.
+ *
+ * @param maxChange the largest part of the letters that may differ
+ */
+export function similarName<T extends string>(text: string, known: readonly T[], maxChange: number): T | undefined {
+  const wanted = text.toLowerCase();
   const lower = known.map((name) => name.toLowerCase());
   const isPart = (name: string) => wanted.startsWith(name) || wanted.endsWith(name);
   let nearest = lower.findIndex((name) => name.startsWith(wanted) || isPart(name));
   if (nearest < 0) {
     const distances = lower.map((name) => editDistance(wanted, name));
     const smallest = Math.min(...distances);
-    if (smallest <= key.length / 3) nearest = distances.indexOf(smallest);
+    if (smallest <= wanted.length * maxChange) nearest = distances.indexOf(smallest);
   }
-  return nearest < 0 ? `expected ${known.join(", ")}` : `did you mean ${known[nearest]}?`;
+  return known[nearest];
 }
 
 /** The Levenshtein distance: how many letters have to be inserted, removed or replaced. */

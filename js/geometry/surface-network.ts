@@ -1,5 +1,5 @@
 // Networks of surfaces from patches and from JSON.
-import { patchData } from "./brand.js";
+import { patchData, requireJSON } from "./brand.js";
 import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
@@ -87,9 +87,7 @@ export function networkJSON({ vertices, degrees }: Network, patches: ArrayLike<n
  * @internal
  */
 export function networkOfJSON(json: SurfaceJSON, joinedOf: JoinedOf): Network {
-  if (typeof json !== "object" || json === null || !Array.isArray(json.patches)) {
-    throw new TypeError(`json: expected an object with vertices and patches, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "vertices and patches", ({ patches }) => Array.isArray(patches));
   const { flat } = flatten(json.vertices, 3, 3, "vertices");
   const degrees = degreesOf(json.degrees, json.patches.length);
   const nets = Array.from(json.patches, (net, k) => {

@@ -3,7 +3,7 @@
 import { MAX_COORDINATE } from "../geometry/check.js";
 
 /** The maximum angle of one cubic in radians, for the default tolerance: a distance of 1e-5 of the larger radius. */
-const MAX_PIECE_ANGLE = 0.9059;
+export const MAX_PIECE_ANGLE = 0.9059;
 const ROUNDING = 2 * Number.EPSILON;
 const TERMS = 9;
 const TANGENT_TERMS = 13;
@@ -92,8 +92,19 @@ function maxPieceAngle(tolerance: number): number {
  * @internal
  * @param n radii, the angle of the first axis in degrees, the large and the sweep flag
  * @param tolerance the largest distance from the arc; 0 for 1e-5 of the larger radius
+ * @param minPieces the smallest number of cubics
+ * @param goesOn asked after each cubic; no more cubics are made where it returns false
  */
-export function arc(x0: number, y0: number, n: Float64Array, x1: number, y1: number, tolerance = 0): number[] | null {
+export function arc(
+  x0: number,
+  y0: number,
+  n: Float64Array,
+  x1: number,
+  y1: number,
+  tolerance = 0,
+  minPieces = 1,
+  goesOn: (cubics: number[]) => boolean = () => true,
+): number[] | null {
   const axis = directionOfDegrees(n[2]);
   const [hx, hy] = rotate([x0 * 0.5 - x1 * 0.5, y0 * 0.5 - y1 * 0.5], [axis[0], -axis[1]]);
   let [rx, ry] = [Math.abs(n[0]), Math.abs(n[1])];
@@ -116,7 +127,8 @@ export function arc(x0: number, y0: number, n: Float64Array, x1: number, y1: num
   const u: Pair = [dx + side * (py * (height / part)), dy + side * (-px * (height / part))];
   const small = angleOf(height, length);
   const theta = large ? 2 * Math.PI - 2 * small : 2 * small;
-  const pieces = Math.ceil(theta / (tolerance ? maxPieceAngle(tolerance / Math.max(rx, ry)) : MAX_PIECE_ANGLE));
+  const maxAngle = tolerance ? maxPieceAngle(tolerance / Math.max(rx, ry)) : MAX_PIECE_ANGLE;
+  const pieces = Math.max(Math.ceil(theta / maxAngle), minPieces);
   const step = direction(theta / (2 * pieces));
   if (!sweep) step[1] = -step[1];
   const handleRatio = ((4 / 3) * step[1]) / (1 + step[0]);
@@ -137,6 +149,7 @@ export function arc(x0: number, y0: number, n: Float64Array, x1: number, y1: num
     const next = left === 0 ? [x1, y1] : [x0 + chord[0], y0 + chord[1]];
     const nextHandle = tangent(beta);
     cubics.push(x + handle[0], y + handle[1], next[0] - nextHandle[0], next[1] - nextHandle[1], next[0], next[1]);
+    if (!goesOn(cubics)) break;
     [x, y, handle] = [next[0], next[1], nextHandle];
   }
   return cubics;

@@ -1,6 +1,6 @@
 // Runs of cubics that are elliptical arcs, for the command A of SVG path data. src/io/svg_arcs.rs performs the same
 // operations and explains them.
-import { angleOf, arc } from "./svg-arc.js";
+import { angleOf, arc, MAX_PIECE_ANGLE } from "./svg-arc.js";
 import { MAX_DIGITS, roundTrip, shortNumber } from "./svg-write.js";
 
 const SIMILAR = 1e-9;
@@ -8,7 +8,7 @@ const SIMILAR = 1e-9;
 const [MIN_SQUARE, MAX_SQUARE] = [1e-9, 0.18];
 const SAME_SQUARE = 1e-12;
 const ROUNDING = 64 * Number.EPSILON;
-const MAX_CUBICS = 8;
+const MAX_CUBICS = 414;
 /** The rotation of an ellipse has this many more digits, because an error of the angle moves points by its product with the radius. */
 const MORE_DIGITS = 3;
 /** The number of significant digits (0 for all), and the part by which the radii are smaller. */
@@ -76,7 +76,7 @@ function ellipseOf(p: Float64Array, at: number): Ellipse | null {
 
 const largest = (a: number, b: number) => Math.max(Math.abs(a), Math.abs(b));
 
-/** An elliptical arc and the cubics that it may consist of: at most eight, without passing its start. */
+/** An elliptical arc and the cubics that it may consist of: of equal angles, without passing its start. */
 class ArcRun {
   #ellipse;
   #points;
@@ -117,11 +117,10 @@ class ArcRun {
 
   /** The end point. */
   end() {
-    const at = this.#at + 6 * this.count - 2;
-    return [this.#points[at], this.#points[at + 1]];
+    return this.#joint(this.count);
   }
 
-  /** The arc that gives the same cubics when it is read again, up to rounding, if there is one. */
+  /** The arc of these cubics, up to rounding, if there is one. */
   exactArc(): SvgArc | null {
     const shape = this.arc();
     const from = [this.#points[this.#at - 2], this.#points[this.#at - 1]];
@@ -130,22 +129,58 @@ class ArcRun {
     for (const [digits, less] of CANDIDATES) {
       const round = (x: number) => (digits ? Number(x.toPrecision(digits)) : x);
       const rounded = { ...shape, radii: shape.radii.map((r) => round(r * (1 - less))), degrees: round(shape.degrees) };
-      if (this.isReadFrom(rounded, from, this.end(), ROUNDING * size)) return rounded;
+      if (this.isArc(rounded, from, this.end(), ROUNDING * size)) return rounded;
     }
     return null;
   }
 
-  /** Whether an arc between two points is read as these cubics, up to an error in each coordinate. */
-  isReadFrom({ radii, degrees, large, sweep }: SvgArc, from: number[], to: number[], max: number) {
+  /** The number of cubics into which an arc is divided at least to be compared with these. */
+  #minPieces() {
+    const q = this.#ellipse.square;
+    const half = angleOf((1 - q) / (1 + q), (2 * Math.sqrt(q)) / (1 + q));
+    return Math.ceil((2 * half * this.count) / MAX_PIECE_ANGLE) < this.count ? this.count : 1;
+  }
+
+  /**
+   * Whether an arc between two points is read as these cubics, or consists of them if they are finer, up to an error in each
+   * coordinate.
+   */
+  isArc({ radii, degrees, large, sweep }: SvgArc, from: number[], to: number[], max: number) {
     const numbers = Float64Array.of(...radii, degrees, Number(large), Number(sweep));
-    const cubics = arc(from[0], from[1], numbers, to[0], to[1]);
-    if (cubics?.length !== 6 * this.count) return false;
-    return cubics.every((x, k) => Math.abs(x - this.#points[this.#at + k]) <= max);
+    let same = true;
+    const isNear = (x: number, k: number) => Math.abs(x - this.#points[this.#at + k]) <= max;
+    const isSame = (cubics: number[]) => {
+      const first = cubics.length - 6;
+      same = cubics.length <= 6 * this.count && cubics.slice(first).every((x, i) => isNear(x, first + i));
+      return same;
+    };
+    const cubics = arc(from[0], from[1], numbers, to[0], to[1], 0, this.#minPieces(), isSame);
+    return same && cubics?.length === 6 * this.count;
+  }
+
+  /** The start of cubic k, or the end of the one before. */
+  #joint(k: number) {
+    const at = this.#at + 6 * k - 2;
+    return [this.#points[at], this.#points[at + 1]];
+  }
+
+  /** The center and two conjugate radii. */
+  #conjugateRadii() {
+    const m = Math.floor(this.count / 3);
+    if (m === 0) return this.#ellipse;
+    const [[ax, ay], [bx, by], [cx, cy], [dx, dy]] = [0, m, 2 * m, 3 * m].map((k) => this.#joint(k));
+    const [sumX, sumY] = [ax - bx + (cx - dx), ay - by + (cy - dy)];
+    const [middleX, middleY] = [bx - cx, by - cy];
+    const cos = (0.5 * (sumX * middleX + sumY * middleY)) / (middleX * middleX + middleY * middleY);
+    const half = 0.5 / (1 - cos);
+    const [ux, uy] = [(bx - ax + (bx - cx)) * half, (by - ay + (by - cy)) * half];
+    const halfSin = 0.5 / Math.sqrt((1 - cos) * (1 + cos));
+    return { cx: bx - ux, cy: by - uy, ux, uy, vx: (cx - ax) * halfSin, vy: (cy - ay) * halfSin };
   }
 
   /** The arc of the ellipse from the start to the end. */
   arc(): SvgArc {
-    const { cx, cy, ux, uy, vx, vy } = this.#ellipse;
+    const { cx, cy, ux, uy, vx, vy } = this.#conjugateRadii();
     const area = ux * vy - uy * vx;
     const sweep = area > 0;
     const [a, b, c] = [ux * ux + vx * vx, ux * uy + vx * vy, uy * uy + vy * vy];
@@ -162,8 +197,9 @@ class ArcRun {
       const turn = half < 0 ? Math.PI - acute : acute;
       degrees = (b < 0 ? -turn : turn) * (90 / Math.PI);
     }
+    const [startX, startY] = this.#joint(0);
     const [x, y] = this.end();
-    const beyond = ux * (y - cy) - uy * (x - cx);
+    const beyond = (startX - cx) * (y - cy) - (startY - cy) * (x - cx);
     return { radii, degrees, large: (sweep ? beyond : -beyond) < -SIMILAR * Math.abs(area), sweep };
   }
 }
@@ -212,7 +248,7 @@ function shortWords(run: ArcRun, writer: SvgWriter, precision: number) {
     const words = arc.radii.map((r) => shortNumber(r - less, precision));
     const rounded = { ...arc, radii: words.map(Number), degrees: Number(degrees) };
     if (!(Math.min(...rounded.radii) > 0)) continue;
-    if (!run.isReadFrom(rounded, writer.at?.() ?? [], to.map(Number), unit)) continue;
+    if (!run.isArc(rounded, writer.at?.() ?? [], to.map(Number), unit)) continue;
     return [...words, degrees, `${Number(arc.large)}`, `${Number(arc.sweep)}`, ...to];
   }
   return null;

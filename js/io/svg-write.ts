@@ -130,11 +130,16 @@ export interface SvgOptions {
 }
 
 /**
- * The options of SVG path data of paths. `arcs`: whether cubics that `Path.fromSVG` makes of an arc, up to rounding, are
- * written as that arc, true by default; a number (not in casteljau/paths) replaces all curves by lines and arcs within
- * this distance, see `toArcs`.
+ * The options of SVG path data of paths. `arcs`: whether cubics that are equal arcs of one ellipse, up to rounding, and at
+ * least as many as `Path.fromSVG` makes of it, are written as one arc, true by default.
  */
-export type PathSvgOptions = SvgOptions & { arcs?: boolean | number };
+export type PathSvgOptions = SvgOptions & { arcs?: boolean };
+
+/**
+ * The options of SVG path data in which all curves are replaced by lines and arcs. `arcs`: their largest distance, see
+ * `toArcs`; it takes the place of `tolerance`.
+ */
+export type ArcSvgOptions = { precision?: number; arcs: number; tolerance?: undefined };
 
 /**
  * A packed path as SVG path data.
@@ -167,21 +172,20 @@ export function svgOf(
  * @internal
  * @param closed whether each subpath is closed
  */
-export function svgOfArcs(
-  subpaths: CircularArc[][],
-  closed: readonly boolean[],
-  options: Omit<PathSvgOptions, "arcs">,
-): string {
-  const { precision } = check.options(options, ["precision"]);
+export function svgOfArcs(subpaths: CircularArc[][], closed: readonly boolean[], options: ArcSvgOptions): string {
+  const { precision, tolerance, arcs } = check.options(options, ["precision", "tolerance", "arcs"]);
+  if (tolerance !== undefined) {
+    throw new TypeError(`tolerance: expected none with arcs ${arcs}, got ${check.describe(tolerance)}`);
+  }
   if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
   const word = (x: number) => (precision === undefined ? roundTrip(x) : shortNumber(x, precision));
-  for (const [k, arcs] of subpaths.entries()) {
-    const { start } = arcs[0];
+  for (const [k, pieces] of subpaths.entries()) {
+    const { start } = pieces[0];
     writer.move(start.x, start.y);
     // Closing draws the last line.
-    const closingLine = closed[k] && arcs.length > 1 && !arcs[arcs.length - 1].center;
-    for (const { end, center, radius, startAngle, endAngle } of closingLine ? arcs.slice(0, -1) : arcs) {
+    const closingLine = closed[k] && pieces.length > 1 && !pieces[pieces.length - 1].center;
+    for (const { end, center, radius, startAngle, endAngle } of closingLine ? pieces.slice(0, -1) : pieces) {
       const [r, sweep] = [word(radius), endAngle > startAngle ? "1" : "0"];
       if (center) writer.arc([r, r, "0", "0", sweep, word(end.x), word(end.y)]);
       else writer.curve(1, Float64Array.of(end.x, end.y), 0);

@@ -1,4 +1,5 @@
 // Looking closer: Ctrl and the wheel, two fingers; and moving about by a finger or the mouse on an empty place.
+import { capture } from "./capture.js";
 
 type Point2 = [number, number];
 
@@ -25,10 +26,9 @@ export function listenToGestures(overlay: HTMLElement, port: GesturePort) {
   overlay.addEventListener("pointerdown", (event) => {
     if (event.target !== overlay || event.button !== 0) return;
     pointers.set(event.pointerId, event);
-    if (port.enlarged() || pointers.size > 1) overlay.setPointerCapture(event.pointerId);
+    capture(event, { move, end: () => pointers.delete(event.pointerId) });
   });
-  overlay.addEventListener("pointermove", (event) => {
-    if (!pointers.has(event.pointerId)) return;
+  const move = (event: PointerEvent) => {
     const before = span([...pointers.values()]);
     pointers.set(event.pointerId, event);
     const after = span([...pointers.values()]);
@@ -38,10 +38,7 @@ export function listenToGestures(overlay: HTMLElement, port: GesturePort) {
       port.place(before.centre),
       port.place(after.centre),
     );
-  });
-  for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) {
-    overlay.addEventListener(type, (event) => pointers.delete((event as PointerEvent).pointerId));
-  }
+  };
 }
 
 function turned(event: WheelEvent, port: GesturePort) {

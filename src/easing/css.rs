@@ -27,6 +27,19 @@ fn keyword(word: &str) -> Option<&'static str> {
     })
 }
 
+/// What was meant by a word without its hyphens, as other libraries write it: `easeInOut`.
+fn with_hyphens(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "easein" => "ease-in",
+        "easeout" => "ease-out",
+        "easeinout" => "ease-in-out",
+        "stepstart" => "step-start",
+        "stepend" => "step-end",
+        "cubicbezier(" => "cubic-bezier(…)",
+        _ => return None,
+    })
+}
+
 /// Reads a CSS timing function: `ease`, `ease-in`, `ease-out`, `ease-in-out`, `linear`, `step-start`, `step-end`,
 /// `cubic-bezier(…)`, `steps(…)` or `linear(…)`.
 ///
@@ -48,7 +61,7 @@ impl FromStr for Easing {
                 "linear(" => read_linear,
                 _ => {
                     let expected = "linear, ease, ease-in, ease-out, ease-in-out, step-start, step-end, cubic-bezier(…), steps(…) or linear(…)";
-                    return Err(scanner.refusal(expected));
+                    return Err(scanner.refusal(with_hyphens(&word).unwrap_or(expected)));
                 }
             };
             scanner.skip(length);

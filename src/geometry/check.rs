@@ -26,14 +26,16 @@ pub(crate) fn is_within_limit<P: Point>(p: P) -> bool {
     p.max_abs() <= MAX_ACCEPTED
 }
 
-/// The nearest point whose coordinates are within the limit.
+/// The nearest point whose coordinates are within the limit. A coordinate that is NaN, because an overflow lost its sign,
+/// becomes 0.
 pub(crate) fn clamp_to_limit<P: Point>(p: P) -> P {
     if is_within_limit(p) {
         return p;
     }
     (0..P::DIMENSION).fold(p, |p, axis| {
-        let x = p.coordinate(axis).clamp(-MAX_COORDINATE, MAX_COORDINATE);
-        p.with_coordinate(axis, x)
+        let x = p.coordinate(axis);
+        let x = if x.is_nan() { 0.0 } else { x };
+        p.with_coordinate(axis, x.clamp(-MAX_COORDINATE, MAX_COORDINATE))
     })
 }
 
@@ -113,8 +115,8 @@ mod tests {
         assert!(check_points("points", &[DVec2::splat(MAX_COORDINATE)]).is_ok());
         assert!(check_points("points", &[DVec2::splat(1.01 * MAX_COORDINATE)]).is_err());
         assert_eq!(
-            clamp_to_limit(DVec2::new(f64::INFINITY, 1.0)).x,
-            MAX_COORDINATE
+            clamp_to_limit(DVec2::new(f64::INFINITY, f64::NAN)),
+            DVec2::new(MAX_COORDINATE, 0.0)
         );
     }
 }

@@ -2,10 +2,12 @@
 //!
 //! A cubic with the ends, the tangents and the midpoint of an arc of angle θ has the handles 4/3 tan(θ/4) times the
 //! derivatives by the angle. Their sum is parallel to the chord, and the ratio of the two lengths determines θ. This holds for the
-//! arcs of every ellipse, because an ellipse is an affine image of a circle. `js/io/svg-arcs.ts` performs the same operations.
+//! arcs of every ellipse, because an ellipse is an affine image of a circle. The shorter the arc, the less it says about its
+//! ellipse, which is therefore computed from the whole run. `js/io/svg-arcs.ts` performs the same operations.
 
+use crate::numeric::float::as_f64;
 use crate::numeric::trigonometry::angle;
-use crate::path::arc::{Arc, arc};
+use crate::path::arc::{Arc, MAX_PIECE_ANGLE, arc};
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -18,11 +20,11 @@ const SQUARES: std::ops::Range<f64> = 1e-9..0.18;
 /// Two cubics of one arc have the same tan²(θ/4) up to this.
 const SAME_SQUARE: f64 = 1e-12;
 
-/// An arc is found if reading it again moves no control point by more than this part of the largest coordinate.
+/// An arc is found if none of its control points differs by more than this part of the largest coordinate.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// No arc is read as more cubics; the eight of a circle are two arcs.
-const MAX_CUBICS: usize = 8;
+/// No tolerance divides a full turn into more cubics, since none is below the rounding of the radius.
+const MAX_CUBICS: usize = 414;
 
 /// How the radii and the angle of the ellipse are tried: the number of significant digits, and the part by which the radii are
 /// smaller. Of half an ellipse, larger radii would move the center far; smaller ones are scaled up when the arc is read.
@@ -41,11 +43,13 @@ pub(super) struct Run<'a> {
     center: DVec2,
     u: DVec2,
     v: DVec2,
+    /// tan²(θ/4) of each cubic.
+    square: f64,
     cubics: Vec<&'a [DVec2]>,
 }
 
 impl<'a> Run<'a> {
-    /// The longest run of at most eight cubics on one ellipse, without passing its start.
+    /// The longest run of cubics of equal angles on one ellipse, without passing its start.
     pub(super) fn of(segments: impl Iterator<Item = &'a [DVec2]>) -> Option<Self> {
         let mut segments = segments.take(MAX_CUBICS);
         let first = segments.next()?;
@@ -70,6 +74,7 @@ impl<'a> Run<'a> {
             center,
             u,
             v,
+            square,
             cubics,
         })
     }
@@ -89,7 +94,7 @@ impl<'a> Run<'a> {
         self.cubics.last().map_or(self.center, |cubic| cubic[3])
     }
 
-    /// The arc that gives the same cubics when it is read again, up to rounding, if there is one.
+    /// The arc of these cubics, up to rounding, if there is one.
     pub(super) fn exact_arc(&self) -> Option<Arc> {
         let arc = self.arc();
         let largest = self
@@ -105,30 +110,68 @@ impl<'a> Run<'a> {
                 degrees: round(arc.degrees),
                 ..arc
             };
-            self.is_read_from(&rounded, ROUNDING * largest)
-                .then_some(rounded)
+            self.is_arc(&rounded, ROUNDING * largest).then_some(rounded)
         })
     }
 
-    /// Whether an arc is read as these cubics, up to an error in each coordinate.
-    pub(super) fn is_read_from(&self, shape: &Arc, max: f64) -> bool {
-        let (mut found, mut same) = (0, true);
-        let mut compare = |points: &[DVec2]| {
-            let cubic = self.cubics.get(found);
-            found += 1;
-            same &= cubic.is_some_and(|cubic| {
+    /// The number of cubics into which an arc is divided at least to be compared with these: 1 if they are as many as it is
+    /// read as, or fewer; their number if they are finer.
+    fn min_pieces(&self) -> usize {
+        let (q, count) = (self.square, self.len());
+        let half = angle(DVec2::new(
+            (1.0 - q) / (1.0 + q),
+            2.0 * q.sqrt() / (1.0 + q),
+        ));
+        if (2.0 * half * as_f64(count) / MAX_PIECE_ANGLE).ceil() < as_f64(count) {
+            count
+        } else {
+            1
+        }
+    }
+
+    /// Whether an arc is read as these cubics, or consists of them if they are finer, up to an error in each coordinate.
+    pub(super) fn is_arc(&self, shape: &Arc, max: f64) -> bool {
+        let mut cubics = self.cubics.iter();
+        let mut same = true;
+        let compare = |points: &[DVec2]| {
+            same = cubics.next().is_some_and(|cubic| {
                 let near = |(&a, &b): (&DVec2, &DVec2)| {
                     (a.x - b.x).abs() <= max && (a.y - b.y).abs() <= max
                 };
                 cubic[1..].iter().zip(points).all(near)
             });
+            same
         };
-        arc(shape, None, &mut compare) && same && found == self.cubics.len()
+        arc(shape, None, self.min_pieces(), compare) && same && cubics.next().is_none()
+    }
+
+    /// The start of cubic k, or the end of the last one.
+    fn joint(&self, k: usize) -> DVec2 {
+        self.cubics
+            .get(k)
+            .map_or_else(|| self.end(), |cubic| cubic[0])
+    }
+
+    /// The center, and two conjugate radii in the order of the run, by four joints at equal angles φ. If a, b and c are
+    /// three of them, a + c = 2 center + 2 cos φ (b − center), which gives cos φ by two such equations. A run of one or
+    /// two cubics has the ellipse of the first one.
+    fn ellipse(&self) -> [DVec2; 3] {
+        let m = self.len() / 3;
+        if m == 0 {
+            return [self.center, self.u, self.v];
+        }
+        let [a, b, c, d] = [0, m, 2 * m, 3 * m].map(|k| self.joint(k));
+        let (sum, middle) = ((a - b) + (c - d), b - c);
+        let cos = 0.5 * (sum.x * middle.x + sum.y * middle.y)
+            / (middle.x * middle.x + middle.y * middle.y);
+        let u = ((b - a) + (b - c)) * (0.5 / (1.0 - cos));
+        let v = (c - a) * (0.5 / ((1.0 - cos) * (1.0 + cos)).sqrt());
+        [b - u, u, v]
     }
 
     /// The arc of the ellipse from the start to the end.
     pub(super) fn arc(&self) -> Arc {
-        let Self { center, u, v, .. } = *self;
+        let [center, u, v] = self.ellipse();
         let area = u.x * v.y - u.y * v.x;
         let sweep = area > 0.0;
         let (a, b, c) = (
@@ -155,11 +198,11 @@ impl<'a> Run<'a> {
             let signed = if b < 0.0 { -turn } else { turn };
             (DVec2::new(first, second), signed * (90.0 / PI))
         };
-        let e = self.end() - center;
-        let beyond = u.x * e.y - u.y * e.x;
+        let (s, e) = (self.joint(0) - center, self.end() - center);
+        let beyond = s.x * e.y - s.y * e.x;
         let beyond = if sweep { beyond } else { -beyond };
         Arc {
-            from: self.cubics[0][0],
+            from: self.joint(0),
             to: self.end(),
             radii,
             degrees,

@@ -28,8 +28,8 @@ pub struct SvgOptions {
     /// The largest distance of the cubics that replace segments above degree 3; by default 10⁻⁴ of the diagonal of their
     /// control-point box.
     pub tolerance: Option<f64>,
-    /// Whether cubics of a path that [`Path::from_svg`] makes of an arc, up to rounding, are written as that arc: true by
-    /// default. Curves and splines are written without arcs.
+    /// Whether neighbouring cubics that are equal arcs of one ellipse, up to rounding, are written as one arc, if they are at
+    /// least as many as [`Path::from_svg`] makes of it: true by default. Curves and splines are written without arcs.
     pub arcs: bool,
 }
 
@@ -76,7 +76,8 @@ impl Path {
     ///
     /// Absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so
     /// [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). Cubics that it makes of an arc are written
-    /// as the arc, so a circle takes two commands: these are read up to rounding. Higher degrees are approximated by
+    /// as the arc, so a circle takes two commands: these are read up to rounding. So are equal finer cubics, as those of
+    /// [`round_corners`](Self::round_corners), of which it makes fewer, within its tolerance. Higher degrees are approximated by
     /// cubics (see [`Curve::trace`]). The last line of a closed subpath is represented by its `Z`. The empty path gives
     /// the empty text.
     ///
@@ -214,7 +215,7 @@ impl Writer {
         }
     }
 
-    /// Writes an arc that is read as the first cubics of a run; returns their number.
+    /// Writes an arc that consists of the first cubics of a run; returns their number.
     fn arc_of(&mut self, mut run: Run<'_>) -> Option<usize> {
         while run.len() > 0 {
             let written = match self.precision {
@@ -261,7 +262,7 @@ impl Writer {
                 degrees: value(&degrees),
                 ..arc
             };
-            if run.is_read_from(&rounded, unit) {
+            if run.is_arc(&rounded, unit) {
                 let [rx, ry] = radii;
                 let [large, sweep] = [arc.large, arc.sweep].map(|flag| u8::from(flag).to_string());
                 let [x, y] = to.clone();

@@ -40,7 +40,9 @@ const DOUBLE: Precision = Precision {
 };
 
 impl Surface {
-    /// A mesh without cracks and T-junctions: every edge inside the surface belongs to exactly two triangles.
+    /// A mesh without cracks and T-junctions: every edge inside the surface belongs to exactly two triangles, by the
+    /// positions of its ends. With [`Weld::Position`](super::Weld::Position) it does so by their indices, too; otherwise
+    /// vertices at creases are separate.
     ///
     /// With [`Detail::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is
     /// subdivided according to its second derivatives, and the error of rounding to f32 is subtracted from the

@@ -1,12 +1,13 @@
 //! Elliptical arcs as cubic Bézier curves.
 
 use crate::geometry::check::MAX_COORDINATE;
+use crate::numeric::float::as_f64;
 use crate::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_8, TAU};
 
 /// The maximum angle of one cubic in radians, for the default tolerance: a distance of 10⁻⁵ of the larger radius.
-const MAX_PIECE_ANGLE: f64 = 0.9059;
+pub(crate) const MAX_PIECE_ANGLE: f64 = 0.9059;
 
 /// The bisections that divide the interval of angles down to its rounding.
 const BISECTIONS: usize = 50;
@@ -33,11 +34,17 @@ pub(crate) struct Arc {
 /// Calls `cubic` with the control points after the first of each cubic. Returns false without a call if the arc is a
 /// line: a radius is 0, or one of the radii, scaled up where they are too small, is beyond the limit of coordinates.
 /// Points of the arc may be beyond the limit. The cubics are within `tolerance` of the arc, by
-/// default 10⁻⁵ of the larger radius.
+/// default 10⁻⁵ of the larger radius, and they are at least `min_pieces`. Where `cubic` returns false, no more cubics are
+/// made.
 ///
 /// Points are computed relative to the start, so that a short arc of a very large ellipse keeps its precision: the
 /// chord of an angle 2β is 2 sin β long, in the direction at β.
-pub(crate) fn arc(shape: &Arc, tolerance: Option<f64>, mut cubic: impl FnMut(&[DVec2])) -> bool {
+pub(crate) fn arc(
+    shape: &Arc,
+    tolerance: Option<f64>,
+    min_pieces: usize,
+    mut cubic: impl FnMut(&[DVec2]) -> bool,
+) -> bool {
     let Some(ellipse) = Ellipse::of(shape) else {
         return false;
     };
@@ -45,7 +52,7 @@ pub(crate) fn arc(shape: &Arc, tolerance: Option<f64>, mut cubic: impl FnMut(&[D
     let max_angle = tolerance.map_or(MAX_PIECE_ANGLE, |tolerance| {
         max_piece_angle(tolerance / ellipse.radii.max_element())
     });
-    let pieces = (theta / max_angle).ceil();
+    let pieces = (theta / max_angle).ceil().max(as_f64(min_pieces));
     let half_step = direction(theta / (2.0 * pieces));
     let sign = if shape.sweep { 1.0 } else { -1.0 };
     let step = DVec2::new(half_step.x, sign * half_step.y);
@@ -64,7 +71,9 @@ pub(crate) fn arc(shape: &Arc, tolerance: Option<f64>, mut cubic: impl FnMut(&[D
             shape.from + ellipse.chord(beta)
         };
         let next_handle = ellipse.normal_at(turned(beta, beta)) * reach;
-        cubic(&[point + handle, next - next_handle, next]);
+        if !cubic(&[point + handle, next - next_handle, next]) {
+            break;
+        }
         (point, handle) = (next, next_handle);
     }
     true

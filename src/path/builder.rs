@@ -234,8 +234,9 @@ impl PathBuilder {
             if fits {
                 self.add_segment(points);
             }
+            fits
         };
-        if shape.from != shape.to && !arc(shape, tolerance, &mut add) {
+        if shape.from != shape.to && !arc(shape, tolerance, 1, &mut add) {
             add(&[shape.to]);
         }
         self.is_closed = false;

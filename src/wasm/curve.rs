@@ -118,6 +118,11 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 #[wasm_bindgen]
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
+        if !(0.0..=1.0).contains(&t) {
+            let (before, after) = curve_in_space(a, dimension, count).split(t);
+            write_curves(a, dimension, &[&before, &after]);
+            return;
+        }
         let (left, right) = a.two_outputs(count * dimension);
         // The rows are the points, the columns their coordinates.
         split_net_with(left, right, dimension, false, |a, b| a * (1.0 - t) + b * t);

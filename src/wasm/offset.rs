@@ -4,7 +4,8 @@ use super::arena;
 use super::arena::Arena;
 use super::optional;
 use crate::curve::Curve;
-use crate::spline::offset::{OffsetJoin, offset_of_curves};
+use crate::spline::OffsetJoin;
+use crate::spline::offset::offset_of_curves;
 use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -29,7 +30,16 @@ pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
     })
 }
 
-/// Arguments: a plane spline. Writes its offset curve; join: 0 round, 1 miter, 2 bevel.
+/// A join by its index in js/geometry/joins.ts.
+pub(super) fn offset_join(index: u32) -> OffsetJoin {
+    match index {
+        0 => OffsetJoin::Round,
+        1 => OffsetJoin::Miter,
+        _ => OffsetJoin::Bevel,
+    }
+}
+
+/// Arguments: a plane spline. Writes its offset curve; see `offset_join`.
 #[wasm_bindgen]
 pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
     arena::answer(|a| {
@@ -47,11 +57,7 @@ pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
             curves.push(Curve::from_slice(&points));
             at += 2 * degree;
         }
-        let join = match join {
-            1 => OffsetJoin::Miter,
-            2 => OffsetJoin::Bevel,
-            _ => OffsetJoin::Round,
-        };
+        let join = offset_join(join);
         let builder = offset_of_curves(&curves, closed, distance, optional(tolerance), join)?;
         Ok(write(a, &builder))
     })

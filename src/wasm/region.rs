@@ -2,6 +2,7 @@
 
 use super::arena;
 use super::arena::Arena;
+use super::offset::offset_join;
 use super::optional;
 use super::path::path_at;
 use crate::geometry::error::Error;
@@ -9,7 +10,6 @@ use crate::path::{
     BooleanOperation, CornerOptions, FillRule, OffsetOptions, Path, PathTime, StrokeCap,
     StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
 };
-use crate::spline::OffsetJoin;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -102,15 +102,6 @@ pub fn region_clip(even_odd: bool) -> isize {
         let (paths, _) = paths(a, 2);
         paths[0].clip(&paths[1], fill_rule(even_odd))
     })
-}
-
-/// A join by its index in `JOINS` of js/geometry/path/path-stroke.ts.
-fn offset_join(index: u32) -> OffsetJoin {
-    match index {
-        0 => OffsetJoin::Miter,
-        1 => OffsetJoin::Round,
-        _ => OffsetJoin::Bevel,
-    }
 }
 
 /// A cap by its index in `CAPS` of js/geometry/path/path-stroke.ts.

@@ -95,3 +95,20 @@ fn equal_means_near_point_by_point() {
     assert!(!a.approx_eq(&a.elevate().expect("degree 2"), 100.0));
     assert_eq!(a.reverse().control_points(), xy("2 0, 1 1, 0 0"));
 }
+
+#[test]
+fn parts_far_outside_stay_within_the_limit() {
+    for degree in [1, 2, 3, 4, 7] {
+        let points: Vec<DVec2> = (0..=degree)
+            .map(|k| DVec2::new(f64::from(k * k).sin(), f64::from(k).cos()) * 1e100)
+            .collect();
+        let curve = Curve::new(&points).expect("finite points");
+        for t in [1e250, -1e250, 1e308] {
+            let (before, after) = curve.split(t);
+            let part = curve.subsegment(0.0..t);
+            for piece in [before, after, part] {
+                Curve::new(piece.control_points()).expect("coordinates within the limit");
+            }
+        }
+    }
+}

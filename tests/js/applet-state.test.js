@@ -144,7 +144,8 @@ test("undo and redo: a gesture is one step, what passes is none, a new step ends
   history.close(states[3]);
   assert.equal(history.canRedo, false);
   history.touch(states[3]);
-  assert.equal(history.abandon(), states[3]);
+  const before = history.abandon(looking);
+  assert.deepEqual([before.t, before.view.x], [states[3].t, 5], "here, too");
   assert.equal(history.close(states[4]), false);
 });
 

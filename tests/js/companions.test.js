@@ -183,3 +183,27 @@ test("places in the easing's picture: x stays within 0 and 1, y within what is s
   assert.deepEqual(placeAt(heights, 5, 9), [1, heights[0]]);
   assert.deepEqual(placeAt([0, 1], 0.5, 0.25), [0.5, 0.75]);
 });
+
+test("a subject of its own: each message is about an attribute that was given", () => {
+  const messagesOf = (given) => {
+    /** @type {string[]} */
+    const messages = [];
+    const check = (name, value, usable, expected, fallback) => {
+      if (!usable) messages.push(`${name}: expected ${expected}, got ${value}; ${fallback}`);
+      return usable ? value : fallback;
+    };
+    const subject = ownSubject({ given: null, t: 0.5, degree: null, basis: "bezier", matrix: "", ...given }, check);
+    return { messages, degree: subject.degree };
+  };
+  const three = "1,2 3,4 5,6";
+  for (const basis of ["hermite", "catmull-rom"]) {
+    assert.deepEqual(messagesOf({ basis, given: three }), {
+      messages: [`points: expected 4 points for ${basis}, got ${three}; 70,330 110,90 235,120 325,230`],
+      degree: 3,
+    });
+    assert.deepEqual(messagesOf({ basis, given: `${three} 7,8 9,10` }), { messages: [], degree: 3 });
+  }
+  assert.deepEqual(messagesOf({ given: three }), { messages: [], degree: 2 });
+  const tooHigh = "degree: expected a whole number from 1 to 2, for 3 points, got 3; 2";
+  assert.deepEqual(messagesOf({ given: three, degree: 3 }), { messages: [tooHigh], degree: 2 });
+});

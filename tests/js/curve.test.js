@@ -1,7 +1,7 @@
 // Every public method of Curve: values of closed forms and definitions come through in the plane and in space.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve } from "casteljau";
+import { Curve, Spline } from "casteljau";
 import { coordinates, CUBIC, deCasteljau, near, owned, pairs, pointsOf, SPACE, TWISTED } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
@@ -60,6 +60,26 @@ test("tangent, normal, curvature and torsion", () => {
   near(twisted.normal(0), [0, 1, 0]);
   near([twisted.curvature(0), twisted.reverse().curvature(1)], [2, 2]);
   assert.deepEqual(new Curve(pointsOf("0,0,0 1,2,3")).normal(0.5), { x: 0, y: 0, z: 0 });
+});
+
+test("parts far outside of the curve keep within the limit of coordinates", () => {
+  const isWithin = (curve) => curve.controlPoints().every((x) => Math.abs(x) <= 2 ** 500);
+  for (const dimension of /** @type {const} */ ([2, 3])) {
+    for (const degree of [1, 2, 3, 4, 7]) {
+      const coordinates = Array.from({ length: dimension * (degree + 1) }, (_, k) => 1e100 * Math.sin(k * k));
+      const curve = new Curve(coordinates, { dimension });
+      const spline = new Spline(coordinates, { dimension, degree });
+      for (const t of [1e250, -1e250, 1e308]) {
+        for (const part of [...curve.split(t), curve.subsegment(0, t), ...spline.split(t), spline.subsegment(t, 0.5)])
+          assert.ok(isWithin(part), `${dimension}D, degree ${degree}, t = ${t}: ${part.controlPoints()}`);
+      }
+    }
+  }
+  const [before, after] = new Curve([0, 0, 1e100, 1e100]).split(1e250);
+  assert.deepEqual(
+    [...before.controlPoints(), ...after.controlPoints()],
+    [0, 0, ...Array(4).fill(2 ** 500), 1e100, 1e100],
+  );
 });
 
 test("split, halve, subsegment, reverse, elevate keep the curve", () => {

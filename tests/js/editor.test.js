@@ -49,6 +49,14 @@ test("editor: a drag is one step until it is committed; Escape takes it back", (
   assert.deepEqual(events, ["0"]);
 });
 
+test("editor: Escape leaves the kept properties as they have become", () => {
+  const { editor } = observed();
+  editor.dispatch(to(1), drag);
+  editor.show({ ...editor.state, view: 4 });
+  editor.revert();
+  assert.deepEqual(editor.state, { x: 0, view: 4 });
+});
+
 test("editor: undo by the user tells of it, if there is something to undo", () => {
   const { editor, events } = observed();
   editor.undo("user");

@@ -138,11 +138,17 @@ test("a surface of another entry point is taken; what is none is refused; undefi
   const first = element.view;
   element.surface = flat(/** @type {any} */ (SurfaceOfOtherEntry));
   assert.deepEqual([element.surface.patchCount, element.figure.model], [1, "teapot"]);
-  for (const wrong of [7, { casteljauType: "mesh" }])
-    assert.throws(() => (element.surface = wrong), {
-      name: "TypeError",
-      message: `surface: expected a Surface or null, got ${typeof wrong}`,
-    });
+  const copied = "object without keys; structuredClone and postMessage need toJSON() and fromJSON()";
+  /** @type {[any, string][]} */
+  const others = [
+    [7, "number"],
+    [{ casteljauType: "mesh" }, "object"],
+    [structuredClone(element.surface), copied],
+  ];
+  for (const [wrong, got] of others) {
+    const message = `surface: expected a Surface or null, got ${got}`;
+    assert.throws(() => (element.surface = wrong), { name: "TypeError", message });
+  }
   assert.equal(element.surface.patchCount, 1);
   element.view = { turn: 10, zoom: 3 };
   assert.deepEqual([element.view.turn, element.view.zoom], [10, 3]);

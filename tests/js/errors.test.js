@@ -218,7 +218,11 @@ test("tolerances", () => {
 
 test("bases and matrices", () => {
   for (const call of [(basis) => Curve.fromBasis(basis, CUBIC), (basis) => cubic.toBasis(basis)]) {
-    refused(() => call("spline"), RangeError, /^basis: expected one of "bezier", .*got "spline"$/);
+    refused(
+      () => call("spline"),
+      RangeError,
+      /^basis: expected one of "bezier", .*got "spline"; did you mean "b-spline"\?$/,
+    );
     for (const bad of [undefined, null, 5, {}]) refused(() => call(bad), TypeError, /^basis: /);
     for (const bad of [[], new Array(15).fill(1), new Float64Array(17), detached(16), pointsOf("1,2 3,4")])
       refused(() => call(bad), RangeError, /^basis: expected 16 numbers/);
@@ -292,7 +296,7 @@ test("others, hulls, JSON", () => {
     refused(() => Curve.fromJSON(bad), TypeError, /^json: /);
     refused(() => Spline.fromJSON(bad), TypeError, /^json: /);
   }
-  refused(() => Curve.fromJSON({}), TypeError, /^points: expected an array of points, got undefined$/);
+  refused(() => Curve.fromJSON({}), TypeError, /^json: expected an object with points, got an object without keys; /);
   const json = seven.toJSON();
   refused(() => Spline.fromJSON({ ...json, degrees: undefined }), TypeError, /^degrees: /);
   refused(() => Spline.fromJSON({ ...json, degrees: [3] }), RangeError, /^points: expected 4 .*got 7$/);

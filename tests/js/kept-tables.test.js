@@ -250,3 +250,12 @@ test("Path.nearestOf: the first of the nearest paths, within a distance", () => 
   );
   refused(() => Path.nearestOf(paths, [0, 0], { maxDistance: Number.NaN }), RangeError, /^maxDistance: /);
 });
+
+test("boxes are asked for once, also those of an empty path", () => {
+  for (const path of [new Path([]), three()]) {
+    calls.clear();
+    const boxes = () => [path.bounds(), path.controlBounds()];
+    assert.deepEqual(boxes(), boxes());
+    assert.deepEqual(called("path_bounds"), [2]);
+  }
+});

@@ -26,6 +26,27 @@ test("lines stay lines, turn-backs are rounded, points come back", () => {
   assert.deepEqual([...new Curve([1, 2, 1, 2]).offset(5).controlPoints()], [1, 2, 1, 2]);
 });
 
+test("each join means the same for offset curves, regions and strokes", () => {
+  const outline = new Spline([0, 0, 10, 0, 10, 10, 0, 10], { degree: 1, closed: true });
+  const square = new Path([outline]);
+  const angle = Path.polygon([0, 0, 10, 0, 10, 10], { closed: false });
+  /** @type {["round" | "miter" | "bevel", number][]} */
+  const corners = [
+    ["round", Math.PI / 4],
+    ["miter", 1],
+    ["bevel", 1 / 2],
+  ];
+  for (const [join, corner] of corners) {
+    const areas = [
+      new Path([outline.offset(-1, { join, tolerance: 1e-6 })]).area() - 140,
+      square.offset(1, { join, tolerance: 1e-6 }).area() - 140,
+      4 * (angle.stroke(2, { join, tolerance: 1e-6 }).area() - 39),
+    ];
+    near(areas, Array(3).fill(4 * corner), 1e-4);
+    assert.ok(angle.strokeContains([10.7, -0.7], 2, { join }) === (join !== "bevel"));
+  }
+});
+
 test("corners of a spline are joined", () => {
   const square = new Spline([0, 0, 4, 0, 4, 4, 0, 4], { degree: 1, closed: true });
   const round = square.offset(-1, { tolerance: 1e-6 });

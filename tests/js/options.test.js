@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Patch, Path, Spline, Surface } from "casteljau";
-import { CUBIC, SEVEN, SPACE } from "./reference.js";
+import { CUBIC, pointsOf, SEVEN, SPACE } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
 const space = new Curve(SPACE);
@@ -73,6 +73,8 @@ test("unknown options: the nearest known one is suggested", () => {
   refuses(() => cubic.offset(1, { ["x".repeat(1e6)]: 1 }), /^x{40}…: unknown option; expected tolerance$/);
 });
 
+const hintOf = (got, option) => `options: expected an object, got ${got}; did you mean { ${option} }?`;
+
 test("options: not an object of options", () => {
   refuses(() => cubic.sample(2, new Float64Array(6)), /^options: expected an object, got an object \(Float64Array\)$/);
   refuses(() => new Curve(CUBIC, [2]), /^options: expected an object, got an array of 1$/);
@@ -81,7 +83,77 @@ test("options: not an object of options", () => {
   refuses(() => surface.grid(8), "options: expected an object, got 8; did you mean { segments: 8 }?");
   refuses(() => surface.tessellate(0.1), "options: expected an object, got 0.1; did you mean { tolerance: 0.1 }?");
   refuses(() => new Curve(CUBIC, 2), "options: expected an object, got 2");
+  refuses(() => path.contains([0, 0], "evenodd"), hintOf('"evenodd"', 'fillRule: "evenodd"'));
+  refuses(() => path.area("nonzero"), hintOf('"nonzero"', 'fillRule: "nonzero"'));
+  refuses(() => path.offset(1, "round"), hintOf('"round"', 'join: "round"'));
+  refuses(() => Spline.interpolate(SEVEN, "natural"), hintOf('"natural"', 'kind: "natural"'));
+  refuses(() => new Spline(SEVEN, true), hintOf("true", "closed: true"));
+  refuses(() => cubic.toSVG("2"), 'options: expected an object, got "2"');
   cubic.toSVG(/** @type {any} */ (null));
+});
+
+test("words: the nearest known one is suggested", () => {
+  const range = (act, message) => assert.throws(act, { name: "RangeError", message });
+  const operations = 'operation: expected one of "union", "intersect", "exclude", got';
+  range(() => Path.combine([path], "unite"), `${operations} "unite"; did you mean "union"?`);
+  range(() => Path.combine([path], "intersection"), `${operations} "intersection"; did you mean "intersect"?`);
+  for (const other of ["subtract", "xor", "difference", ""])
+    range(() => Path.combine([path], other), `${operations} "${other}"`);
+  range(() => seven.setJoint(1, "G1"), /, got "G1"; did you mean "g1"\?$/);
+});
+
+test("widths and points in other forms", () => {
+  const got = "width: expected a number or a profile, got an array of 2; did you mean { stops: [[0, 1], …] }?";
+  refuses(() => path.stroke(pointsOf("0,1 1,2")), got);
+  refuses(() => path.strokeContains([0, 0], [2, 4]), got);
+  refuses(() => path.contains(1, 2), /^point: expected a point .*got 1; did you mean \[x, y\]\?$/);
+});
+
+test("modes of joints: each is checked, and none is ignored", () => {
+  const range = (joints, message) =>
+    assert.throws(() => seven.movePoint(1, [0, 0], { joints }), { name: "RangeError", message });
+  range({ 2: "smooth" }, /^joints\[2\]: expected one of "free", .* got "smooth"$/);
+  range({ 3: "g1" }, "joints: expected joints from 0 to 2, got 3");
+  range({ "-1": "g1" }, "joints: expected joints from 0 to 2, got -1");
+  range({ first: "g1" }, "joints: expected joints from 0 to 2, got first");
+  const closed = new Spline(SEVEN.slice(1), { closed: true });
+  const act = () => closed.movePoint(1, [0, 0], { joints: ["g1", "g1", "g1"] });
+  assert.throws(act, { name: "RangeError", message: "joints: expected joints from 0 to 1, got 2" });
+  const ends = seven.movePoint(2, [1, 2], { joints: ["free", "c1", undefined, undefined] });
+  assert.ok(ends.equals(seven.movePoint(2, [1, 2], { joints: { 1: "c1" } })));
+});
+
+test("arcs of SVG text take the place of the tolerance", () => {
+  refuses(() => path.toSVG({ arcs: 0.1, tolerance: 0.01 }), "tolerance: expected none with arcs 0.1, got 0.01");
+  assert.match(path.toSVG({ arcs: 0.1, tolerance: undefined, precision: 1 }), /^M0 0A/);
+});
+
+test("structured clones of values lose their class: the message says what to do", () => {
+  const hint = "got an object without keys; structuredClone and postMessage need toJSON() and fromJSON()";
+  /** @type {[() => unknown, string][]} */
+  const calls = [
+    [() => cubic.equals(structuredClone(cubic)), "other: expected a Curve"],
+    [() => cubic.intersections(structuredClone(path)), "other: expected a Curve, a Spline or a Path"],
+    [() => seven.equals(structuredClone(seven)), "other: expected a Spline"],
+    [() => Spline.fromCurves([structuredClone(cubic)]), "curves[0]: expected a Curve"],
+    [() => path.equals(structuredClone(path)), "other: expected a Path"],
+    [() => path.union(structuredClone(path)), "other: expected a Path"],
+    [() => path.clip(structuredClone(path)), "region: expected a Path"],
+    [() => Path.combine([structuredClone(path)], "union"), "paths[0]: expected a Path"],
+    [() => Path.nearestOf([structuredClone(path)], [0, 0]), "paths[0]: expected a Path"],
+    [() => Path.from(structuredClone(path)), "shapes: expected a Path, a Spline or a Curve"],
+    [() => new Path([structuredClone(seven)]), "splines[0]: expected a Spline or a Curve"],
+    [() => Surface.fromPatches([structuredClone(patch)]), "patches[0]: expected a Patch"],
+    [() => Curve.fromJSON(structuredClone(cubic)), "json: expected an object with points"],
+    [() => Spline.fromJSON(structuredClone(seven)), "json: expected an object with points, degrees and closed"],
+    [() => Path.fromJSON(structuredClone(path)), "json: expected an object with subpaths"],
+    [() => Patch.fromJSON(structuredClone(patch)), "json: expected an object with net"],
+    [() => Surface.fromJSON(structuredClone(surface)), "json: expected an object with vertices and patches"],
+  ];
+  for (const [act, expected] of calls) refuses(act, `${expected}, ${hint}`);
+  for (const value of [cubic, seven, patch])
+    assert.ok(value.constructor.fromJSON(structuredClone(value.toJSON())).equals(value));
+  refuses(() => cubic.equals({ x: 1 }), "other: expected a Curve, got an object with x");
 });
 
 test("coordinates instead of points", () => {
@@ -92,6 +164,9 @@ test("coordinates instead of points", () => {
 });
 
 test("options that are true or false", () => {
+  const json = { ...seven.toJSON(), closed: "false" };
+  refuses(() => Spline.fromJSON(json), 'closed: expected true or false, got "false"');
+  refuses(() => Path.fromJSON({ subpaths: [json] }), 'closed: expected true or false, got "false"');
   refuses(() => Surface.teapot({ lid: 0 }), "lid: expected true or false, got 0");
   refuses(() => new Spline(SEVEN.slice(1), { closed: 1 }), "closed: expected true or false, got 1");
   refuses(() => Spline.fromCurves([cubic], { closed: "no" }), 'closed: expected true or false, got "no"');
@@ -113,11 +188,11 @@ test("contradictory options", () => {
 
 /** Methods without arguments, and methods with one. @type {[any, string, string][]} */
 const METHODS = [
-  [cubic, "reduce extrema selfIntersections area", "flatten intersections pointAtLength subdivide"],
-  [seven, "extrema selfIntersections area", "flatten intersections length pointAtLength insert"],
+  [cubic, "reduce extrema selfIntersections area", "flatten intersections nearest pointAtLength subdivide"],
+  [seven, "extrema selfIntersections area", "flatten intersections length nearest pointAtLength insert"],
   [path, "bounds extrema selfIntersections", "flatten intersections length"],
-  [patch, "elevate bounds area flatness", ""],
-  [surface, "bounds area volume toText", "subdivide"],
+  [patch, "elevate bounds area flatness", "nearest"],
+  [surface, "bounds area volume toText", "nearest subdivide"],
   [mesh, "toSTL toGLB", ""],
 ];
 
@@ -125,7 +200,8 @@ test("surplus arguments", () => {
   for (const [shape, without, withOne] of METHODS) {
     for (const name of without.split(" ")) refuses(() => shape[name](0.1), `${name}: expected no arguments, got 1`);
     for (const name of withOne.split(" ").filter(Boolean)) {
-      const argument = name === "intersections" ? cubic : 0.1;
+      const point = shape === patch || shape === surface ? [0, 0, 0] : [0, 0];
+      const argument = name === "intersections" ? cubic : name === "nearest" ? point : 0.1;
       refuses(() => shape[name](argument, 0.5), `${name}: expected 1 argument, got 2`);
     }
   }
@@ -139,6 +215,10 @@ test("surplus arguments", () => {
     [() => cubic.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
     [() => seven.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
     [() => path.split(START, START), "split: expected 1 argument, got 2; did you mean subsegment(from, to)?"],
+    [
+      () => path.nearest([0, 0], 5),
+      "nearest: expected 1 argument, got 2; did you mean Path.nearestOf([path], point, { maxDistance })?",
+    ],
     [() => path.subsegment(START, START, 1), "subsegment: expected 2 arguments, got 3"],
     [() => Path.from(cubic, seven), "from: expected 1 argument, got 2; did you mean from([a, b])?"],
     [() => patch.splitU(0.5, 0.5), "splitU: expected 1 argument, got 2; did you mean split(u, v)?"],

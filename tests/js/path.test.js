@@ -64,7 +64,40 @@ test("both doors read and write the same: 20,000 texts, one in eight wrong", () 
     for (const text of [error, all, path.toSVG({ precision: k % 8 })]) state = hash(state, text);
     assert.ok(isSame(Path.fromSVG(all), path, all), d);
   }
-  assert.equal(state, 2_731_293_274); // as in tests/path/svg.rs
+  assert.equal(state, 149_936_219); // as in tests/path/svg.rs
+});
+
+test("equal arcs of one ellipse are written as one", () => {
+  const commands = (path) => path.toSVG().replace(/[^A-Z]/g, "");
+  const square = Path.rect([0, 0], 10, 10);
+  const rounded = square.roundCorners(2);
+  assert.ok(rounded.subpaths[0].segmentCount > 20, "fine cubics");
+  const text = "M2 0H8A2 2 0 0 1 10 2V8A2 2 0 0 1 8 10H2A2 2 0 0 1 0 8V2A2 2 0 0 1 2 0Z";
+  assert.equal(rounded.toSVG({ precision: 3 }), text);
+  assert.equal(commands(rounded), "MLALALALAZ");
+  // Both corners at an end of a stadium are one half circle.
+  assert.equal(commands(square.roundCorners(5)).replaceAll(/[^A]/g, "").length, 2);
+  const circle = Path.circle([3, -4], 5, { tolerance: 1e-9 });
+  assert.equal(circle.toSVG(), "M8,-4 A5,5 0 0 1 -2,-4 A5,5 0 0 1 8,-4 Z");
+  const thirds = Path.fromSVG("M5 0A5 5 0 0 1 4 3A5 5 0 0 1 1.4 4.8A5 5 0 0 1-1.76 4.68");
+  assert.equal(thirds.toSVG(), "M5,0 A5,5 0 0 1 -1.76,4.68");
+});
+
+test("arcs of finer cubics are read again with the same tolerance", () => {
+  const rng = new Rng(5);
+  let [state, missed] = [0x811c9dc5, 0];
+  for (let k = 0; k < 2_000; k++) {
+    const [rx, ry, degrees, large, sweep, x] = [40, 40, 180, 2, 2, 80].map((count) => rng.below(count));
+    const d = `M1 2A${rx + 9} ${ry + 9} ${degrees} ${large} ${sweep} ${x + 2} 7`;
+    const tolerance = Number(`1e-${5 + rng.below(5)}`);
+    const path = Path.fromSVG(d, { tolerance });
+    const text = path.toSVG();
+    assert.ok(isSame(Path.fromSVG(text, { tolerance }), path, text), `${d} ${text}`);
+    if (!/^M[^A-Z]* A[^A-Z]*$/.test(text)) missed++;
+    for (const written of [text, path.toSVG({ precision: k % 8 })]) state = hash(state, written);
+  }
+  assert.equal(missed, 0);
+  assert.equal(state, 1_608_952_176); // as in tests/path/svg.rs
 });
 
 test("numbers of every size come back to the bit", () => {

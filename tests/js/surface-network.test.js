@@ -35,7 +35,7 @@ test("fromPatches: errors", () => {
   const refuses = (patches, message) =>
     assert.throws(() => Surface.fromPatches(patches), { name: "TypeError", message });
   refuses(squareAt(0), "patches: expected an array, got a Patch");
-  refuses([squareAt(0), {}], "patches[1]: expected a Patch, got an object without keys");
+  refuses([squareAt(0), { x: 1 }], "patches[1]: expected a Patch, got an object with x");
   refuses(new Array(1), "patches[0]: expected a Patch, got undefined");
 });
 

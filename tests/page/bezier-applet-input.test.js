@@ -8,11 +8,14 @@ import {
   centre,
   drag,
   FIRST,
+  handle,
   ink,
   message,
   openApplet,
   points,
   pointsText,
+  press,
+  pull,
   settled,
 } from "./bezier-applet-page.js";
 import { boxOf } from "./browser.js";
@@ -158,4 +161,60 @@ test("zoom: buttons, Ctrl and the wheel about the pointer, dragging what is seen
     await settled(page);
     assert.ok((await ink(page, [335, 240], 3)) > 10, `the curve runs through the middle at ${closeness}`);
   }
+});
+
+test("a pointer that is released outside of the picture is let go", async (t) => {
+  const page = await openApplet(t);
+  const view = () => ask(page, () => Object.values(a.view));
+  const box = await boxOf(page.locator("bezier-applet .overlay"));
+  const empty = [box.x + 40, box.y + 30];
+  await page.mouse.move(empty[0], empty[1]);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 40, box.y + box.height + 300, { steps: 3 });
+  await page.mouse.up();
+  await page.mouse.move(empty[0], empty[1], { steps: 3 });
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -500);
+  await page.keyboard.up("Control");
+  await settled(page);
+  const before = await view();
+  assert.ok(before[2] < 600, "enlarged");
+  await page.mouse.move(empty[0] + 60, empty[1] + 40, { steps: 3 });
+  await settled(page);
+  assert.deepEqual(await view(), before, "no button is pressed");
+});
+
+test("Escape during a drag takes back the point, not the enlargement", async (t) => {
+  const page = await openApplet(t);
+  const first = await pointsText(page);
+  await pull(page, 2, 30, 40);
+  assert.notEqual(await pointsText(page), first);
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -300);
+  await page.keyboard.up("Control");
+  await settled(page);
+  const view = await ask(page, () => Object.values(a.view));
+  assert.ok(view[2] < 670, "enlarged");
+  await press(page, "Escape");
+  await page.mouse.up();
+  assert.equal(await pointsText(page), first);
+  assert.deepEqual(await ask(page, () => Object.values(a.view)), view);
+});
+
+test("an element that was never on the page gives its picture, and can be put there afterwards", async (t) => {
+  const page = await openApplet(t, 'points="0,0 100,200 300,200 400,0" t="0.25"');
+  const [apart, shown] = await page.evaluate(async () => {
+    const element = /** @type {any} */ (document.createElement("bezier-applet"));
+    element.setAttribute("points", "0,0 100,200 300,200 400,0");
+    element.t = 0.25;
+    const apart = await element.toSVG();
+    const shown = await a.toSVG();
+    a.replaceWith(element);
+    element.id = "a";
+    globalThis.a = element;
+    return [apart, shown];
+  });
+  assert.equal(apart.replace(/stroke="[^"]*"|fill="[^"]*"/g, ""), shown.replace(/stroke="[^"]*"|fill="[^"]*"/g, ""));
+  await page.waitForFunction(() => a.shadowRoot.querySelector(".overlay")?.style.width);
+  assert.ok((await boxOf(handle(page, 0))).width > 10, "it has its style sheet");
 });

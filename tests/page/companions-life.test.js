@@ -112,6 +112,32 @@ test("inside of a shadow root the link goes to the applet there", async (test) =
   );
 });
 
+test("inside of a shadow root an applet of the page is found, too, when it comes later", async (test) => {
+  const page = await openCompanions(test, '<div id="host"></div><div id="place"></div>');
+  await page.evaluate(() => {
+    document.querySelector("#host").attachShadow({ mode: "open" }).innerHTML =
+      '<bezier-bernstein for="figure"></bezier-bernstein>';
+  });
+  const companion = page.locator("#host bezier-bernstein");
+  await companion.locator(".message", { hasText: "which is nowhere" }).waitFor();
+  await page.evaluate(
+    () => (document.querySelector("#place").innerHTML = '<bezier-applet id="figure" t="0.7"></bezier-applet>'),
+  );
+  await page.waitForFunction(
+    () => document.querySelector("#host").shadowRoot.querySelector("bezier-bernstein").target?.figure.t === 0.7,
+  );
+});
+
+test("a message about an attribute is shown once, however often it is read", async (test) => {
+  const page = await openCompanions(
+    test,
+    '<bezier-coordinates points="bad"></bezier-coordinates><bezier-equation form="matrix" editable t="abc"></bezier-equation>',
+  );
+  const first = "points: expected at least two points x,y x,y …, got “bad”; 70,330 110,90 235,120 325,230 is used.";
+  assert.equal(await text(page, "bezier-coordinates .message"), first);
+  assert.equal(await text(page, "bezier-equation .message"), "t: expected a number, got “abc”; 0.5 is used.");
+});
+
 /** embedding.deep.test.js does it a thousand times, with every kind of element. */
 const TIMES = 40;
 

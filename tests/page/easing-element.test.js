@@ -268,3 +268,41 @@ test("far down the page, a field that is missing is found when the form is sent"
   await shown(page);
   page.problems.length = 0; // Chromium says that it could not put the focus there yet
 });
+
+test("a form reads what was set at once, also far below what is seen", async (t) => {
+  const page = await openCompanions(t, "<p>above</p>");
+  const read = (top) =>
+    page.evaluate(async (top) => {
+      const form = document.createElement("form");
+      form.innerHTML = `<fieldset style="margin-top: ${top}px"><bezier-easing></bezier-easing></fieldset>`;
+      document.querySelector("main").append(form);
+      const [easing] = /** @type {any} */ (form.querySelectorAll("bezier-easing"));
+      const inForm = () => [...new FormData(form)].map(String);
+      const answers = [inForm()];
+      easing.name = "x";
+      answers.push(inForm());
+      easing.required = true;
+      answers.push([form.checkValidity(), easing.getAttribute("required")]);
+      easing.value = "linear";
+      easing.disabled = true;
+      answers.push(inForm(), [easing.matches(":disabled")]);
+      easing.disabled = false;
+      easing.name = "y";
+      easing.label = "Way in";
+      await easing.updateComplete;
+      answers.push(inForm(), [easing.outerHTML]);
+      form.remove();
+      return answers;
+    }, top);
+  const expected = [
+    [],
+    [`x,${EASE}`],
+    [false, ""],
+    [],
+    [true],
+    ["y,cubic-bezier(0, 0, 1, 1)"],
+    ['<bezier-easing name="y" required="" label="Way in"></bezier-easing>'],
+  ];
+  assert.deepEqual(await read(0), expected);
+  assert.deepEqual(await read(20_000), expected);
+});

@@ -61,6 +61,57 @@ test("a lost context comes back with its picture", async (t) => {
   assert.equal(await difference(page, before, await look(page)), 0);
 });
 
+test("custom properties may be colours of every colour space", async (t) => {
+  const page = await openSurface(t, 'model="patch" shading="flat"');
+  const withFront = async (colour) => {
+    await page.evaluate((colour) => {
+      const element = document.querySelector("bezier-surface");
+      element.style.setProperty("--bz-front", colour);
+      element.toggleAttribute("data-colour");
+      element.theme = element.theme === "light" ? "auto" : "light"; // reads the colours again
+    }, colour);
+    await settled(page);
+    return look(page);
+  };
+  const first = await withFront("rgb(200, 80, 40)");
+  await withFront("rgb(0, 0, 255)");
+  const same = [
+    "lab(from rgb(200 80 40) l a b)",
+    "oklch(from rgb(200 80 40) l c h)",
+    "color(from rgb(200 80 40) display-p3 r g b)",
+  ];
+  for (const colour of same) {
+    const count = await difference(page, first, await withFront(colour), 4);
+    assert.equal(count, 0, colour);
+  }
+  const red = await withFront("rgb(255, 0, 0)");
+  assert.ok((await difference(page, red, await withFront("color(display-p3 1 0 0)"), 4)) === 0, "clipped to sRGB");
+});
+
+test("numbers below the picture are those of the language of the page", async (t) => {
+  const page = await openSurface(t, 'segments="40" lang="de"');
+  assert.match((await facts(page)).text, /102\.400 triangles/);
+  for (const [language, expected] of [
+    ["", "102,400"],
+    ["fr", "102\u202f400"],
+    ["no_such-tag", "102,400"],
+  ]) {
+    await page.evaluate((language) => {
+      const element = document.querySelector("bezier-surface");
+      element.lang = language;
+      element.requestUpdate();
+    }, language);
+    await settled(page);
+    const { text } = await facts(page);
+    assert.ok(text.includes(`${expected} triangles`), `${language}: ${text}`);
+  }
+});
+
+test("an element that was never on the page has no picture", async (t) => {
+  const page = await openSurface(t);
+  assert.equal(await page.evaluate(() => /** @type {any} */ (document.createElement("bezier-surface")).toBlob()), null);
+});
+
 test("light, dark, as the page is: the theme", async (t) => {
   const page = await openSurface(t, 'theme="dark"');
   const paper = () =>

@@ -6,7 +6,7 @@ use crate::support::measure::from_polyline;
 use crate::support::paths::{bits, path, points, polygons};
 use crate::support::{Rng as Numbers, deep, ulp};
 use casteljau::glam::{DAffine2, DMat2, DVec2};
-use casteljau::path::SvgOptions;
+use casteljau::path::{PathBuilder, SvgOptions};
 use casteljau::{Curve, MAX_COORDINATE, Path, Spline};
 
 /// The number of cases; millions with CASTELJAU_DEEP=1.
@@ -33,7 +33,10 @@ fn brief(path: &Path, digits: u8) -> String {
 
 /// The hash of the results for the 20,000 texts: their messages, the paths with all digits, the paths in short form.
 /// The same number is in tests/js/path.test.js; it changes only if the reader or the writer changes.
-const HASH_OF_ALL: u32 = 2_731_293_274;
+const HASH_OF_ALL: u32 = 149_936_219;
+
+/// The hash of the texts of 2,000 arcs of finer cubics; the same number is in tests/js/path.test.js.
+const HASH_OF_ARCS: u32 = 1_608_952_176;
 
 /// Whether the path that is read from a text is the one that was written: arcs are read up to rounding.
 fn is_same(read: &Path, path: &Path, text: &str) -> bool {
@@ -280,6 +283,56 @@ fn shapes_are_written_as_arcs() {
         1.0, 0.2, 0.7, 2.0,
     ])));
     assert_eq!(commands(&image.expect("finite").to_svg()), "MAAZ");
+}
+
+#[test]
+fn equal_arcs_of_one_ellipse_are_written_as_one() {
+    let square = Path::rect(DVec2::ZERO, DVec2::splat(10.0)).expect("a square");
+    let rounded = square.round_corners(2.0).expect("a radius");
+    assert!(rounded.segment_count() > 20, "fine cubics");
+    let text = "M2 0H8A2 2 0 0 1 10 2V8A2 2 0 0 1 8 10H2A2 2 0 0 1 0 8V2A2 2 0 0 1 2 0Z";
+    assert_eq!(brief(&rounded, 3), text);
+    assert_eq!(commands(&print(&rounded)), "MLALALALAZ");
+    // Both corners at an end of a stadium are one half circle.
+    let pill = square.round_corners(5.0).expect("a radius");
+    assert_eq!(commands(&print(&pill)).matches('A').count(), 2);
+    let mut builder = PathBuilder::new();
+    builder
+        .arc_tolerance(1e-9)
+        .circle(DVec2::new(3.0, -4.0), 5.0);
+    let circle = builder.build().expect("a circle");
+    assert_eq!(print(&circle), "M8,-4 A5,5 0 0 1 -2,-4 A5,5 0 0 1 8,-4 Z");
+    let thirds = read("M5 0A5 5 0 0 1 4 3A5 5 0 0 1 1.4 4.8A5 5 0 0 1-1.76 4.68").0;
+    assert_eq!(print(&thirds), "M5,0 A5,5 0 0 1 -1.76,4.68");
+}
+
+#[test]
+fn arcs_of_finer_cubics_are_read_again_with_the_same_tolerance() {
+    let mut rng = Rng::new(5);
+    let (mut state, mut missed) = (0x811c_9dc5, 0);
+    for case in 0..2_000 {
+        let mut below = |count: u32| rng.below(count);
+        let numbers = [40, 40, 180, 2, 2, 80].map(&mut below);
+        let [rx, ry, degrees, large, sweep, x] = numbers;
+        let d = format!(
+            "M1 2A{} {} {degrees} {large} {sweep} {} 7",
+            rx + 9,
+            ry + 9,
+            x + 2
+        );
+        let digits = i32::try_from(5 + below(5)).expect("few");
+        let tolerance = 10_f64.powi(-digits);
+        let path = Path::from_svg_with(&d, tolerance).expect("path data");
+        let text = print(&path);
+        let back = Path::from_svg_with(&text, tolerance).expect("own text");
+        assert!(is_same(&back, &path, &text), "{case}: {d} {text}");
+        missed += usize::from(commands(&text) != "MA");
+        for text in [&text, &brief(&path, u8::try_from(case % 8).expect("few"))] {
+            state = hash(state, text);
+        }
+    }
+    assert_eq!(missed, 0);
+    assert_eq!(state, HASH_OF_ARCS); // as in tests/js/path.test.js
 }
 
 /// Random arcs are written as one arc or two, and read again up to rounding or to the last digit.

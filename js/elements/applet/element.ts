@@ -78,11 +78,13 @@ export class BezierApplet extends AppletEditing {
     if (this.#view) return this.#view;
     const { AppletView, style } = await loadDrawing();
     if (this.#view) return this.#view; // two have waited
-    const root = (this.renderRoot ?? this.createRenderRoot()) as ShadowRoot;
+    const self = this as { renderRoot: HTMLElement | DocumentFragment };
+    self.renderRoot ??= this.createRenderRoot();
+    const root = this.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, style.styleSheet as CSSStyleSheet];
     this.#view = new AppletView(this);
     this.requestUpdate();
-    await this.updateComplete;
+    if (this.isConnected) await this.updateComplete; // updates begin when it is connected for the first time
     return this.#view;
   }
 

@@ -1,5 +1,5 @@
 // What all companions have in common: they wait until they are near, report what the user does and what is wrong.
-import { adoptStyles, css, html, LitElement, nothing } from "lit";
+import { adoptStyles, css, html, LitElement, noChange, nothing } from "lit";
 import { acceptAttributeText } from "../attribute-text.js";
 import { followTranslations } from "../follow-translations.js";
 import { missing } from "../loading.js";
@@ -37,8 +37,8 @@ export class Companion extends LitElement {
   #endings: (() => void)[] = [];
   #near = false;
   #said = "";
-  /** What is wrong with the attributes, from one rendering to the next. */
-  #wrong: string[] = [];
+  /** What is wrong with the attributes, each once, from one rendering to the next. */
+  #wrong: Set<string> = new Set();
   /** @internal */
   view: View | null = null;
 
@@ -104,16 +104,14 @@ export class Companion extends LitElement {
   checked<T>(name: string, value: T, usable: boolean, expected: string, fallback: T): T {
     if (usable) return value;
     const came = typeof value === "string" ? value : (this.getAttribute(name) ?? String(value));
-    this.#wrong.push(`${name}: expected ${expected}, got “${came.slice(0, MAX_QUOTED)}”; ${fallback} is used.`);
+    this.#wrong.add(`${name}: expected ${expected}, got “${came.slice(0, MAX_QUOTED)}”; ${fallback} is used.`);
     return fallback;
   }
 
-  shouldUpdate() {
-    return this.#near;
-  }
-
-  render() {
-    this.#wrong = [];
+  /** Far from what is seen, only the attributes are brought up to date. */
+  render(): unknown {
+    if (!this.#near) return noChange;
+    this.#wrong.clear();
     const content = this.view?.content() ?? nothing;
     const message = [...this.problems(), ...this.#wrong, this.#said].filter(Boolean).join(" ");
     return html`${content}<p class="message" part="message" role="status">${message}</p>`;

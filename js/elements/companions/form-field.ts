@@ -3,6 +3,9 @@ import { LitElement } from "lit";
 import { writeAttribute } from "../attribute-text.js";
 import { Companion } from "./companion.js";
 
+/** Properties that a form reads from the attributes, which therefore have to be up to date at any time. */
+const READ_BY_FORMS: PropertyKey[] = ["name", "required", "disabled"];
+
 /** What forms need besides the value. */
 export class FormField extends Companion {
   declare defaultValue: string | null;
@@ -19,6 +22,21 @@ export class FormField extends Companion {
     disabled: { type: Boolean, reflect: true, useDefault: true },
   };
 
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+    const accessor = super.getPropertyDescriptor(name, key, options);
+    if (!READ_BY_FORMS.includes(name)) return accessor;
+    return {
+      ...accessor,
+      set(this: FormField, value: unknown) {
+        accessor.set?.call(this, value);
+        if (this.#isMade) this.#reflect(String(name) as "name");
+      },
+    };
+  }
+
+  /** Before, the attributes are those of the page. */
+  #isMade = false;
   /** @internal */
   internals = this.attachInternals();
   /** Whether a fieldset or the element itself is switched off. */
@@ -30,7 +48,14 @@ export class FormField extends Companion {
     this.name = "";
     this.required = false;
     this.disabled = false;
+    this.#isMade = true;
     this.addEventListener("invalid", () => this.wake().then(() => this.renderNow())); // it must be seen what is missing
+  }
+
+  #reflect(name: "name" | "required" | "disabled") {
+    const value = this[name];
+    if (typeof value === "boolean") this.toggleAttribute(name, value);
+    else if (value !== (this.getAttribute(name) ?? "")) this.setAttribute(name, value);
   }
 
   get form() {

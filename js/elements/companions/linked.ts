@@ -51,7 +51,7 @@ export class Linked extends Companion {
   }
 
   willUpdate() {
-    if (this.isConnected) this.#look(this.htmlFor ?? "");
+    if (this.isConnected && this.near) this.#look(this.htmlFor ?? "");
   }
 
   /** @internal */
@@ -68,7 +68,7 @@ export class Linked extends Companion {
     if (id === this.#id) return;
     this.#id = id;
     this.#unwatch?.();
-    this.#unwatch = id ? followIds(this.getRootNode(), () => this.#find()) : null;
+    this.#unwatch = id ? followIds(this, () => this.#find()) : null;
     this.#find();
   }
 

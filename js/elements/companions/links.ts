@@ -4,11 +4,16 @@
 const trees: WeakMap<Node, { observer: MutationObserver; looks: Set<() => void> }> = new WeakMap();
 
 /**
- * Calls `look` whenever an element or an id of the tree has changed.
+ * Calls `look` whenever an element or an id has changed where `elementFor` looks.
  *
  * @returns ends it
  */
-export function followIds(tree: Node, look: () => void): () => void {
+export function followIds(element: Element, look: () => void): () => void {
+  const ends = [...new Set([element.getRootNode(), element.ownerDocument])].map((tree) => follow(tree, look));
+  return () => ends.forEach((end) => end());
+}
+
+function follow(tree: Node, look: () => void): () => void {
   const known = trees.get(tree) ?? observe(tree);
   known.looks.add(look);
   return () => {

@@ -1,7 +1,7 @@
 // A companion that stands alone: what its attributes say.
 import { Curve } from "../../paths.js";
 import { readNumber } from "../../ui/numbers.js";
-import { FIRST_POINTS, ownPoints } from "./points.js";
+import { FIRST_POINTS, ownPoints, pointsText } from "./points.js";
 import { withTangents } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MAX_DEGREE } from "./weights.js";
 import type { Check, Point2, PointsLike } from "./points.js";
@@ -33,7 +33,7 @@ export function ownSubject(
   const all = ownPoints(points, check);
   const free = basis === "bezier" || basis === "b-spline";
   const max = Math.min(all.length - 1, MAX_DEGREE);
-  const wanted = degree ?? (free ? max : MATRIX_DEGREE);
+  const wanted = degree ?? max;
   const count = check(
     "degree",
     wanted,
@@ -41,11 +41,10 @@ export function ownSubject(
     `a whole number from 1 to ${max}, for ${all.length} points`,
     max,
   );
-  const selected = free
-    ? all.slice(0, count + 1)
-    : all.length > MATRIX_DEGREE
-      ? all.slice(0, MATRIX_DEGREE + 1)
-      : FIRST_POINTS;
+  const needed = MATRIX_DEGREE + 1;
+  const enough = free || all.length >= needed;
+  if (!enough) check("points", pointsText(points), false, `${needed} points for ${basis}`, pointsText(FIRST_POINTS));
+  const selected = enough ? all.slice(0, free ? count + 1 : needed) : FIRST_POINTS;
   const names = selected.map((_, i) => `P${i}`);
   const geometry = basis === "hermite" ? withTangents(selected, names) : { points: selected, names };
   return {

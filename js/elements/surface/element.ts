@@ -53,8 +53,11 @@ type UndoState = { edits: Edits } & Pick<SurfaceAttributes, (typeof UNDOABLE)[nu
 
 /** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
 function surfaceOfOtherBundle(value: Surface): Surface {
-  if (value?.casteljauType !== "surface")
-    throw new TypeError(`surface: expected a Surface or null, got ${typeof value}`);
+  if (value?.casteljauType !== "surface") {
+    const isEmpty = typeof value === "object" && Object.keys(value).length === 0;
+    const hint = isEmpty ? " without keys; structuredClone and postMessage need toJSON() and fromJSON()" : "";
+    throw new TypeError(`surface: expected a Surface or null, got ${typeof value}${hint}`);
+  }
   return Surface.fromJSON(value.toJSON());
 }
 
@@ -151,7 +154,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   #cancelEdit() {
-    const before = this.#history.abandon();
+    const before = this.#history.abandon(this.#undoState());
     if (before) this.#restore(before);
     this.#fire("change");
   }
@@ -174,7 +177,7 @@ export class BezierSurface extends SurfaceAttributes {
   /** The picture as it is now, a PNG. */
   async toBlob(): Promise<Blob | null> {
     await this.#coming;
-    await this.updateComplete;
+    if (this.isConnected) await this.updateComplete; // updates begin when it is connected for the first time
     return this.#stage?.toBlob() ?? null;
   }
 
@@ -389,6 +392,7 @@ export class BezierSurface extends SurfaceAttributes {
       blank: !this.#drawn,
       message: this.#files.message || STATES[this.#state](),
       facts: this.#facts,
+      language: (this.closest<HTMLElement>("[lang]") ?? this.ownerDocument.documentElement).lang,
       key: this.#key,
       tools: {
         turning: this.#turns(),

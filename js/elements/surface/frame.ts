@@ -22,6 +22,7 @@ import { instructions } from "./words.js";
  * @param parts.name what the picture is called
  * @param parts.blank the canvas holds no picture: what the page put into the element stands in for the picture
  * @param parts.message an error message
+ * @param parts.language of numbers
  * @param parts.key what a key does that was pressed anywhere in it
  * @param parts.panel null: none
  */
@@ -30,6 +31,7 @@ export function frame({
   blank,
   message,
   facts,
+  language,
   key,
   ...parts
 }: {
@@ -37,6 +39,7 @@ export function frame({
   blank: boolean;
   message: string;
   facts: import("./geometry.js").Facts | null;
+  language: string;
   key: (event: KeyboardEvent) => void;
   tools: Parameters<typeof tools>[0];
   panel: import("./panel.js").PanelPort | null;
@@ -50,7 +53,7 @@ export function frame({
       <p class="message" role="status">${message}</p>
     </div>
     <p class="away" id="help">${instructions()}</p>
-    ${readout(facts)} ${parts.panel ? panel(parts.panel) : ""}
+    ${readout(facts, language)} ${parts.panel ? panel(parts.panel) : ""}
     <span class="probe" hidden></span>
   </div>`;
 }

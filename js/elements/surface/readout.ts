@@ -3,29 +3,46 @@ import { figures, upperBound } from "./words.js";
 import { translated, translatedParts } from "../../editor/translations.js";
 import type { Facts, Recursion } from "./geometry.js";
 
-const many = (count: number) => count.toLocaleString("en");
-const bold = (text: string) => html`<b>${text}</b>`;
+/** Writes a number, or one that `figures` has rounded, in bold. */
+type Writer = (x: number | string, digits?: Intl.NumberFormatOptions) => unknown;
+
+/** @param language a tag such as "de"; English if it is none */
+function writerFor(language: string): Writer {
+  return (x, digits) => {
+    if (/e/.test(`${x}`)) return html`<b>${x}</b>`;
+    try {
+      return html`<b>${Number(x).toLocaleString(language || "en", digits)}</b>`;
+    } catch {
+      return html`<b>${Number(x).toLocaleString("en", digits)}</b>`;
+    }
+  };
+}
+
+const ROUNDED = { maximumSignificantDigits: 2 };
+const TENTHS = { minimumFractionDigits: 1, maximumFractionDigits: 1 };
 
 /**
  * What the picture is made of.
  *
  * @param facts null before the first picture
+ * @param language of the numbers
  */
-export function readout(facts: Facts | null) {
+export function readout(facts: Facts | null, language: string) {
   if (!facts) return html`<p class="facts" part="facts">&nbsp;</p>`;
+  const bold = writerFor(language);
   return html`<p class="facts" part="facts">
-    <span>${translatedParts("{0} triangles", bold(many(facts.triangles)))}</span>
-    <span>${translatedParts("{0} vertices", bold(many(facts.vertices)))}</span>
-    ${facts.error === null ? nothing : html`<span>${translatedParts("error ≤ {0} {1}", bold(upperBound(facts.error)), facts.unit)}</span>`}
-    <span>${facts.ms === null ? translated("by the graphics card") : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
-    ${facts.recursion ? recursionWords(facts.recursion) : nothing}
+    <span>${translatedParts("{0} triangles", bold(facts.triangles))}</span>
+    <span>${translatedParts("{0} vertices", bold(facts.vertices))}</span>
+    ${facts.error === null ? nothing : html`<span>${translatedParts("error ≤ {0} {1}", bold(upperBound(facts.error), ROUNDED), facts.unit)}</span>`}
+    <span>${facts.ms === null ? translated("by the graphics card") : html`${bold(facts.ms, TENTHS)} ms`}</span>
+    ${facts.recursion ? recursionWords(facts.recursion, bold) : nothing}
   </p>`;
 }
 
-function recursionWords({ pieces, depth, cracks, widest }: Recursion) {
+function recursionWords({ pieces, depth, cracks, widest }: Recursion, bold: Writer) {
   const found = cracks
-    ? translatedParts("{0} cracks, up to {1}", bold(many(cracks)), bold(figures(widest)))
-    : translatedParts("{0} cracks", bold("0"));
-  return html`<span>${translatedParts("{0} pieces, {1} deep", bold(many(pieces)), bold(String(depth)))}</span>
+    ? translatedParts("{0} cracks, up to {1}", bold(cracks), bold(figures(widest), ROUNDED))
+    : translatedParts("{0} cracks", bold(0));
+  return html`<span>${translatedParts("{0} pieces, {1} deep", bold(pieces), bold(depth))}</span>
     <span class="cracks">${found}</span>`;
 }

@@ -23,11 +23,19 @@ export type Theme = Record<(typeof ROLES)[number], number[]>;
 
 export function readTheme(probe: HTMLElement): Theme {
   const colours = Object.entries(readColours(probe, ROLES));
-  return Object.fromEntries(colours.map(([role, colour]) => [role, numbersOf(colour)])) as Theme;
+  return Object.fromEntries(colours.map(([role, colour]) => [role, numbersOf(inSRGB(probe, colour))])) as Theme;
 }
 
-/** @param colour as browsers compute it: rgb(…) from 0 to 255, or color(srgb …) from 0 to 1 */
+/** A colour as `rgb(…)` or `color(srgb …)`; browsers keep oklch(), lab() and other colour spaces when they compute it. */
+function inSRGB(probe: HTMLElement, colour: string) {
+  if (/^(rgb|color\(srgb )/.test(colour)) return colour;
+  probe.style.color = `color-mix(in srgb, ${colour}, ${colour})`;
+  return getComputedStyle(probe).color;
+}
+
+/** @param colour rgb(…) from 0 to 255, or color(srgb …) from 0 to 1, or beyond where a screen cannot show it */
 function numbersOf(colour: string) {
-  const numbers = (colour.match(/[\d.]+(?:e-?\d+)?/g) ?? []).map(Number).slice(0, 3);
-  return colour.startsWith("color(") ? numbers : numbers.map((x) => x / 255);
+  const unit = colour.startsWith("color(") ? 1 : 255;
+  const numbers = colour.match(/-?[\d.]+(?:e-?\d+)?|none/g) ?? [];
+  return numbers.slice(0, 3).map((x) => Math.min(Math.max((Number(x) || 0) / unit, 0), 1));
 }

@@ -1,5 +1,5 @@
 import * as check from "../check.js";
-import { curveData } from "../brand.js";
+import { curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, pointList, samePoints, requireList, boxAt } from "../points.js";
 import {
@@ -466,9 +466,7 @@ function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): Che
  * @internal
  */
 export function curvePointsOf(json: CurveJSON): CheckedPoints {
-  if (typeof json !== "object" || json === null) {
-    throw new TypeError(`json: expected an object with points, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "points", ({ points }) => points !== undefined);
   return checkedPoints(json.points, { dimension: json.dimension });
 }
 

@@ -275,8 +275,10 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike): Nearest<D> {
-    return queries.nearest(this._flat, this.dimension, p);
+  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+    const found = queries.nearest(this._flat, this.dimension, p);
+    check.noSurplus(surplus, "nearest", 1);
+    return found;
   }
 
   /**

@@ -1,7 +1,7 @@
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { basisNumbers } from "../basis.js";
-import { patchData } from "../brand.js";
+import { patchData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
 import { degreeOfRows, netNumbers } from "../net.js";
 import { nested, samePoints, writePoint, pointAt } from "../points.js";
@@ -339,8 +339,10 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike): PatchPoint {
-    return queries.withoutPatch(queries.nearest(this.#surfaceWriter(), p) as any);
+  nearest(p: PointLike, ...surplus: never[]): PatchPoint {
+    const found = queries.nearest(this.#surfaceWriter(), p) as any;
+    check.noSurplus(surplus, "nearest", 1);
+    return queries.withoutPatch(found);
   }
 
   /**
@@ -412,8 +414,6 @@ export function netInBasis(basis: BasisLike, net: NetLike): Float64Array {
  * @internal
  */
 export function patchArguments(json: PatchJSON): [NetLike, { degreeU?: number; degreeV?: number }] {
-  if (typeof json !== "object" || json === null) {
-    throw new TypeError(`json: expected an object with net, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "net", ({ net }) => net !== undefined);
   return [json.net, { degreeU: json.degreeU, degreeV: json.degreeV }];
 }

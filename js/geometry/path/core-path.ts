@@ -1,6 +1,6 @@
 import * as check from "../check.js";
 import * as shapes from "./path-shapes.js";
-import { pathData } from "../brand.js";
+import { pathData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
 import { showInNode } from "../inspected.js";
 import { samePoints, writePoint, boxAt, requireList } from "../points.js";
@@ -101,9 +101,9 @@ export type PathClass<P> = new (splines: ArrayLike<CoreSpline | CoreCurve>) => P
 export class CorePath {
   /** See `packed-path.js` */
   #packed: Float64Array;
-  #subpaths: readonly Spline[] | null = null;
+  #subpaths: readonly Spline<2>[] | null = null;
   /** The segments of the subpaths that were asked for */
-  #segments: (readonly Curve[])[] = [];
+  #segments: (readonly Curve<2>[])[] = [];
 
   /**
    * The path with the given splines and curves as its subpaths, in their order.
@@ -142,7 +142,7 @@ export class CorePath {
    * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
    * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
    * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
-   * rounding.
+   * rounding. Finer cubics of equal angles are written as one arc, too, and read within the tolerance of `fromSVG`.
    */
   toSVG(options?: PathSvgOptions): string {
     return svgOf(this.#packed, options, findArcs);
@@ -161,8 +161,9 @@ export class CorePath {
   }
 
   /**
-   * The path as the function `shape()` of CSS, for `clip-path`, `offset-path` and `shape-outside`, in pixels; an empty
-   * path gives "none".
+   * The path as the function `shape()` of CSS, for `clip-path` and `shape-outside`, in pixels; an empty path gives
+   * "none". For `offset-path`, `path("${path.toSVG()}")` is better: with `shape()`, Chromium 156 draws an
+   * `offset-distance` of 100 % at the start of an open path of lines.
    *
    *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
    */
@@ -287,7 +288,7 @@ export class CorePath {
    *
    * @internal
    */
-  _segments(subpath: number): readonly Curve[] {
+  _segments(subpath: number): readonly Curve<2>[] {
     this.#segments[subpath] ??= this.subpaths[subpath].segments();
     return this.#segments[subpath];
   }
@@ -464,13 +465,13 @@ export class CorePath {
   /** The smallest box that contains the path; null for an empty one. */
   bounds(...surplus: never[]): Bounds<2> | null {
     check.noSurplus(surplus, "bounds", 0);
-    this.#bounds ??= this._box(true);
+    if (this.#bounds === undefined) this.#bounds = this._box(true);
     return copyOfBounds(this.#bounds);
   }
 
   /** The box of the control points, which contains the path; null for an empty one. */
   controlBounds(): Bounds<2> | null {
-    this.#controlBounds ??= this._box(false);
+    if (this.#controlBounds === undefined) this.#controlBounds = this._box(false);
     return copyOfBounds(this.#controlBounds);
   }
 
@@ -579,8 +580,9 @@ export class CorePath {
    *
    * @param point the point, in the unit of the points
    */
-  nearest(point: PointLike): PathPoint | null {
+  nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
     const p = coordinatesOf(point);
+    check.noSurplus(surplus, "nearest", 1, "Path.nearestOf([path], point, { maxDistance })");
     if (this.#tree || this.#askedForNearest) return this._nearest(p, Infinity);
     this.#askedForNearest = true;
     return nearestOnPath(this._packed, p);
@@ -593,7 +595,10 @@ export class CorePath {
    * @param point the point, in the unit of the points
    */
   windingNumber(point: PointLike): number {
-    const [x, y] = coordinatesOf(point);
+    return this.#windingNumber(coordinatesOf(point));
+  }
+
+  #windingNumber([x, y]: Float64Array): number {
     if (this.#filled || this.#askedForWinding) {
       this.#filled ??= new SegmentTree(new PathSegmentIndex(this._packed, true));
       return this.#filled.crossings(x, y);
@@ -609,8 +614,9 @@ export class CorePath {
    * @param point the point, in the unit of the points
    */
   contains(point: PointLike, options?: RegionOptions): boolean {
+    const p = coordinatesOf(point);
     const evenOdd = isEvenOdd(options);
-    const winding = this.windingNumber(point);
+    const winding = this.#windingNumber(p);
     return evenOdd ? winding % 2 !== 0 : winding !== 0;
   }
 
@@ -932,10 +938,11 @@ export function coordinatesOf(point: PointLike): Float64Array {
   return coordinates;
 }
 
-function unpack(packed: Float64Array): Spline[] {
-  return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
-    splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
-  );
+function unpack(packed: Float64Array): Spline<2>[] {
+  return Array.from(extents(packed), ({ closed, degrees: from, points, end }) => {
+    const degrees = [...packed.subarray(from, points)];
+    return splineOf({ flat: packed.slice(points, end), dimension: 2, degrees, closed }) as Spline<2>;
+  });
 }
 
 function shownData(path: CorePath): string {
@@ -975,9 +982,7 @@ export function packedFrom(shapes: Shape | ArrayLike<Shape>, surplus: never[]): 
  * @internal
  */
 export function packedFromJSON(json: { subpaths: SplineJSON[] }): Float64Array {
-  if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
-    throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "subpaths", ({ subpaths }) => Array.isArray(subpaths));
   return packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`)));
 }
 

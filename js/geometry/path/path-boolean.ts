@@ -1,7 +1,7 @@
 // Boolean operations: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
 import { core } from "../../wasm/init.js";
-import { packedPath } from "../brand.js";
+import { packedPath, pathData } from "../brand.js";
 import { describe } from "../describe.js";
 import { extentAt } from "../../wasm/packed-path.js";
 import { isEvenOdd } from "./core-path.js";
@@ -17,15 +17,9 @@ export type BooleanOperation = "union" | "intersect" | "exclude";
 /** In the order of the core */
 const OPERATIONS: readonly BooleanOperation[] = ["union", "intersect", "exclude"];
 
-function packedOf(value: unknown, name: string): Float64Array {
-  const packed = packedPath(value);
-  if (!packed) throw new TypeError(`${name}: expected a Path, got ${describe(value)}`);
-  return packed;
-}
-
 function packedList(paths: unknown): Float64Array[] {
   if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${describe(paths)}`);
-  return Array.from(paths, (path, k) => packedOf(path, `paths[${k}]`));
+  return Array.from(paths, (path, k) => pathData(path, `paths[${k}]`));
 }
 
 /**
@@ -91,8 +85,8 @@ export function combineWith(
   const last = further.length - 1;
   const hasOptions = last >= 0 && !packedPath(further[last]);
   const evenOdd = isEvenOdd(hasOptions ? (further[last] as RegionOptions) : undefined);
-  const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => packedOf(value, `paths[${k + 1}]`));
-  const all = [path, packedOf(other, "other"), ...others];
+  const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => pathData(value, `paths[${k + 1}]`));
+  const all = [path, pathData(other, "other"), ...others];
   writePaths(all);
   return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
 }
@@ -103,7 +97,7 @@ export function combineWith(
  */
 export function subtract(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
-  writePaths([path, packedOf(other, "other")]);
+  writePaths([path, pathData(other, "other")]);
   return readPath(core(regionsModule).region_subtract(evenOdd));
 }
 
@@ -142,7 +136,7 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
  */
 export function divide(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array[] {
   const evenOdd = isEvenOdd(options);
-  writePaths([path, packedOf(other, "other")]);
+  writePaths([path, pathData(other, "other")]);
   const numbers = readPath(core(regionsModule).region_divide(evenOdd));
   const parts: Float64Array[] = [];
   for (let at = 0, end = 0; at < numbers.length; at = end) {
@@ -158,6 +152,6 @@ export function divide(path: Float64Array, other: unknown, options?: RegionOptio
  */
 export function clip(path: Float64Array, region: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
-  writePaths([path, packedOf(region, "region")]);
+  writePaths([path, pathData(region, "region")]);
   return readPath(core(regionsModule).region_clip(evenOdd));
 }

@@ -40,7 +40,7 @@ function locate(count: number, t: number): [number, number] {
  *
  * @internal
  */
-export function segmentAt(path: CorePath, location: PathTime): [Curve, number] {
+export function segmentAt(path: CorePath, location: PathTime): [Curve<2>, number] {
   const { subpath, t } = checkedLocation(path, location);
   const segments = path._segments(subpath);
   const [segment, rest] = locate(segments.length, t);

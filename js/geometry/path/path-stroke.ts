@@ -1,15 +1,14 @@
 // Strokes, dashes, offsets of regions and rounded corners: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
+import { joinCode } from "../joins.js";
 import { coordinatesOf } from "./core-path.js";
 import { core } from "../../wasm/init.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { readPath, writePaths } from "./path-boolean.js";
 import type { PointLike } from "../check.js";
+import type { StrokeJoin } from "../joins.js";
 import type { PathTime } from "./path-queries.js";
-
-/** What corners of a stroke look like: the outer sides extended to their intersection, an arc, or a straight line. */
-export type StrokeJoin = "miter" | "round" | "bevel";
 
 /** What the ends of open subpaths look like: cut at the end, a half disk, or half a square beyond the end. */
 export type StrokeCap = "butt" | "round" | "square";
@@ -70,7 +69,6 @@ export interface CornerOptions {
 /** The largest index that the core accepts. */
 const MAX_INDEX = 2 ** 32 - 1;
 
-const JOINS: readonly StrokeJoin[] = ["miter", "round", "bevel"];
 /** In the order of the core */
 const CAPS: readonly StrokeCap[] = ["butt", "round", "square"];
 const POSITIONS = ["length", "t"] as const;
@@ -89,7 +87,12 @@ function lengthsOf(lengths: unknown, name: string): Float64Array {
   return Float64Array.from(lengths as ArrayLike<number>, (length, k) => check.finite(length, `${name}[${k}]`));
 }
 
+/** @throws {TypeError} for a list */
 function isProfile(width: unknown): width is WidthProfile {
+  if (Array.isArray(width)) {
+    const hint = "; did you mean { stops: [[0, 1], …] }?";
+    throw new TypeError(`width: expected a number or a profile, got ${check.describe(width)}${hint}`);
+  }
   return typeof width === "object" && width !== null;
 }
 
@@ -115,12 +118,12 @@ function writeStroke(
   stops: Float64Array<ArrayBufferLike> = new Float64Array(0),
 ): { join: number; cap: number; dashes: number } {
   const { join = "miter", cap = "butt", miterLimit = 4, dash = [], dashOffset = 0, tolerance } = options;
-  check.oneOf(join, "join", JOINS);
+  const code = joinCode(join);
   check.oneOf(cap, "cap", CAPS);
   const lengths = lengthsOf(dash, "dash");
   const numbers = [check.finite(miterLimit, "miterLimit"), check.finite(dashOffset, "dashOffset")];
   writePaths([path, Float64Array.of(...numbers, check.optionalTolerance(tolerance)), lengths, stops]);
-  return { join: JOINS.indexOf(join), cap: CAPS.indexOf(cap), dashes: lengths.length };
+  return { join: code, cap: CAPS.indexOf(cap), dashes: lengths.length };
 }
 
 /**
@@ -182,11 +185,11 @@ export function dash(path: Float64Array, pattern: ArrayLike<number>, offset = 0)
 export function offset(path: Float64Array, distance: number, options?: RegionOffsetOptions): Float64Array {
   const { join = "miter", miterLimit = 4, tolerance } = check.options(options, ["join", "miterLimit", "tolerance"]);
   check.finite(distance, "distance");
-  check.oneOf(join, "join", JOINS);
+  const code = joinCode(join);
   check.finite(miterLimit, "miterLimit");
   const maxError = check.optionalTolerance(tolerance);
   writePaths([path]);
-  return readPath(core(regionsModule).region_offset(distance, JOINS.indexOf(join), miterLimit, maxError));
+  return readPath(core(regionsModule).region_offset(distance, code, miterLimit, maxError));
 }
 
 /**

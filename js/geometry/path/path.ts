@@ -9,7 +9,7 @@ import type { Shape, Moments, RegionOptions } from "./core-path.js";
 import type { BooleanOperation } from "./path-boolean.js";
 import { arcsOf } from "./path-arcs.js";
 import { svgOfArcs } from "../../io/svg-write.js";
-import type { PathSvgOptions } from "../../io/svg-write.js";
+import type { ArcSvgOptions, PathSvgOptions } from "../../io/svg-write.js";
 import type { CircularArc } from "./path-arcs.js";
 import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape, WidthProfile } from "./path-stroke.js";
 import type { SplineJSON } from "../spline/core-spline.js";
@@ -235,13 +235,13 @@ export class Path extends CorePath {
    * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
    * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
    * Cubics that `fromSVG` makes of an arc are written as the arc, so a circle takes two commands; arcs are read up to
-   * rounding. With a number as `arcs`, all segments are written as lines and arcs of circles within that distance.
+   * rounding. Finer cubics of equal angles are written as one arc, too, and read within the tolerance of `fromSVG`. With a
+   * number as `arcs`, all segments are written as lines and arcs of circles within that distance.
    */
-  override toSVG(options?: PathSvgOptions): string {
-    if (typeof options?.arcs !== "number") return super.toSVG(options);
-    const { arcs, ...others } = options;
+  override toSVG(options?: PathSvgOptions | ArcSvgOptions): string {
+    if (typeof options?.arcs !== "number") return super.toSVG(options as PathSvgOptions | undefined);
     const closed = this.subpaths.map((spline) => spline.closed);
-    return svgOfArcs(this.toArcs(arcs), closed, others);
+    return svgOfArcs(this.toArcs(options.arcs), closed, options as ArcSvgOptions);
   }
 
   /**

@@ -1,5 +1,5 @@
 import * as check from "../check.js";
-import { onlySplineData, curveData } from "../brand.js";
+import { onlySplineData, curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList, boxAt } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
@@ -385,8 +385,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param index the number of the control point, from 0
    * @param to the new position
-   * @param options `joints[k]`: the mode of the joint at t = k, by default "free"
-   * @throws {RangeError} for an index past the last point, an unknown mode, and "g2" in 3D
+   * @param options `joints[k]`: the mode of the joint at t = k, by default "free"; the ends of an open spline have none
+   * @throws {RangeError} for an index past the last point, a joint that does not exist, an unknown mode, and "g2" in 3D
    */
   movePoint(
     index: number,
@@ -395,7 +395,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   ): this {
     const last = this.casteljauData().flat.length / this.dimension - 1;
     check.whole(index, "index", 0, last);
-    const modes = modeCodes(check.options(options, ["joints"]).joints, this.segmentCount, this.dimension);
+    const { joints } = check.options(options, ["joints"]);
+    const modes = modeCodes(joints, this.segmentCount, this.closed, this.dimension);
     const position = this._coordinates(to, "to");
     const args = new Float64Array(position.length + modes.length);
     args.set(position);
@@ -604,13 +605,11 @@ function checkedData(points: PointsLike, options: SplineOptions | undefined): Sp
  * @internal
  */
 export function splineDataOf(json: SplineJSON): SplineData {
-  if (typeof json !== "object" || json === null) {
-    throw new TypeError(`json: expected an object with points, degrees and closed, got ${check.describe(json)}`);
-  }
+  requireJSON(json, "points, degrees and closed", ({ points }) => points !== undefined);
   const { flat, dimension } = flatten(json.points, json.dimension, 2);
   const degrees = [...check.numbers(json.degrees, "degrees")];
   degrees.forEach((degree, k) => check.whole(degree, `degrees[${k}]`, 1, 64));
-  const closed = Boolean(json.closed);
+  const closed = check.optionalBoolean(json.closed, "closed");
   const needed = degrees.reduce((sum, degree) => sum + degree, closed ? 0 : 1);
   if (degrees.length === 0 || needed !== flat.length / dimension) {
     throw new RangeError(`points: expected ${needed} (the sum of the degrees), got ${flat.length / dimension}`);

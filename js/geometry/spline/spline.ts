@@ -12,6 +12,7 @@ import { fromBSpline, toBSpline } from "../bspline.js";
 import { curveOf } from "../curve/curve.js";
 import { interpolate } from "../interpolate.js";
 import { intersectSplines, selfIntersectSpline } from "../intersections.js";
+import { joinCode } from "../joins.js";
 import { flatten } from "../points.js";
 import { curveToThree } from "../../io/three.js";
 import type { PointAtLength } from "../arc-length.js";
@@ -24,6 +25,7 @@ import type { BSpline, BSplineOptions } from "../bspline.js";
 import type { CoreCurve } from "../curve/core-curve.js";
 import type { InterpolateOptions } from "../interpolate.js";
 import type { Intersection, SelfIntersection } from "../intersections.js";
+import type { StrokeJoin } from "../joins.js";
 import type { PointArrays } from "../points.js";
 import type { PathTime } from "../path/path-queries.js";
 import type { ThreeCurves } from "../../io/three.js";
@@ -63,7 +65,6 @@ export interface SimplifyOptions {
 }
 
 /** In the order of the core */
-const JOINS: readonly ("round" | "miter" | "bevel")[] = ["round", "miter", "bevel"];
 
 /**
  * Bézier curves joined end to end. Segment k covers t from k to k + 1 and has its own degree.
@@ -190,9 +191,11 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike): Nearest<D> {
+  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+    const point = this._coordinates(p, "p");
+    check.noSurplus(surplus, "nearest", 1);
     this.#tree ??= new SegmentTree(this._index);
-    const { k, found } = this.#tree.nearest(this._coordinates(p, "p")) as { k: number; found: Nearest<D> };
+    const { k, found } = this.#tree.nearest(point) as { k: number; found: Nearest<D> };
     return { ...found, t: k + found.t };
   }
 
@@ -393,11 +396,11 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * @param distance the distance, in the unit of the points; negative on the other side
    * @param options `join`: by default "round"; the miter limit is 4 times the distance
    */
-  offset(distance: number, options?: { tolerance?: number; join?: "round" | "miter" | "bevel" }): this {
+  offset(distance: number, options?: { tolerance?: number; join?: StrokeJoin }): this {
     this._require2D("offset");
     check.finite(distance, "distance");
     const { tolerance, join = "round" } = check.options(options, ["tolerance", "join"]);
-    const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
+    const code = joinCode(join);
     const maxError = check.optionalTolerance(tolerance);
     this._write();
     return this._read(core().spline_offset(distance, maxError, code));

@@ -240,8 +240,10 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike): SurfacePoint | null {
-    return queries.nearest(this.#writer(false), p);
+  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+    const found = queries.nearest(this.#writer(false), p);
+    check.noSurplus(surplus, "nearest", 1);
+    return found;
   }
 
   /**
@@ -269,9 +271,10 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   }
 
   /**
-   * A mesh without cracks and T-junctions: every inner edge belongs to exactly two triangles. With `tolerance`, no
-   * point of the surface is farther from the mesh than that. Normals are those of the patches, and limits at collapsed
-   * edges.
+   * A mesh without cracks and T-junctions: every inner edge belongs to exactly two triangles, by the positions of its
+   * ends. With `weld: "position"` it does so by their indices, too; otherwise vertices at creases are separate. With
+   * `tolerance`, no point of the surface is farther from the mesh than that. Normals are those of the patches, and limits
+   * at collapsed edges.
    *
    *     const mesh = Surface.teapot().tessellate({ tolerance: 0.01 });
    *

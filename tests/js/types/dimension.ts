@@ -1,6 +1,7 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
-import { Curve, Spline } from "casteljau";
+import { Curve, Path, Spline } from "casteljau";
 import * as core from "casteljau/core";
+import * as paths from "casteljau/paths";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -83,6 +84,19 @@ export const depth: number = spaceSpline.pointAtLength(1).point.z + spaceSpline.
 export const splines: Spline[] = [spline, spaceSpline];
 // @ts-expect-error: no z in the plane
 spline.tangent(0).z;
+
+// Subpaths are in the plane.
+const path = Path.fromSVG("M0 0H1");
+const [subpath] = path.subpaths;
+expectTrue<Same<typeof subpath, Spline<2>>>();
+export const moved: Spline<2> = paths.Path.fromSVG("M0 0H1").subpaths[0].movePoint(0, [0, 0]);
+
+// Arcs in SVG text have a distance of their own.
+export const withArcs: string[] = [path.toSVG({ arcs: 0.1, precision: 2 }), path.toSVG({ arcs: true, tolerance: 0.1 })];
+// @ts-expect-error: contradictory options
+path.toSVG({ arcs: 0.1, tolerance: 0.01 });
+// @ts-expect-error: casteljau/paths cannot do this
+paths.Path.fromSVG("M0 0H1").toSVG({ arcs: 0.1 });
 
 // The classes of casteljau/core have the same types, and are accepted by the other classes.
 const coreCurve = new core.Curve([
