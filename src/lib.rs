@@ -124,3 +124,17 @@ pub use surface::Surface;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The value that a method returns has to be used, also behind `?`.
+///
+/// ```compile_fail
+/// #![deny(unused_must_use)]
+/// use casteljau::{Error, Spline, glam::DVec2};
+///
+/// fn longer(spline: Spline<DVec2>) -> Result<Spline<DVec2>, Error> {
+///     spline.append(DVec2::ONE)?;
+///     Ok(spline)
+/// }
+/// ```
+#[cfg(doctest)]
+struct Unused;

@@ -16,7 +16,6 @@ impl<P: Point> Curve<P> {
     ///
     /// The derivative of a line is constant; the result is a line with two coincident points. Coordinates beyond
     /// [`MAX_COORDINATE`](crate::MAX_COORDINATE) are set to it.
-    #[must_use]
     pub fn derivative(&self) -> Self {
         let mut points = differences(&self.points);
         for p in &mut points {

@@ -69,6 +69,7 @@ use crate::numeric::list::{Points, points_of};
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "methods return new values"]
 pub struct Curve<P: Point> {
     points: Points<P>,
 }
@@ -145,7 +146,6 @@ impl<P: Point> Curve<P> {
     }
 
     /// The curve in the opposite direction: B(1 − t).
-    #[must_use]
     pub fn reverse(&self) -> Self {
         Self {
             points: self.points.iter().rev().copied().collect(),

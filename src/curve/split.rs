@@ -91,7 +91,6 @@ impl<P: Point> Curve<P> {
     /// assert_eq!(line.subsegment(1.0..0.0), line.reverse());
     /// # Ok::<(), casteljau::Error>(())
     /// ```
-    #[must_use]
     pub fn subsegment(&self, range: impl RangeBounds<f64>) -> Self {
         let [t0, t1] = ends_of(&range, 1.0);
         self.part(t0, t1)

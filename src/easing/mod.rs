@@ -88,6 +88,7 @@ impl From<EasingError> for Error {
     fn from(error: EasingError) -> Self {
         Self::Syntax {
             what: "easing",
+            expected: error.expected,
             unit: "offset",
             at: error.offset,
         }

@@ -122,6 +122,8 @@ pub enum Error {
     Syntax {
         /// The text.
         what: &'static str,
+        /// What the parser expected.
+        expected: &'static str,
         /// The words "offset" or "line".
         unit: &'static str,
         /// The offset of the error in bytes, or its line, from 1.
@@ -240,8 +242,14 @@ impl Error {
             Self::NoJoint => text("a spline with a joint"),
             Self::NotPlane => text("a plane spline for G2"),
             Self::Singular { .. } => text("a matrix with an inverse"),
-            Self::Syntax { unit, at, .. } => {
-                [Text("another text at "), Text(unit), Text(" "), count(at)]
+            Self::Syntax {
+                expected, unit, at, ..
+            } => {
+                let place = match unit {
+                    "line" => " in line ",
+                    _ => " at offset ",
+                };
+                [Text(expected), Text(place), count(at), NONE]
             }
         }
     }

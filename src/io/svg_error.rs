@@ -43,6 +43,7 @@ impl From<SvgError> for Error {
     fn from(error: SvgError) -> Self {
         Self::Syntax {
             what: "d",
+            expected: error.expected,
             unit: "offset",
             at: error.offset,
         }

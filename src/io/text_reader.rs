@@ -39,6 +39,7 @@ impl From<ParseError> for Error {
     fn from(error: ParseError) -> Self {
         Self::Syntax {
             what: "text",
+            expected: "another text",
             unit: "line",
             at: error.line,
         }

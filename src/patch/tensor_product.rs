@@ -26,6 +26,7 @@ use glam::{DAffine3, DVec3};
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "methods return new values"]
 pub struct Patch {
     pub(crate) points: Net,
     /// m + 1, the length of a row.

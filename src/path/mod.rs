@@ -82,6 +82,7 @@ impl PathTime {
 /// assert!(!ring.contains(DVec2::new(2.0, 2.0), FillRule::NonZero));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[must_use = "methods return new values"]
 pub struct Path {
     /// The control points of all subpaths, each joint once; a closed subpath ends with its first point again, so that
     /// the points of each segment are contiguous.
@@ -312,7 +313,6 @@ impl Path {
 
     /// The same path with each subpath reversed; the order of the subpaths and the first point of closed ones are kept.
     /// Areas and winding numbers change their sign.
-    #[must_use]
     pub fn reverse(&self) -> Self {
         let mut path = Self::default();
         for part in self.parts() {

@@ -63,6 +63,7 @@ use std::borrow::Cow;
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "methods return new values"]
 pub struct Spline<P: Point> {
     points: Vec<P>,
     /// The index of the first control point of each segment, and the index at which the next segment would start.
@@ -215,7 +216,6 @@ impl<P: Point> Spline<P> {
     }
 
     /// The same spline with reversed direction.
-    #[must_use]
     pub fn reverse(&self) -> Self {
         let degrees: Vec<usize> = self.degrees().into_iter().rev().collect();
         let mut points: Vec<P> = self.points.iter().rev().copied().collect();

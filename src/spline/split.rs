@@ -47,7 +47,6 @@ impl<P: Point> Spline<P> {
     /// points. With t₀ = t₁ the part is a point. Values outside 0 to the number of segments extrapolate the first and
     /// the last segment; a part does not cross the start of a closed spline. A range without a start begins at 0, one
     /// without an end ends at the number of segments.
-    #[must_use]
     pub fn subsegment(&self, range: impl RangeBounds<f64>) -> Self {
         let [t0, t1] = ends_of(&range, as_f64(self.segment_count()));
         self.part(t0, t1)

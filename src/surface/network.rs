@@ -24,6 +24,7 @@ use glam::{DAffine3, DVec3};
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "methods return new values"]
 pub struct Surface {
     vertices: Vec<DVec3>,
     /// For each vertex, the first vertex that had the same position when the surface was created.

@@ -246,7 +246,7 @@ fn errors_of_parsers_become_errors() {
         Ok(())
     }
     let message = read().map_err(|error| error.to_string());
-    let expected = "d: expected another text at offset 10";
+    let expected = "d: expected a number at offset 10";
     assert_eq!(message, Err(expected.to_owned()));
     let easing = casteljau::Error::from("steps(4, ende)".parse::<casteljau::Easing>().unwrap_err());
     assert_eq!(
@@ -256,7 +256,7 @@ fn errors_of_parsers_become_errors() {
     let surface = casteljau::Error::from(
         casteljau::Surface::parse("1\n1 1\n0 0 0\n1 0\n0 1 0\n1 1 0\n").unwrap_err(),
     );
-    assert_eq!(surface.to_string(), "text: expected another text at line 4");
+    assert_eq!(surface.to_string(), "text: expected another text in line 4");
 }
 
 fn commands(text: &str) -> String {
