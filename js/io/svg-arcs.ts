@@ -76,7 +76,10 @@ function ellipseOf(p: Float64Array, at: number): Ellipse | null {
 
 const largest = (a: number, b: number) => Math.max(Math.abs(a), Math.abs(b));
 
-/** An elliptical arc and the cubics that it may consist of: of equal angles, without passing its start. */
+/** The angle θ of an arc with tan²(θ/4) = q. */
+const cubicAngle = (q: number) => 2 * angleOf((1 - q) / (1 + q), (2 * Math.sqrt(q)) / (1 + q));
+
+/** An elliptical arc and the cubics that it may consist of: of equal angles, at most a turn. */
 class ArcRun {
   #ellipse;
   #points;
@@ -84,13 +87,14 @@ class ArcRun {
   /** The number of cubics. */
   count = 1;
 
-  constructor(ellipse: Ellipse, points: Float64Array, at: number, cubics: number) {
+  constructor(ellipse: Ellipse, points: Float64Array, at: number, isCubic: (k: number) => boolean) {
     this.#ellipse = ellipse;
     this.#points = points;
     this.#at = at;
     const { cx, cy, ux, uy, vx, vy, square } = ellipse;
     const near = SIMILAR * Math.max(largest(ux, uy), largest(vx, vy), largest(cx, cy));
-    for (; this.count < cubics; this.count++) {
+    const turn = Math.min(Math.ceil((2 * Math.PI) / cubicAngle(square)), MAX_CUBICS);
+    for (; this.count < turn && isCubic(this.count); this.count++) {
       const [x, y] = this.end();
       if (x === points[at - 2] && y === points[at - 1]) break;
       const other = ellipseOf(points, at + 6 * this.count);
@@ -103,11 +107,11 @@ class ArcRun {
    * The longest run from a cubic on; null if that is no arc.
    *
    * @param at the index of the first control point after its start
-   * @param cubics how many there are
+   * @param isCubic whether the segment after so many cubics is one, too
    */
-  static from(points: Float64Array, at: number, cubics: number): ArcRun | null {
+  static from(points: Float64Array, at: number, isCubic: (k: number) => boolean): ArcRun | null {
     const ellipse = ellipseOf(points, at);
-    return ellipse && new ArcRun(ellipse, points, at, cubics);
+    return ellipse && new ArcRun(ellipse, points, at, isCubic);
   }
 
   /** Keeps the first half of the cubics. */
@@ -136,9 +140,8 @@ class ArcRun {
 
   /** The number of cubics into which an arc is divided at least to be compared with these. */
   #minPieces() {
-    const q = this.#ellipse.square;
-    const half = angleOf((1 - q) / (1 + q), (2 * Math.sqrt(q)) / (1 + q));
-    return Math.ceil((2 * half * this.count) / MAX_PIECE_ANGLE) < this.count ? this.count : 1;
+    const read = Math.ceil((cubicAngle(this.#ellipse.square) * this.count) / MAX_PIECE_ANGLE);
+    return read < this.count ? this.count : 1;
   }
 
   /**
@@ -215,9 +218,7 @@ export const findArcs: ArcFinder = (packed, degrees, points, end, closed) => {
   outline.set(packed.subarray(points, end));
   if (closed) outline.set(packed.subarray(points, points + 2), end - points);
   return (writer: SvgWriter, k, at) => {
-    let cubics = 0;
-    while (cubics < MAX_CUBICS && degrees + k + cubics < points && packed[degrees + k + cubics] === 3) cubics++;
-    const run = ArcRun.from(outline, at - points, cubics);
+    const run = ArcRun.from(outline, at - points, (i) => degrees + k + i < points && packed[degrees + k + i] === 3);
     for (; run && run.count > 0; run.halve()) {
       const words = writer.precision === undefined ? exactWords(run) : shortWords(run, writer, writer.precision);
       if (!words) continue;

@@ -9,7 +9,7 @@ use crate::numeric::float::as_f64;
 use crate::numeric::trigonometry::angle;
 use crate::path::arc::{Arc, MAX_PIECE_ANGLE, arc};
 use glam::DVec2;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Vectors are parallel, and ellipses equal, up to this ratio. Whether a run is an arc is decided afterwards.
 const SIMILAR: f64 = 1e-9;
@@ -24,7 +24,7 @@ const SAME_SQUARE: f64 = 1e-12;
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// No tolerance divides a full turn into more cubics, since none is below the rounding of the radius.
-const MAX_CUBICS: usize = 414;
+const MAX_CUBICS: f64 = 414.0;
 
 /// How the radii and the angle of the ellipse are tried: the number of significant digits, and the part by which the radii are
 /// smaller. Of half an ellipse, larger radii would move the center far; smaller ones are scaled up when the arc is read.
@@ -49,22 +49,25 @@ pub(super) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// The longest run of cubics of equal angles on one ellipse, without passing its start.
-    pub(super) fn of(segments: impl Iterator<Item = &'a [DVec2]>) -> Option<Self> {
-        let mut segments = segments.take(MAX_CUBICS);
+    /// The longest run of cubics of equal angles on one ellipse, at most a turn.
+    pub(super) fn of(mut segments: impl Iterator<Item = &'a [DVec2]>) -> Option<Self> {
         let first = segments.next()?;
         let (center, u, v, square) = ellipse_of(first)?;
+        let turn = (TAU / cubic_angle(square)).ceil().min(MAX_CUBICS);
         let largest = |p: DVec2| p.x.abs().max(p.y.abs());
         let near = SIMILAR * largest(u).max(largest(v)).max(largest(center));
         let mut cubics = vec![first];
         let mut end = first[3];
         for next in segments {
+            if as_f64(cubics.len()) >= turn || end == first[0] {
+                break;
+            }
             let Some((other, _, _, other_square)) = ellipse_of(next) else {
                 break;
             };
             let same =
                 largest(other - center) <= near && (other_square - square).abs() <= SAME_SQUARE;
-            if !same || end == first[0] {
+            if !same {
                 break;
             }
             cubics.push(next);
@@ -117,16 +120,9 @@ impl<'a> Run<'a> {
     /// The number of cubics into which an arc is divided at least to be compared with these: 1 if they are as many as it is
     /// read as, or fewer; their number if they are finer.
     fn min_pieces(&self) -> usize {
-        let (q, count) = (self.square, self.len());
-        let half = angle(DVec2::new(
-            (1.0 - q) / (1.0 + q),
-            2.0 * q.sqrt() / (1.0 + q),
-        ));
-        if (2.0 * half * as_f64(count) / MAX_PIECE_ANGLE).ceil() < as_f64(count) {
-            count
-        } else {
-            1
-        }
+        let count = as_f64(self.len());
+        let read = (cubic_angle(self.square) * count / MAX_PIECE_ANGLE).ceil();
+        if read < count { self.len() } else { 1 }
     }
 
     /// Whether an arc is read as these cubics, or consists of them if they are finer, up to an error in each coordinate.
@@ -231,6 +227,11 @@ fn ellipse_of(points: &[DVec2]) -> Option<(DVec2, DVec2, DVec2, f64)> {
     let to_center = (b - a * cos) / handle_sin;
     let v = a / (4.0 / 3.0 * q.sqrt());
     Some((p0 + to_center, -to_center, v, q))
+}
+
+/// The angle θ of an arc with tan²(θ/4) = q.
+fn cubic_angle(q: f64) -> f64 {
+    2.0 * angle(DVec2::new(1.0 - q, 2.0 * q.sqrt()) / (1.0 + q))
 }
 
 /// A number rounded to some significant digits.
