@@ -17,7 +17,7 @@ const CASES: u64 = 2_000;
 const DEEP_CASES: u64 = 10_000;
 /// A call that takes longer than this is reported as one that does not return. No successful call takes a thousandth of
 /// it.
-const HANG: Duration = Duration::from_secs(300);
+const HANG: Duration = Duration::from_secs(120);
 /// The maximum number of failures of a function that are shown.
 const SHOWN: usize = 2;
 

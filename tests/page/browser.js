@@ -10,7 +10,7 @@ import { serve } from "./server.js";
 export const root = fileURLToPath(new URL("../../", import.meta.url));
 
 /** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
-const LONGEST_WAIT_MS = 180_000;
+const LONGEST_WAIT_MS = 120_000;
 
 /** One browser and one server for all tests of a file. @type {{ browser?: Promise<import("playwright-core").Browser>, site?: ReturnType<typeof serve>, count: number }} */
 const shared = { count: 0 };

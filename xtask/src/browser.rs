@@ -3,7 +3,7 @@
 use crate::shell;
 use anyhow::{Result, bail};
 use std::env;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 const BROWSERS: [&str; 4] = [
@@ -16,6 +16,9 @@ const DRIVERS: [&str; 2] = ["chromedriver", "chromium.chromedriver"];
 const FIREFOXES: [&str; 2] = ["firefox-esr", "firefox"];
 const MAC_FIREFOX: &str = "/Applications/Firefox.app/Contents/MacOS/firefox";
 const MAC_CHROME: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
+
+/// Another apt-get may be running: seconds to wait for its lock.
+const APT_WAITS: &str = "DPkg::Lock::Timeout=120";
 
 /// The flags of every browser that the tests start; tests/page/browser.js uses the same flags.
 const FLAGS: [&str; 8] = [
@@ -95,7 +98,7 @@ fn can_apt() -> bool {
 /// Installs Chromium from apt. Fails on Ubuntu, which has no chromium-driver (its chromium is a snap, useless in a
 /// container).
 fn apt() -> Option<()> {
-    install(&["chromium", "chromium-driver"])?;
+    install(&["chromium", "chromium-driver", "fonts-liberation"])?;
     // Page tests are faster in the headless shell, and work without it (tests/page/chrome.js).
     let _optional = install(&["chromium-headless-shell"]);
     Some(())
@@ -106,16 +109,14 @@ fn install(packages: &[&str]) -> Option<()> {
     if !can_apt() {
         return None;
     }
-    // Steps for different browsers run at the same time, each in a process of its own, and apt-get refuses to run twice.
-    let apt_lock = File::create(shell::target_dir().join("apt.lock")).ok()?;
-    apt_lock.lock().ok()?;
     println!("installing {} (apt-get)", packages.join(", "));
     let apt = |args: &[&str]| {
-        let mut command = shell::command("apt-get", args);
+        let mut command = shell::command("apt-get", &["-o", APT_WAITS]);
+        command.args(args);
         shell::run_quietly(command.env("DEBIAN_FRONTEND", "noninteractive")).ok()
     };
     apt(&["update"])?;
-    apt(&[&["install", "-y"], packages].concat())
+    apt(&[&["install", "-y", "--no-install-recommends"], packages].concat())
 }
 
 /// The path of Firefox, which is installed from apt if necessary.

@@ -16,7 +16,7 @@ pub(crate) const TARGET: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
 /// The cargo options that select the package of the bindings.
 pub(crate) const BINDINGS: [&str; 2] = ["--package", "casteljau-wasm"];
 /// Timeout for one wasm test binary in one browser; the runner's default of 20 s is too short on a shared machine.
-const WASM_TIMEOUT_S: &str = "300";
+const WASM_TIMEOUT_S: &str = "120";
 
 /// Runs the Rust tests as wasm in Node.
 pub(crate) fn in_node(filters: &[String]) -> Result<Done> {
@@ -53,12 +53,10 @@ fn tests(filters: &[String]) -> Result<Command> {
     shell::run(&mut shell::cargo(&[
         "build",
         "--quiet",
-        "--profile",
-        "xtask",
         "--package",
         RUNNER,
     ]))?;
-    let exe = shell::target_dir().join("xtask").join(RUNNER);
+    let exe = shell::target_dir().join("debug").join(RUNNER);
     let exe = exe.with_extension(std::env::consts::EXE_EXTENSION);
     // Cargo splits the setting at blanks and resolves a relative path from the root, so the root may contain blanks.
     let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
