@@ -60,6 +60,9 @@ export function runTests({ files, patterns }, { concurrency = 1, env = {} } = {}
   const reporters = outputs.flatMap(([name, to]) => [`--test-reporter=${name}`, `--test-reporter-destination=${to}`]);
   const names = patterns.map((pattern) => `--test-name-pattern=${pattern}`);
   const args = [
+    // Node's own runner has more reporters and files than it expects listeners, and calls its mocks experimental.
+    "--disable-warning=MaxListenersExceededWarning",
+    "--disable-warning=ExperimentalWarning",
     "--test",
     `--test-concurrency=${concurrency}`,
     `--test-timeout=${TIMEOUT_MS}`,

@@ -55,7 +55,8 @@ const kept = new Map();
  */
 
 /**
- * Opens a page of the built site (site/, and dist/ under /dist/).
+ * Opens a page of the built site (site/, and dist/ under /dist/). CASTELJAU_SITE can name another folder: `npm test` serves
+ * dist/, because pages as text need no more.
  *
  *     test("…", async (t) => {
  *       const page = await openPage(t, "/applet/", { colorScheme: "dark", viewport: { width: 360, height: 640 } });
@@ -240,7 +241,7 @@ export const intersectionsReported = (page) =>
   });
 
 function site() {
-  shared.site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
+  shared.site ??= serve({ "/": `${root}${process.env.CASTELJAU_SITE ?? "site"}`, "/dist/": `${root}dist` });
   return shared.site;
 }
 
