@@ -1,9 +1,11 @@
 // The site. Eleventy renders its pages (eleventy.config.js); Vite bundles their scripts, serves them while working, and builds
 // site/ with relative URLs, so that it works in any folder.
-import { createReadStream, readdirSync } from "node:fs";
+import { build } from "esbuild";
+import { readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { developmentModule, MODULE_FILES, replacedModules } from "../xtask/complete-module.js";
 import { referenceSamples } from "./api/build/vite-samples.js";
 import { mathFontLicense } from "./build/math-font.js";
 import { eleventyPages } from "./build/pages.js";
@@ -11,18 +13,53 @@ import { rustDocs } from "./build/rust-docs.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
+const js = (/** @type {string} */ name) => fileURLToPath(new URL(`../js/${name}`, import.meta.url));
+
+/** The built site takes the package from dist/. */
+const BUILT_PACKAGE = [
+  { find: /^casteljau$/, replacement: dist("index.js") },
+  { find: /^casteljau\/(slim|surfaces|paths|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
+];
+
+/** While working, the package is its sources in js/: a change there shows at once. */
+const SOURCES = [
+  { find: /^casteljau$/, replacement: js("index.ts") },
+  { find: /^casteljau\/(applet|elements)$/, replacement: js("$1/index.ts") },
+  { find: /^casteljau\/elements\/(\w+)$/, replacement: js("elements/define/$1.ts") },
+  { find: /^casteljau\/(slim|surfaces|paths)$/, replacement: js("$1.ts") },
+  { find: /^#js\/(.*)\.js$/, replacement: js("$1.ts") },
+];
+
+/** The sources use the one wasm module that is compiled for development. @type {import("vite").Plugin} */
+const oneModule = {
+  name: "one-module",
+  apply: "serve",
+  load: (id) => developmentModule[MODULE_FILES.exec(id)?.[1] ?? ""],
+};
 
 const plainPages = readdirSync(www, { recursive: true, encoding: "utf8" })
   .filter((name) => name.endsWith(".html") && !name.startsWith("recipes")) // those are parts of a page
   .map((name) => www + name);
 
-/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. @type {import("vite").Plugin} */
+/** Bundles and serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. @type {import("vite").Plugin} */
 const classicScript = {
   name: "classic-script",
   configureServer({ middlewares }) {
-    middlewares.use("/bezier-app.js", (_request, response) => {
-      response.setHeader("Content-Type", "text/javascript");
-      createReadStream(dist("bezier-app.js")).pipe(response);
+    middlewares.use("/bezier-app.js", async (_request, response, next) => {
+      const plugins = [replacedModules("for-development", developmentModule)];
+      const options = {
+        entryPoints: [js("applet/classic.ts")],
+        bundle: true,
+        write: /** @type {const} */ (false),
+        plugins,
+      };
+      try {
+        const { outputFiles } = await build(options);
+        response.setHeader("Content-Type", "text/javascript");
+        response.end(outputFiles[0].text);
+      } catch (error) {
+        next(error);
+      }
     });
   },
   async generateBundle() {
@@ -37,7 +74,7 @@ const pageSideEffects = {
     id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null,
 };
 
-export default defineConfig({
+export default defineConfig(({ command }) => ({
   root: www,
   base: "./",
   appType: "mpa", // an unknown address is a 404, not the first page
@@ -45,12 +82,17 @@ export default defineConfig({
   resolve: {
     // Lit as it is published, in the server too: its development build writes warnings to the console.
     conditions: ["module", "browser", "production"],
-    alias: [
-      { find: /^casteljau$/, replacement: dist("index.js") },
-      { find: /^casteljau\/(slim|surfaces|paths|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
-    ],
+    alias: command === "serve" ? SOURCES : BUILT_PACKAGE,
   },
-  plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects, rustDocs()],
+  plugins: [
+    eleventyPages(plainPages),
+    referenceSamples,
+    mathFontLicense,
+    classicScript,
+    oneModule,
+    pageSideEffects,
+    rustDocs(),
+  ],
   worker: { format: "es" }, // the core is awaited when it is imported
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
@@ -58,5 +100,6 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 1000, // a wasm module is text in one script
   },
-});
+}));

@@ -1,22 +1,26 @@
-// Bundles js/ into dist/ with esbuild. Called by `cargo xtask build`; runs from the repository's root.
+// Bundles js/ into dist/ with esbuild, for a release or for development. Called by scripts/build.js; runs from the repository's root.
 import { build } from "esbuild";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { basename, relative, resolve, sep } from "node:path";
+import { completeModule, developmentModule, replacedModules } from "./complete-module.js";
 import { noticesText } from "./notices.js";
 import { replaceMapped, withoutContents } from "./source-map.js";
 
+const [mode] = process.argv.slice(2);
+if (mode !== "release" && mode !== "development") throw new Error(`expected release or development, got ${mode}`);
 const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 const banner = { js: `/*! casteljau ${version} | ${license} */` };
 
 /** Replaces the modules by the complete one without bytes: in the slim bundle, `init` gets the bytes. */
-const withoutBytes = completeModule("without-bytes", "null");
+const withoutBytes = replacedModules("without-bytes", completeModule("null"));
 
 /** Replaces the modules by the complete one, which is read from its file: in the bundles for Node. */
-const fromFile = completeModule(
+const fromFile = replacedModules(
   "from-file",
-  "bytes",
-  `import { readFileSync } from "node:fs";
+  completeModule(
+    "bytes",
+    `import { readFileSync } from "node:fs";
   function bytes() {
     const file = new URL("../casteljau.wasm", import.meta.url);
     try {
@@ -25,23 +29,11 @@ const fromFile = completeModule(
       throw new Error(\`casteljau: \${file} cannot be read; bundlers need the condition "module"\`, { cause });
     }
   }`,
+  ),
 );
 
-/** A plugin that replaces the modules by the complete one. @param {string} name @param {string} bytes code @param {string} imports code */
-function completeModule(name, bytes, imports = "") {
-  const contents = {
-    curves: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js"; ${imports}
-      export const curvesModule = /* @__PURE__ */ registerModule(initSync, ${bytes});`,
-    surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
-    regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
-  };
-  const setup = (build) =>
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.ts$/ }, ({ path }) => ({
-      contents: contents[path.match(/(\w+)-module\.ts$/)[1]],
-      resolveDir: resolve(sources, "wasm"),
-    }));
-  return { name, setup };
-}
+/** Replaces the modules by the one that is compiled for development. */
+const forDevelopment = replacedModules("for-development", developmentModule);
 
 /** Makes a bundle use other modules of js/glue: `{ curves: "core" }` uses the module core for curves. */
 const useModules = (replacements) => ({
@@ -252,8 +244,12 @@ async function transpile() {
   const names = (await readdir(sources, { recursive: true })).filter((name) => /(?<!\.d)\.[jt]s$/.test(name));
   await rm("target/js", { recursive: true, force: true });
   const entryPoints = names.map((name) => resolve(sources, name));
-  await build({ entryPoints, outbase: sources, outdir: "target/js", target: "es2022", charset: "utf8" });
+  const plugins = mode === "development" ? [forDevelopment] : [];
+  await build({ entryPoints, outbase: sources, outdir: "target/js", target: "es2022", charset: "utf8", plugins });
 }
+
+/** The plugins of a bundle: those of a release, or the one for development. @param {...any} release */
+const modules = (...release) => (mode === "release" ? release : [forDevelopment]);
 
 // Remove the files of earlier builds, so that they are not published.
 for (const folder of ["dist/elements", "dist/node"]) await rm(folder, { recursive: true, force: true });
@@ -261,17 +257,17 @@ await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, {
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
-  sharing(SHARING, "", { plugins: [surfacesExternal], inject: ["xtask/no-dom.js"] }),
+  sharing(SHARING, "", { plugins: [surfacesExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
   sharing({ index: "index.ts", paths: "paths.ts" }, "node/", {
     plugins: [fromFile],
     platform: "node",
     sourcemap: false,
   }),
-  bundle("core.ts", "core.js", { plugins: [useModules({ curves: "core" })] }),
-  bundle("surfaces.ts", "surfaces.js", { plugins: [coreSurfaces] }),
+  bundle("core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
+  bundle("surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
   bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
-  bundle("index.ts", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau" }),
-  bundle("applet/classic.ts", "bezier-app.js", { ...CLASSIC, plugins: [useModules({ curves: "applet" })] }),
+  bundle("index.ts", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau", plugins: modules() }),
+  bundle("applet/classic.ts", "bezier-app.js", { ...CLASSIC, plugins: modules(useModules({ curves: "applet" })) }),
 ]);
 await transpile();
 await writeFile("dist/THIRD-PARTY-NOTICES.txt", await noticesText([...inputs]));

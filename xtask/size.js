@@ -1,4 +1,4 @@
-// Prints the sizes of the parts of dist/, minified and with gzip -9. Called by `cargo xtask size`; fails if one
+// Prints the sizes of the parts of dist/, minified and with gzip -9. Called by `npm run size`; fails if one
 // has grown by more than 2 %.
 import { build, transform } from "esbuild";
 import { readFile, readdir } from "node:fs/promises";

@@ -1,4 +1,4 @@
-// The sizes of bundles that import parts of dist/: for `cargo xtask size` and the site's page of benchmarks.
+// The sizes of bundles that import parts of dist/: for `npm run size` and the site's page of benchmarks.
 import { build } from "esbuild";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";

@@ -1,7 +1,7 @@
 // Writes dist/texts.json: the English texts of the elements and the applet, which `setTranslations` replaces. Called by
-// `cargo xtask build`; runs from the repository's root. A text that is not a literal is an error, and so is one in a
+// scripts/build.js; runs from the repository's root. A text that is not a literal is an error, and so is one in a
 // template that is not in the table.
-import { ts } from "@custom-elements-manifest/analyzer/index.js";
+import ts from "typescript-api";
 import { readdir, readFile, writeFile } from "node:fs/promises";
 
 const FOLDERS = ["applet", "editor", "elements", "layers", "ui"].map((name) => `js/${name}`);

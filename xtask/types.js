@@ -1,5 +1,5 @@
 // Removes the parameter `surplus` from the declarations in dist/types. Methods have it to refuse arguments at run time
-// that JavaScript would ignore; the compiler refuses them by itself. Called by `cargo xtask build` after tsc.
+// that JavaScript would ignore; the compiler refuses them by itself. Called by scripts/build.js after tsc.
 import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 

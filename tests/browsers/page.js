@@ -8,7 +8,7 @@ import { serve } from "../page/server.js";
 import { start } from "./session.js";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
-/** Where each is: a variable (xtask sets one), else a name on PATH. */
+/** Where each is: a variable (scripts/browsers.js sets one), else a name on PATH. */
 const PROGRAMS = [
   { name: "firefox", variable: "FIREFOX_PATH", names: ["firefox-esr", "firefox"] },
   { name: "webkit", variable: "WEBKIT_DRIVER", names: ["WebKitWebDriver"] },

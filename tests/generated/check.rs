@@ -135,13 +135,10 @@ struct Running {
     limit: usize,
     /// The steps of the calls so far.
     steps: usize,
-    /// CPU time of the calls so far, in nanoseconds; counted only for the table of percentiles.
-    time: u64,
 }
 
 thread_local! {
     static RUNNING: Cell<Option<Running>> = const { Cell::new(None) };
-    static TIMED: Cell<bool> = const { Cell::new(false) };
 }
 
 fn running() -> Running {
@@ -176,28 +173,7 @@ pub(crate) fn start(case: &Case) {
         size: case.size(),
         limit: limits::of(case),
         steps: 0,
-        time: 0,
     }));
-}
-
-/// Enables the measurement of CPU time.
-pub(crate) fn count_time() {
-    TIMED.set(true);
-}
-
-/// The steps and the CPU time in nanoseconds of the case.
-pub(crate) fn work() -> (usize, u64) {
-    (running().steps, running().time)
-}
-
-fn cpu_time() -> u64 {
-    #[cfg(unix)]
-    if TIMED.get() {
-        let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-        let [seconds, rest] = [time.tv_sec, time.tv_nsec].map(|n| u64::try_from(n).unwrap_or(0));
-        return seconds * 1_000_000_000 + rest;
-    }
-    0
 }
 
 /// Appends the numbers of a result to the file of its function in the folder `CASTELJAU_RECORD`, for `cargo xtask compare`:
@@ -235,10 +211,8 @@ pub(crate) fn call<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> {
 /// As `call`, for results that may be infinite by definition (the curvature at a cusp), but not NaN.
 pub(crate) fn call_unbounded<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> {
     casteljau::take_steps();
-    let begin = cpu_time();
     let answer = act();
     let mut case = running();
-    case.time += cpu_time() - begin;
     case.steps += casteljau::take_steps();
     RUNNING.set(Some(case));
     let (steps, limit) = (case.steps, case.limit);

@@ -19,7 +19,6 @@ mod numbers;
 mod parsers;
 mod patches;
 mod paths;
-mod percentiles;
 mod recorder;
 mod runner;
 mod shared;

@@ -15,10 +15,12 @@ pub(crate) type Row = (&'static str, fn(&Case) -> Checked);
 
 const SEED: u64 = 11;
 const CASES: u64 = 2_000;
+/// With the environment variable `CASTELJAU_FEW`.
+const FEW_CASES: u64 = 250;
 const DEEP_CASES: u64 = 10_000;
 /// A call that takes longer than this is reported as one that does not return. No successful call takes a thousandth of
 /// it.
-const HANG: Duration = Duration::from_secs(300);
+const HANG: Duration = Duration::from_secs(120);
 /// Lines replace segments in at most one of this number of calls; scales are mixed in half of the calls.
 const MIN_CALLS_WITHOUT_LINES: usize = 100;
 /// The maximum number of failures of a function that are shown.
@@ -39,10 +41,11 @@ impl Settings {
                 .ok()
                 .map(|text| text.parse().expect("a whole number"))
         };
-        let deep = if std::env::var_os("CASTELJAU_DEEP").is_some() {
-            DEEP_CASES
-        } else {
-            CASES
+        let set = |name: &str| std::env::var_os(name).is_some();
+        let usual = match (set("CASTELJAU_DEEP"), set("CASTELJAU_FEW")) {
+            (true, _) => DEEP_CASES,
+            (_, true) => FEW_CASES,
+            _ => CASES,
         };
         let only = std::env::var("CASTELJAU_ONLY")
             .ok()
@@ -56,7 +59,7 @@ impl Settings {
             });
         Self {
             seed: number("CASTELJAU_SEED").unwrap_or(SEED),
-            cases: number("CASTELJAU_CASES").unwrap_or(deep),
+            cases: number("CASTELJAU_CASES").unwrap_or(usual),
             only,
         }
     }

@@ -11,7 +11,7 @@ import { READERS } from "./generated/parsers.js";
 import { isWanted, range, seed } from "./generated/settings.js";
 
 /** A call that takes longer than this is reported as one that does not return. No answer takes a thousandth of it. */
-const HANG_MS = 300_000;
+const HANG_MS = 120_000;
 const LOOK_MS = 1_000;
 
 const { Curve, Spline, Path, InkStroke, Patch, Surface, Mesh } = casteljau;

@@ -10,7 +10,7 @@ import { serve } from "./server.js";
 export const root = fileURLToPath(new URL("../../", import.meta.url));
 
 /** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
-const LONGEST_WAIT_MS = 180_000;
+const LONGEST_WAIT_MS = 120_000;
 
 /** One browser and one server for all tests of a file. @type {{ browser?: Promise<import("playwright-core").Browser>, site?: ReturnType<typeof serve>, count: number }} */
 const shared = { count: 0 };
@@ -55,7 +55,8 @@ const kept = new Map();
  */
 
 /**
- * Opens a page of the built site (site/, and dist/ under /dist/).
+ * Opens a page of the built site (site/, and dist/ under /dist/). CASTELJAU_SITE can name another folder: `npm test` serves
+ * dist/, because pages as text need no more.
  *
  *     test("…", async (t) => {
  *       const page = await openPage(t, "/applet/", { colorScheme: "dark", viewport: { width: 360, height: 640 } });
@@ -240,7 +241,7 @@ export const intersectionsReported = (page) =>
   });
 
 function site() {
-  shared.site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
+  shared.site ??= serve({ "/": `${root}${process.env.CASTELJAU_SITE ?? "site"}`, "/dist/": `${root}dist` });
   return shared.site;
 }
 

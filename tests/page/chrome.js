@@ -20,7 +20,7 @@ const PLAYWRIGHT_FEATURES = [
   "PreconnectToSearch",
 ];
 
-/** The same as in xtask/src/browser.rs, WebGL2 in software, and some features off. */
+/** No sandbox, which Chromium run as root does not have; WebGL2 in software; some features off. */
 export const FLAGS = [
   "--no-sandbox",
   "--disable-gpu",
@@ -44,7 +44,7 @@ export function headlessPath() {
   return existsSync(shell) ? shell : chromePath();
 }
 
-/** CHROME_PATH (which xtask sets), else a browser on PATH, else Playwright's own download. */
+/** CHROME_PATH (which scripts/browsers.js finds), else a browser on PATH, else Playwright's own download. */
 export function chromePath() {
   const folders = (process.env.PATH ?? "").split(delimiter);
   const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));

@@ -4,10 +4,7 @@
 //
 // A file is chosen by its path or base name, with or without `.test.js`; other words choose tests by their names. `--deep`
 // runs the slow files, *.deep.test.js, instead of the others.
-import { existsSync } from "node:fs";
 import { chooseTests } from "../node-tests.js";
 import { runInSharedBrowser } from "./chrome.js";
 
-if (!existsSync(new URL("../../site/index.html", import.meta.url)))
-  throw new Error("expected the built site in site/: run `npm run build:site` first");
 process.exitCode = await runInSharedBrowser(chooseTests(new URL("./", import.meta.url), process.argv.slice(2)));

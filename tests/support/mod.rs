@@ -78,9 +78,15 @@ pub(crate) fn deep() -> bool {
     std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0")
 }
 
-/// The number of cases: `usual`, or `many` if [`deep`].
+/// The number of cases: `usual`, `many` if [`deep`], or an eighth of `usual` with the environment variable `CASTELJAU_FEW`.
 pub(crate) fn cases(usual: usize, many: usize) -> usize {
-    if deep() { many } else { usual }
+    if deep() {
+        many
+    } else if std::env::var_os("CASTELJAU_FEW").is_some() {
+        usual.div_ceil(8)
+    } else {
+        usual
+    }
 }
 
 /// Numbers from a text, separated by blanks.

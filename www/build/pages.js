@@ -5,6 +5,8 @@ import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { makeMathFont } from "./math-font.js";
 import { searchDocuments } from "./search-documents.js";
+import { NAVIGATION } from "../api/navigation.js";
+import { types } from "../../scripts/build.js";
 
 const www = fileURLToPath(new URL("..", import.meta.url));
 const fromHere = relative(process.cwd(), www);
@@ -15,14 +17,30 @@ const fileOf = (url) => `${www}${url.slice(1)}`.replace(/\/$/, "/index.html");
 /** The index of the search, by its place in the site. */
 const SEARCH = "search.json";
 
-/** Renders all pages. @returns {Promise<{ pages: Map<string, string>, search: string }>} HTML by the file that it takes the place of */
-async function renderPages() {
-  const eleventy = new Eleventy(fromHere, undefined, {
+/** The pages that need the declarations and sizes of the package and take as long as all others: their templates and addresses. */
+const SLOW_TEMPLATES = ["**/api/*.11ty.js", "**/benchmarks/*.11ty.js"];
+const SLOW = /^\/(api|benchmarks)\/|^\/search\.json$/;
+
+/**
+ * Renders the pages.
+ *
+ * @param {"all" | "quick"} which "quick": those without the slow ones, to which they link all the same
+ * @returns {Promise<{ pages: Map<string, string>, search: string }>} HTML by the file that it takes the place of
+ */
+async function renderPages(which) {
+  const options = {
     configPath: `${fromHere}/eleventy.config.js`,
     quietMode: true,
-  });
+    config(/** @type {any} */ config) {
+      if (which === "all") return;
+      for (const template of SLOW_TEMPLATES) config.ignores.add(template);
+      config.addTemplate("api/index.njk", "", { permalink: "/api/index.html", navigation: NAVIGATION });
+    },
+  };
+  const eleventy = new Eleventy(fromHere, undefined, options);
   /** @type {{ url: string, content: string }[]} */
-  const results = await eleventy.toJSON();
+  const all = await eleventy.toJSON();
+  const results = which === "all" ? all : all.filter(({ url }) => !SLOW.test(url));
   await makeMathFont(results.map(({ content }) => content));
   const pages = new Map(results.map(({ url, content }) => [fileOf(url), content]));
   return { pages, search: JSON.stringify(searchDocuments(results)) };
@@ -33,11 +51,16 @@ export function eleventyPages(others) {
   /** @type {Map<string, string>} */
   let pages = new Map();
   let search = "";
+  /** In the server, the slow pages are rendered at the first request for one of them. @type {Promise<void> | undefined} */
+  let rest;
+  const renderAll = async () => {
+    ({ pages, search } = await renderPages("all"));
+  };
   return {
     name: "eleventy-pages",
     enforce: /** @type {const} */ ("pre"),
-    async config() {
-      ({ pages, search } = await renderPages());
+    async config(/** @type {unknown} */ _config, /** @type {{ command: string }} */ { command }) {
+      ({ pages, search } = await renderPages(command === "serve" ? "quick" : "all"));
       return { build: { rolldownOptions: { input: [...pages.keys(), ...others] } } };
     },
     resolveId(/** @type {string} */ id, /** @type {string | undefined} */ importer) {
@@ -53,11 +76,22 @@ export function eleventyPages(others) {
     configureServer(/** @type {import("vite").ViteDevServer} */ server) {
       server.watcher.on("change", async (file) => {
         if (!/\.(md|njk)$/.test(file)) return;
-        ({ pages, search } = await renderPages());
+        if (rest) await renderAll();
+        else ({ pages, search } = await renderPages("quick"));
         server.ws.send({ type: "full-reload" });
       });
       server.middlewares.use(async (request, response, next) => {
         const path = new URL(request.originalUrl ?? "/", "http://localhost").pathname;
+        if (SLOW.test(path)) {
+          if (!rest) server.config.logger.info("rendering the API reference");
+          rest ??= types().then(renderAll);
+          try {
+            await rest;
+          } catch (error) {
+            rest = undefined; // the next request tries again
+            return next(error);
+          }
+        }
         if (path === `/${SEARCH}`) return void response.end(search);
         const html = pages.get(fileOf(path));
         if (html === undefined) return next();

@@ -1,5 +1,5 @@
 // A plugin for Vite: while the site is being worked on, the Rust documentation under /rust/ is made at the first request for
-// one of its pages. The built site has it from the driver (xtask/src/rust_docs.rs).
+// one of its pages. The built site has it from scripts/build.js.
 import { spawn } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { extname } from "node:path";

@@ -183,6 +183,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
             "{export}: no part in xtask/src/glue.rs has this function"
         );
     }
+    clear()?;
     let whole = bound(compiled, &linked, &folder(), |_| true)?;
     let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
     fs::write(folder().join("casteljau.js"), &glue)?;
@@ -193,7 +194,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
         optimisers.push(optimiser(&cut, part.name)?);
         // Each part gets its own copy of the glue, because the glue stores its memory in module variables.
         fs::write(folder().join(format!("{}.js", part.name)), &glue)?;
-        fs::write(folder().join(format!("{}.d.ts", part.name)), PART_TYPES)?;
+        write_types(part.name)?;
     }
     for mut optimiser in optimisers {
         ensure!(optimiser.wait()?.success(), "wasm-opt failed");
@@ -201,11 +202,42 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     fs::remove_file(whole)?;
     for part in PARTS {
         let wasm = fs::read(folder().join(format!("{}.wasm", part.name)))?;
-        let bytes = |end: &str| folder().join(format!("{}-bytes.{end}", part.name));
-        fs::write(bytes("js"), encode::module(&wasm))?;
-        fs::write(bytes("d.ts"), BYTES_TYPES)?;
+        let bytes = folder().join(format!("{}-bytes.js", part.name));
+        fs::write(bytes, encode::module(&wasm))?;
     }
     Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
+}
+
+/// Removes what an earlier build has left in js/glue.
+fn clear() -> Result<()> {
+    if folder().exists() {
+        fs::remove_dir_all(folder())?;
+    }
+    Ok(fs::create_dir_all(folder())?)
+}
+
+/// Generates js/glue with one module, which has all functions and is as the compiler made it.
+pub(crate) fn generate_for_development(compiled: &Path) -> Result<()> {
+    clear()?;
+    bindings(compiled, &folder())?;
+    let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
+    fs::write(folder().join("casteljau.js"), &glue)?;
+    let whole = folder().join("casteljau.wasm");
+    fs::rename(folder().join("casteljau_bg.wasm"), &whole)?;
+    let bytes = encode::module(&fs::read(whole)?);
+    fs::write(folder().join("casteljau-bytes.js"), bytes)?;
+    for part in PARTS {
+        write_types(part.name)?;
+    }
+    Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
+}
+
+fn write_types(part: &str) -> Result<()> {
+    fs::write(folder().join(format!("{part}.d.ts")), PART_TYPES)?;
+    Ok(fs::write(
+        folder().join(format!("{part}-bytes.d.ts")),
+        BYTES_TYPES,
+    )?)
 }
 
 /// The folder in which the bindings of a part are generated.

@@ -1,38 +1,31 @@
-//! The build driver: `cargo xtask build | site | serve | test | test-deep | bench | size`.
+//! What the build needs in Rust: wasm-bindgen's libraries, and tools for the sources of the crate. The scripts in `scripts/`
+//! call it.
 
-mod bench;
-mod browser;
-mod build;
 mod compare;
 mod encode;
 mod glue;
 mod liveness;
-mod rust_docs;
-mod serve;
-mod setup;
 mod shell;
-mod size;
-mod stamp;
 mod strip_panics;
 mod structure;
-mod test;
-mod wasm_test;
+mod wasm_tests;
 
 use anyhow::{Result, bail};
+use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 cargo xtask <command>
 
-  build            dist/, the npm package
-  site             site/, the static site
-  serve            build, and serve the site on localhost
-  test             all tests; [STEP [FILE_OR_NAME …] …] [--from STEP] [--only STEP[,STEP]]
-  test-deep        the long sweeps and soak tests; the same options, and [--cases N]
-  compare          the generated calls with the library of another revision, and the results that differ: REVISION
-                   [FUNCTION] [--cases N] [--distance D]; D: the largest relative distance that counts as equal (0)
-  bench            the benchmarks: JavaScript and native
-  size             the gzip size of each part, against the limit";
+  compare                   the generated calls with the library of another revision, and the results that differ: REVISION
+                            [FUNCTION] [--cases N] [--distance D]; D: the largest relative distance that counts as equal (0)
+  structure                 that no files of the crate import each other
+
+called by the scripts in scripts/:
+
+  glue WASM                 js/glue for a release, from the compiled bindings
+  development-glue WASM     js/glue with one module as it was compiled
+  wasm-tests WASM [NAME …]  the tests of a binary for wasm32, in Node";
 
 fn main() -> ExitCode {
     match dispatch(&std::env::args().skip(1).collect::<Vec<_>>()) {
@@ -45,23 +38,17 @@ fn main() -> ExitCode {
 }
 
 fn dispatch(args: &[String]) -> Result<()> {
-    let (command, rest) = args
-        .split_first()
-        .map_or(("help", &[][..]), |(first, rest)| (first.as_str(), rest));
-    match command {
-        "build" => build::build(),
-        "site" => build::site(),
-        "serve" => serve::serve(rest),
-        "test" => test::test(rest),
-        "test-deep" => test::deep(rest),
-        test::RUN_STEP => test::run_step(rest),
-        "compare" => compare::compare(rest),
-        "bench" => bench::bench(rest),
-        "size" => size::size(),
-        "help" | "--help" | "-h" => {
+    let words: Vec<&str> = args.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["compare", ..] => compare::compare(&args[1..]),
+        ["structure"] => structure::check(),
+        ["glue", compiled] => glue::generate(Path::new(compiled)),
+        ["development-glue", compiled] => glue::generate_for_development(Path::new(compiled)),
+        ["wasm-tests", binary, ..] => wasm_tests::run(Path::new(binary), &args[2..]),
+        [] | ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())
         }
-        other => bail!("no command {other}\n\n{USAGE}"),
+        others => bail!("expected a command, got {}\n\n{USAGE}", others.join(" ")),
     }
 }

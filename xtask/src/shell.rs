@@ -1,8 +1,9 @@
 //! Running external programs from the root of the repository, with errors that name the failed program.
 
 use anyhow::{Context, Result, bail};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 /// The root of the repository; the driver may be started from any folder below it.
 pub(crate) fn root() -> PathBuf {
@@ -30,11 +31,6 @@ pub(crate) fn cargo(args: &[&str]) -> Command {
     command
 }
 
-/// An `npm` command; on Windows npm is a script.
-pub(crate) fn npm(args: &[&str]) -> Command {
-    command(if cfg!(windows) { "npm.cmd" } else { "npm" }, args)
-}
-
 /// A command that runs a script in Node; its path is relative to the root.
 pub(crate) fn node(args: &[&str]) -> Command {
     command("node", args)
@@ -49,24 +45,6 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
         bail!("{} ended with {status}", line(command));
     }
     Ok(())
-}
-
-/// Runs `cargo test` for the tests whose names contain one of the filters, or for all; fails if no name matches.
-pub(crate) fn run_tests(cargo: impl Fn() -> Command, filters: &[String]) -> Result<()> {
-    if !filters.is_empty() {
-        let mut list = cargo();
-        list.args(["--quiet", "--", "--list"]).args(filters);
-        let output = list.stderr(Stdio::inherit()).output();
-        let output = output.with_context(|| format!("could not start {}", line(&list)))?;
-        let known = String::from_utf8_lossy(&output.stdout);
-        if output.status.success() && !known.lines().any(|name| name.ends_with(": test")) {
-            bail!(
-                "expected a part of a test's name, got {}",
-                filters.join(", ")
-            );
-        }
-    }
-    run(cargo().arg("--").args(filters))
 }
 
 /// Runs a command and shows its output only if it fails.
@@ -85,13 +63,25 @@ pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// The trimmed output of a command; `None` if it cannot be started or fails.
-pub(crate) fn output_of(command: &mut Command) -> Option<String> {
-    let output = command
-        .output()
-        .ok()
-        .filter(|output| output.status.success())?;
-    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+/// All files below a folder, sorted, without `node_modules` and hidden files.
+pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    let Ok(entries) = fs::read_dir(folder) else {
+        return files;
+    };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with('.') || name == "node_modules" {
+            continue;
+        }
+        if path.is_dir() {
+            files.extend(files_below(&path))
+        } else {
+            files.push(path)
+        }
+    }
+    files.sort();
+    files
 }
 
 fn line(command: &Command) -> String {

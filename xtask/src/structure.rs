@@ -3,7 +3,7 @@
 //! the file that defines the item, so that a `mod.rs` counts with what it uses, not with what it re-exports.
 
 use crate::shell;
-use crate::stamp::files_below;
+use crate::shell::files_below;
 use anyhow::{Result, ensure};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,12 +1,9 @@
 //! Mutations of texts.
-//!
-//! They are values of `arbitrary`, read from seeded bytes: a fuzzer that supplies the bytes can drive the same code.
 
 use crate::random::Rng;
-use arbitrary::{Arbitrary, Unstructured};
 
 /// One change to a text; places are parts of its length in 65536ths.
-#[derive(Arbitrary, Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug)]
 enum Mutation {
     /// Deletes some characters at a place.
     Delete(u16, u8),
@@ -38,19 +35,29 @@ pub(crate) fn tokens() -> Vec<&'static str> {
 /// The text with one to eight mutations.
 pub(crate) fn mutated(rng: &mut Rng, text: String) -> String {
     let count = rng.pick(&[1, 1, 2, 3, 8]);
-    let bytes = rng.bytes(16 * count);
-    let mut source = Unstructured::new(&bytes);
     let mut characters: Vec<char> = text.chars().collect();
     for _ in 0..count {
-        let Ok(mutation) = Mutation::arbitrary(&mut source) else {
-            break;
-        };
-        mutation.apply(&mut characters);
+        Mutation::random(rng).apply(&mut characters);
     }
     characters.into_iter().collect()
 }
 
 impl Mutation {
+    fn random(rng: &mut Rng) -> Self {
+        let at = |rng: &mut Rng| rng.bits16();
+        let small = |rng: &mut Rng| rng.bits16().to_le_bytes()[0];
+        match rng.below(8) {
+            0 => Self::Delete(at(rng), small(rng)),
+            1 => Self::Repeat(at(rng), small(rng), small(rng)),
+            2 => Self::Token(at(rng), small(rng)),
+            3 => Self::Number(at(rng), at(rng).cast_signed(), at(rng).cast_signed()),
+            4 => Self::Replace(at(rng), small(rng)),
+            5 => Self::Character(at(rng), rng.character()),
+            6 => Self::Truncate(at(rng)),
+            _ => Self::Swap(at(rng), at(rng), small(rng)),
+        }
+    }
+
     fn apply(self, text: &mut Vec<char>) {
         let length = text.len();
         let location = |at: u16| usize::from(at) * (length + 1) / 65_536;

@@ -79,10 +79,17 @@ impl Rng {
         DVec3::new(x, y, if dimension == 3 { z } else { 0.0 })
     }
 
-    /// Random bytes.
-    pub fn bytes(&mut self, count: usize) -> Vec<u8> {
-        let words = (0..count.div_ceil(8)).flat_map(|_| self.next().to_le_bytes());
-        words.take(count).collect()
+    /// 16 random bits.
+    pub fn bits16(&mut self) -> u16 {
+        let [low, high, ..] = self.next().to_le_bytes();
+        u16::from_le_bytes([low, high])
+    }
+
+    /// Any character.
+    pub fn character(&mut self) -> char {
+        let last = u32::from(char::MAX) as usize;
+        let code = u32::try_from(self.below(last + 1)).unwrap_or_default();
+        char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER) // for surrogates
     }
 }
 

@@ -11,7 +11,7 @@ function linesOf(program, words) {
 /** Builds the program and gives its path. CASTELJAU_GENERATOR may name one that is built already. */
 export function generatorPath() {
   if (process.env.CASTELJAU_GENERATOR) return process.env.CASTELJAU_GENERATOR;
-  const build = "build --quiet --profile xtask --package casteljau-generator --message-format json".split(" ");
+  const build = "build --quiet --package casteljau-generator --message-format json".split(" ");
   const messages = linesOf("cargo", build).map((line) => JSON.parse(line));
   const path = messages.findLast(({ executable }) => executable)?.executable;
   if (!path) throw new Error("cargo built no program casteljau-generator");

@@ -34,7 +34,7 @@ export function extract(modules) {
 function exportsOf(program, file) {
   const checker = program.getTypeChecker();
   const source = program.getSourceFile(file);
-  if (!source) throw new Error(`expected declarations in ${file}: run cargo xtask build`);
+  if (!source) throw new Error(`expected declarations in ${file}: run npm run build`);
   const found = { classes: [], functions: [], types: [] };
   const module = checker.getSymbolAtLocation(source);
   for (const exported of module ? checker.getExportsOfModule(module) : []) {
