@@ -22,7 +22,7 @@ const DEEP_CASES: u64 = 10_000;
 /// it.
 const HANG: Duration = Duration::from_secs(120);
 /// Lines replace segments in at most one of this number of calls; scales are mixed in half of the calls.
-const MIN_CALLS_WITHOUT_LINES: usize = 100;
+const MIN_CALLS_WITHOUT_LINES: usize = 20;
 /// The maximum number of failures of a function that are shown.
 const SHOWN: usize = 2;
 

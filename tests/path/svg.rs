@@ -251,7 +251,7 @@ fn errors_of_parsers_become_errors() {
     let easing = casteljau::Error::from("steps(4, ende)".parse::<casteljau::Easing>().unwrap_err());
     assert_eq!(
         easing.to_string(),
-        "easing: expected another text at offset 9"
+        "easing: expected jump-start, jump-end, jump-none, jump-both, start or end at offset 9"
     );
     let surface = casteljau::Error::from(
         casteljau::Surface::parse("1\n1 1\n0 0 0\n1 0\n0 1 0\n1 1 0\n").unwrap_err(),

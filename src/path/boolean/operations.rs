@@ -58,9 +58,9 @@ impl Path {
     /// 0.4 ε count as one, so coinciding and touching outlines need no special care; parts thinner than that may
     /// disappear. If rounding makes the winding numbers of the parts of the plane contradict each other, lines replace the
     /// segments next to the features of about this size there: between points of a grid, within 2⁻¹⁵ of the larger side
-    /// of the box around all outlines, and within 2⁻²⁰ if few lines are enough. Other segments stay as they are. No region of 600,000 random
-    /// outlines with coordinates of one decimal needed such lines; of 300,000 outlines whose points are 10⁻¹² to 1 apart one
-    /// in a thousand did.
+    /// of the box around all outlines, and within 2⁻²⁰ if few lines are enough. Other segments stay as they are. None of
+    /// 600,000 random outlines with coordinates of one decimal needed such lines; of 300,000 outlines whose points are
+    /// 10⁻¹² to 1 apart one in a thousand did.
     ///
     /// Pairs of segments are found with a tree of boxes: for n segments with k intersections the time is about
     /// (n + k) log (n + k), some microseconds for each. The union of many paths takes one call of
