@@ -19,20 +19,20 @@ const ifExists = (path) => (existsSync(path) ? path : undefined);
 const hasScreen = () =>
   process.platform !== "linux" || process.env.DISPLAY !== undefined || onPath(["Xvfb"]) !== undefined;
 
-/** What can be looked for: where it is found, the packages that bring it, and the variable that can name its path. */
+/** What can be looked for: where it is found, the arguments of apt-get install, and the variable that can name its path. */
 const PROGRAMS = {
   chromium: {
     variable: "CHROME_PATH",
     find: () =>
       onPath(["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]) ??
       ifExists("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"),
-    install: ["chromium-headless-shell", "fonts-liberation"],
+    install: ["--no-install-recommends", "chromium-headless-shell", "fonts-liberation"],
   },
   chromedriver: {
     variable: "CHROMEDRIVER",
     find: () =>
       onPath(["chromium", "chromium-browser", "google-chrome"]) && onPath(["chromedriver", "chromium.chromedriver"]),
-    install: ["chromium", "chromium-driver"],
+    install: ["--no-install-recommends", "chromium", "chromium-driver"],
   },
   firefox: {
     variable: "FIREFOX_PATH",
@@ -75,5 +75,5 @@ const apt = (packages) =>
     const options = ["-o", "DPkg::Lock::Timeout=120", "-qq"];
     const env = { DEBIAN_FRONTEND: "noninteractive" };
     await run("apt-get", [...options, "update"], { env });
-    await run("apt-get", [...options, "install", "-y", "--no-install-recommends", ...packages], { env });
+    await run("apt-get", [...options, "install", "-y", ...packages], { env });
   }).catch((error) => say(error.message));

@@ -5,15 +5,15 @@ import { createRequire } from "node:module";
 import subsetFont from "subset-font";
 
 const FONT = "@fontsource/noto-sans-math/files/noto-sans-math-latin-400-normal.woff2";
-const TARGET = new URL("../../target/site/math.woff2", import.meta.url); // site.css refers to it
+export const MATH_FONT = new URL("../../target/site/math.woff2", import.meta.url); // site.css refers to it
 /** Figures with formulas of their own (bezier-equation) use these. */
 const ALWAYS = "0123456789.()+-−=·BPtij√"; // and roots, which are elements
 
 /** @param {Iterable<string>} pages HTML */
 export async function makeMathFont(pages) {
   const font = await readFile(createRequire(import.meta.url).resolve(FONT));
-  await mkdir(new URL(".", TARGET), { recursive: true });
-  await writeFile(TARGET, await subsetFont(font, charactersOf(pages), { targetFormat: "woff2" }));
+  await mkdir(new URL(".", MATH_FONT), { recursive: true });
+  await writeFile(MATH_FONT, await subsetFont(font, charactersOf(pages), { targetFormat: "woff2" }));
 }
 
 /** A plugin for Vite: the license has to accompany the font. @type {import("vite").Plugin} */

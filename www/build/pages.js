@@ -1,12 +1,13 @@
 // A plugin for Vite: renders the pages with Eleventy, and gives Vite their HTML as if it lay beside their scripts.
-import Eleventy from "@11ty/eleventy";
 import { existsSync } from "node:fs";
+import { readFile, writeFile } from "node:fs/promises";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import { makeMathFont } from "./math-font.js";
+import { makeMathFont, MATH_FONT } from "./math-font.js";
 import { searchDocuments } from "./search-documents.js";
 import { NAVIGATION } from "../api/navigation.js";
 import { types } from "../../scripts/build.js";
+import { filesBelow, hashOf } from "../../scripts/stamp.js";
 
 const www = fileURLToPath(new URL("..", import.meta.url));
 const fromHere = relative(process.cwd(), www);
@@ -21,13 +22,11 @@ const SEARCH = "search.json";
 const SLOW_TEMPLATES = ["**/api/*.11ty.js", "**/benchmarks/*.11ty.js"];
 const SLOW = /^\/(api|benchmarks)\/|^\/search\.json$/;
 
-/**
- * Renders the pages.
- *
- * @param {"all" | "quick"} which "quick": those without the slow ones, to which they link all the same
- * @returns {Promise<{ pages: Map<string, string>, search: string }>} HTML by the file that it takes the place of
- */
-async function renderPages(which) {
+/** @typedef {{ url: string, content: string }} Rendered */
+
+/** Renders templates. @param {"all" | "quick"} which "quick": without the slow pages, to which the others link all the same */
+async function rendered(which) {
+  const { default: Eleventy } = await import("@11ty/eleventy");
   const options = {
     configPath: `${fromHere}/eleventy.config.js`,
     quietMode: true,
@@ -37,11 +36,36 @@ async function renderPages(which) {
       config.addTemplate("api/index.njk", "", { permalink: "/api/index.html", navigation: NAVIGATION });
     },
   };
-  const eleventy = new Eleventy(fromHere, undefined, options);
-  /** @type {{ url: string, content: string }[]} */
-  const all = await eleventy.toJSON();
-  const results = which === "all" ? all : all.filter(({ url }) => !SLOW.test(url));
+  /** @type {Rendered[]} */
+  const all = await new Eleventy(fromHere, undefined, options).toJSON();
+  const results = all
+    .filter(({ url }) => which === "all" || !SLOW.test(url))
+    .map(({ url, content }) => ({ url, content })); // they have more, with cycles
   await makeMathFont(results.map(({ content }) => content));
+  return results;
+}
+
+/** The quick pages, which are kept for the next start of the server. */
+const KEPT = new URL("../../target/site/pages.json", import.meta.url);
+
+/** The quick pages: those of the last time if nothing has changed of which they are made. @returns {Promise<Rendered[]>} */
+async function quickPages() {
+  const key = hashOf([...["www", "js", "docs"].flatMap(filesBelow), "package.json", "package-lock.json"]);
+  const kept = JSON.parse(await readFile(KEPT, "utf8").catch(() => "{}"));
+  if (kept.key === key && existsSync(MATH_FONT)) return kept.results;
+  const results = await rendered("quick");
+  await writeFile(KEPT, JSON.stringify({ key, results }));
+  return results;
+}
+
+/**
+ * The pages.
+ *
+ * @param {"all" | "quick"} which
+ * @returns {Promise<{ pages: Map<string, string>, search: string }>} HTML by the file that it takes the place of
+ */
+async function renderPages(which) {
+  const results = which === "all" ? await rendered("all") : await quickPages();
   const pages = new Map(results.map(({ url, content }) => [fileOf(url), content]));
   return { pages, search: JSON.stringify(searchDocuments(results)) };
 }
