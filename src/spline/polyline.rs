@@ -3,6 +3,7 @@
 use super::cubics::chord_lengths;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
+use crate::numeric::work_limit::WorkLimit;
 use std::ops::Range;
 
 /// Sampled points in order, with the chord length from the start at each point.
@@ -120,9 +121,11 @@ impl<'a, P: Point> PointTree<'a, P> {
             let Bounds { min, max } = self.boxes[k];
             (p - min).max(max - p).norm()
         };
+        let mut work = WorkLimit::new(usize::MAX);
         // Nodes and the points in them; the next one is the last.
         let mut stack = vec![(1, 0..leaves)];
         while let Some((k, own)) = stack.pop() {
+            work.count(1);
             let is_outside = own.end <= range.start || range.end <= own.start;
             if is_outside || farthest(k) < distance {
                 continue;

@@ -1,9 +1,9 @@
 //! The number of pieces and of counted steps, near cusps and where rounding limits the accuracy.
 
-use crate::support::{bezier, real, xy};
-use casteljau::Curve;
+use crate::support::{Rng, bezier, real, xy};
 use casteljau::glam::DVec2;
 use casteljau::take_steps;
+use casteljau::{Curve, Path, Spline};
 
 /// The number of pieces and steps of an offset.
 fn work(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> (usize, usize) {
@@ -72,4 +72,21 @@ fn mixed_scales_need_few_pieces() {
         assert!(pieces <= 400, "{pieces} pieces of {points:?}");
         assert!(steps <= 100 * pieces, "{steps} steps of {points:?}");
     }
+}
+
+/// A position that is recorded while it stands still: all points are within the arms of corners.
+#[test]
+fn simplifying_points_in_a_small_disc_takes_few_steps() {
+    let steps = |count: usize| {
+        let mut rng = Rng(3);
+        let points: Vec<DVec2> = (0..count)
+            .map(|_| DVec2::from_angle(7.0 * rng.unit()) * (0.5 * rng.unit()))
+            .collect();
+        let line = Path::from(Spline::new(&points, 1, false).expect("finite points"));
+        take_steps();
+        let _ = line.simplify(1.0).expect("a tolerance");
+        take_steps()
+    };
+    let (few, many) = (steps(2_000), steps(16_000));
+    assert!(many < 12 * few, "{few} and {many} steps");
 }

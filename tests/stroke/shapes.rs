@@ -48,6 +48,25 @@ fn areas_of_points_with_caps() {
     }
 }
 
+#[test]
+fn widths_that_rounding_swallows_give_the_empty_region() {
+    for d in ["M5 5H5", "M5 5h1e-17", "M5 5H8", "M5 5L6 6 5 5"] {
+        for cap in [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square] {
+            for width in [1e-300, 1e-30, 1e-17] {
+                let options = options(OffsetJoin::Round, cap);
+                for options in [options.clone(), options.simple(false)] {
+                    let stroke = read(d).stroke(width, &options).expect("a region");
+                    assert_near(stroke.area(), 0.0);
+                    assert!(
+                        !options.simple || stroke.is_empty(),
+                        "{d} {width:e} {cap:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 /// Two legs of length 10 at an angle; what a join adds to the two rectangles of width 2 is known.
 #[test]
 fn areas_of_corners_with_joins() {

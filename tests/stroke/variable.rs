@@ -487,6 +487,30 @@ fn parts_that_are_thick_somewhere_are_kept() {
     assert!(outline.contains(DVec2::new(50.0, 0.5), FillRule::NonZero));
 }
 
+/// A bulb is in few of the thousands of segments of a contour that is thinner than the tolerance elsewhere.
+#[test]
+fn bulbs_of_long_thin_strokes_are_kept() {
+    let waves = (0..600).map(|k| {
+        let (x, side) = (10 * k, if k % 2 == 0 { 2 } else { -2 });
+        format!("C{} {side} {} {} {} 0", x + 3, x + 7, -side, x + 10)
+    });
+    let line = path(&format!("M0 0{}", waves.collect::<String>()));
+    for at in [0.25, 0.3137, 0.5, 0.9123] {
+        let (before, after) = (at - 1.0 / 300.0, at + 1.0 / 300.0);
+        let stops = [
+            (0.0, 0.02),
+            (before, 0.02),
+            (at, 20.0),
+            (after, 0.02),
+            (1.0, 0.02),
+        ];
+        let profile = WidthProfile::new(&stops);
+        let options = StrokeOptions::new().tolerance(0.1);
+        let area = line.stroke_with(&profile, &options).unwrap().area();
+        assert!((560.0..580.0).contains(&area), "{at}: {area}");
+    }
+}
+
 /// The disc that shows that a hole is thick must be inside of it; next to the tip of this hole there is room for one outside.
 #[test]
 fn holes_thinner_than_the_tolerance_are_removed() {
