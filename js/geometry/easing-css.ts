@@ -100,10 +100,10 @@ export function readEasing(text: string): Timing {
   };
   const isKeyword = Object.hasOwn(KEYWORDS, word);
   if (!isKeyword && !Object.hasOwn(readers, word)) {
-    const words = [...Object.keys(KEYWORDS), "cubic-bezier(…)"];
+    const words = Object.keys(KEYWORDS);
     // Other libraries write `easeInOut`.
-    const meant = words.find((known) => known.replace(/[-…)]/g, "") === word);
-    scanner.refuse(meant ?? `${words.join(", ")}, steps(…) or linear(…)`);
+    const meant = words.find((known) => known.replaceAll("-", "") === word);
+    scanner.refuse(meant ?? `${words.join(", ")}, cubic-bezier(…), steps(…) or linear(…)`);
   }
   scanner.skip(word);
   const timing = isKeyword ? readEasing(KEYWORDS[word]) : readers[word](scanner);

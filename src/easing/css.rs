@@ -35,7 +35,6 @@ fn with_hyphens(word: &str) -> Option<&'static str> {
         "easeinout" => "ease-in-out",
         "stepstart" => "step-start",
         "stepend" => "step-end",
-        "cubicbezier(" => "cubic-bezier(…)",
         _ => return None,
     })
 }
