@@ -438,6 +438,9 @@ export const DEEP = [
   part("paths", "Many more Boolean operations, strokes, large paths", (context) =>
     sweep(context, ["path", "path_boolean", "stroke"]),
   ),
+  part("composition", "What a million strokes, offsets, unions and simplifications are made of", (context) =>
+    sweep(context, ["composition"]),
+  ),
   part("surfaces", "Many more patches, meshes and queries of surfaces", (context) =>
     sweep(context, ["patch_work", "queries", "surface", "watertight", "wires"]),
   ),
