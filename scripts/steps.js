@@ -360,7 +360,10 @@ export const STEPS = [
     title: "Sizes of the package's parts",
     lane: "js",
     needs: ["build"],
-    act: () => node("xtask/size.js"),
+    act: async () => {
+      await packageFiles("release");
+      await node("xtask/size.js");
+    },
   },
   { name: "site", title: "The static site", lane: "js", needs: ["build"], act: site },
   {
