@@ -147,13 +147,16 @@ impl<'a> OffsetCurve<'a> {
             out.extend_from_slice(&cubic[1..]);
             return;
         }
-        if local.tiny(from, to) {
+        let is_tiny = local.tiny(from, to);
+        let chord = (self.point(to) - self.point(from)).length();
+        // Where rounding of B′ turns the normal, the ends are farther apart than the bound on the length says.
+        if is_tiny && chord <= TINY_PART * self.tolerance {
             let cubic = self.cubic(from, to, self.first_handles(from, to));
             out.extend_from_slice(&cubic[1..]);
             return;
         }
         let shortest = cuts == 0 || to.sample.t - from.sample.t <= SHORTEST;
-        if shortest || local.is_rotation_about_point(from, to) {
+        if shortest || is_tiny || local.is_rotation_about_point(from, to) {
             self.arc(from, to, out);
             return;
         }
