@@ -202,6 +202,21 @@ test("paths: winding numbers are those of the core", () => {
   }
 });
 
+test("paths: of many subpaths the core examines those near the point", () => {
+  const centers = Array.from({ length: 2000 }, (_, k) => [20 * (k % 50), 20 * Math.floor(k / 50)]);
+  const circles = centers.map((center) => Path.circle(center, 9));
+  const path = new Path(circles.flatMap((circle) => circle.subpaths));
+  path.nearest([0, 0]);
+  for (const [x, y] of pointsOf("3,3 500,400 333,70 -2000,400 985,795 512.5,12 -5,400")) {
+    const found = circles.map((circle) => /** @type {any} */ (circle.nearest([x, y])).distance);
+    calls.clear();
+    assert.equal(/** @type {any} */ (path.nearest([x, y])).distance, Math.min(...found));
+    assert.equal(path.windingNumber([x, y]), centers.filter(([cx, cy]) => Math.hypot(x - cx, y - cy) < 9).length);
+    const [general, cubic, crossings] = called("curve_nearest", "cubic_nearest", "curve_crossings");
+    assert.ok(general + cubic < 40 && crossings <= 8, `${general + cubic} and ${crossings} segments`);
+  }
+});
+
 test("paths: after the first call the core is not passed the path", () => {
   const path = three();
   const ask = () => [

@@ -14,8 +14,8 @@ import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
 import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
 import { pointAndDirections } from "../arc-length.js";
 import { PathSegmentIndex } from "./path-segment-index.js";
+import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
-import { SegmentTree } from "../segment-tree.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
 import { core } from "../../wasm/init.js";
 import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
@@ -451,11 +451,9 @@ export class CorePath {
   }
 
   #segmentIndex: PathSegmentIndex | undefined;
-  #tree: SegmentTree | undefined;
-  /** That of the closed subpaths, for winding numbers */
-  #filled: SegmentTree | undefined;
-  #askedForWinding = false;
-  #askedForNearest = false;
+  #tree: PathTree | undefined;
+  /** Whether a nearest point or a winding number was asked for: the next time the tree is made */
+  #asked = false;
   /** The arc lengths from the start of the path to the end of each segment, after a 0 */
   #ends: Float64Array | undefined;
   #bounds: Bounds<2> | null | undefined;
@@ -583,8 +581,8 @@ export class CorePath {
   nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
     const p = coordinatesOf(point);
     check.noSurplus(surplus, "nearest", 1, "Path.nearestOf([path], point, { maxDistance })");
-    if (this.#tree || this.#askedForNearest) return this._nearest(p, Infinity);
-    this.#askedForNearest = true;
+    if (this.#asked) return this._nearest(p, Infinity);
+    this.#asked = true;
     return nearestOnPath(this._packed, p);
   }
 
@@ -599,11 +597,8 @@ export class CorePath {
   }
 
   #windingNumber([x, y]: Float64Array): number {
-    if (this.#filled || this.#askedForWinding) {
-      this.#filled ??= new SegmentTree(new PathSegmentIndex(this._packed, true));
-      return this.#filled.crossings(x, y);
-    }
-    this.#askedForWinding = true;
+    if (this.#asked) return this.#segmentTree().windingNumber(x, y);
+    this.#asked = true;
     writeArguments(this._packed);
     return core().path_winding_number(x, y);
   }
@@ -650,10 +645,12 @@ export class CorePath {
    * @internal
    */
   _nearest(point: Float64Array, maxDistance: number): PathPoint | null {
-    const nearest = this.#segmentTree()?.nearest(point, maxDistance);
-    if (!nearest) return null;
-    const { t, point: at, distance } = nearest.found;
-    return { ...this.#index().location(nearest.k, t), point: at, distance };
+    return this.#segmentTree().nearest(point, maxDistance);
+  }
+
+  #segmentTree() {
+    this.#tree ??= new PathTree(this.#index());
+    return this.#tree;
   }
 
   /**
@@ -661,13 +658,11 @@ export class CorePath {
    *
    * @internal
    */
-  _boxDistance(point: Float64Array): number {
-    return this.#segmentTree()?.distance(point) ?? Infinity;
-  }
-
-  #segmentTree() {
-    if (this.subpathCount > 0) this.#tree ??= new SegmentTree(this.#index());
-    return this.#tree;
+  _boxDistance([x, y]: Float64Array): number {
+    if (this.#controlBounds === undefined) this.#controlBounds = this._box(false);
+    if (this.#controlBounds === null) return Infinity;
+    const { min, max } = this.#controlBounds;
+    return Math.hypot(Math.max(min.x - x, x - max.x, 0), Math.max(min.y - y, y - max.y, 0));
   }
 
   #index() {

@@ -1,5 +1,6 @@
 import { extents } from "../../wasm/packed-path.js";
 import type { PathTime } from "./path-queries.js";
+import type { Segments } from "../segment-tree.js";
 
 /**
  * Where the segments of all subpaths of a path are in its list of points. It is made once for each path that is asked for
@@ -8,7 +9,6 @@ import type { PathTime } from "./path-queries.js";
  * @internal
  */
 export class PathSegmentIndex {
-  dimension: 2 = 2;
   /** The number of segments. */
   count = 0;
   /** All coordinates; those of the first point again at the end of a closed subpath. */
@@ -20,32 +20,44 @@ export class PathSegmentIndex {
   /** For each subpath the number of its first segment. */
   #first: number[] = [];
 
-  /**
-   * @param asFilled whether open subpaths are closed by a line, which is a segment then
-   */
-  constructor(packed: Float64Array, asFilled = false) {
+  constructor(packed: Float64Array) {
     let length = 0;
     for (const { segments, closed, points, end } of extents(packed)) {
       this.#first.push(this.count);
-      this.count += segments + (asFilled && !closed ? 1 : 0);
-      length += end - points + (closed || asFilled ? 2 : 0);
+      this.count += segments;
+      length += end - points + (closed ? 2 : 0);
     }
     this.flat = new Float64Array(length);
     this.starts = new Uint32Array(this.count);
     this.ends = new Uint32Array(this.count);
     let [k, at] = [0, 0];
-    const add = (degree: number) => {
-      this.starts[k] = at;
-      at += 2 * degree;
-      this.ends[k++] = at + 2;
-    };
     for (const { closed, degrees, points, end } of extents(packed)) {
       this.flat.set(packed.subarray(points, end), at);
-      if (closed || asFilled) this.flat.set(packed.subarray(points, points + 2), at + end - points);
-      for (let i = degrees; i < points; i++) add(packed[i]);
-      if (asFilled && !closed) add(1);
+      if (closed) this.flat.set(packed.subarray(points, points + 2), at + end - points);
+      for (let i = degrees; i < points; i++) {
+        this.starts[k] = at;
+        at += 2 * packed[i];
+        this.ends[k++] = at + 2;
+      }
       at += 2;
     }
+  }
+
+  /** The number of subpaths. */
+  get subpaths(): number {
+    return this.#first.length;
+  }
+
+  /** The segments of one subpath. */
+  subpath(k: number): Segments {
+    const [from, to] = [this.#first[k], this.#first[k + 1] ?? this.count];
+    return {
+      dimension: 2,
+      count: to - from,
+      flat: this.flat,
+      starts: this.starts.subarray(from, to),
+      ends: this.ends.subarray(from, to),
+    };
   }
 
   /** The location at a parameter on segment k. */
