@@ -1,4 +1,4 @@
-//! Tests that run natively and as wasm in Node (`#[wasm_bindgen_test(unsupported = test)]`).
+//! Tests that run natively and as wasm in Node, where the attribute `test` is `wasm_bindgen_test`.
 
 mod constructors;
 mod curve;

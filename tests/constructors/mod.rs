@@ -11,7 +11,8 @@ use casteljau::spline::{FitOptions, Interpolation};
 use casteljau::{
     Curve, Easing, Error, Grid, MAX_COORDINATE, Patch, Path, Point, Spline, Surface, TeapotOptions,
 };
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const VALUES: [f64; 15] = [
     f64::NAN,
@@ -176,7 +177,7 @@ fn curves_and_splines<P: Space>() {
     assert!(Spline::<P>::from_curves(&[], false).is_err());
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curves_and_splines_from_extreme_arguments() {
     curves_and_splines::<DVec2>();
     curves_and_splines::<DVec3>();
@@ -201,7 +202,7 @@ fn lines_quadratics_and_cubics_panic_as_documented() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn paths_from_extreme_arguments() {
     assert!(Path::new(&[]).is_empty());
     assert!(PathBuilder::new().build().is_ok_and(|path| path.is_empty()));
@@ -283,7 +284,7 @@ fn paths_from_extreme_arguments() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn easing_from_extreme_arguments() {
     let css = Easing::new(0.25, 0.1, 0.25, 1.0).expect("in range");
     for value in VALUES {
@@ -314,7 +315,7 @@ fn easing_from_extreme_arguments() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn patches_and_surfaces_from_extreme_arguments() {
     for_all(|count, value| {
         let valid = count == 0 || is_coordinate(value);
@@ -368,7 +369,7 @@ fn teapot_options(bits: u32) -> TeapotOptions {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn teapots_of_all_parts_and_of_none() {
     for bits in 0..1 << 8 {
         let options = teapot_options(bits);
@@ -378,7 +379,7 @@ fn teapots_of_all_parts_and_of_none() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn meshes_with_extreme_options() {
     let net = points::<DVec3>(16, 0.5);
     let patch = Patch::new(&net, 3, 3).expect("a patch");

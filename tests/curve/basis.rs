@@ -6,7 +6,8 @@ use crate::support::{Rng, bezier, largest, random_points, real, refused, xy};
 use casteljau::Curve;
 use casteljau::curve::Basis::{self, BSpline, Bezier, CatmullRom, Hermite, Matrix};
 use casteljau::glam::{DVec2, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const NAMED: [Basis; 4] = [Bezier, Hermite, BSpline, CatmullRom];
 
@@ -53,7 +54,7 @@ fn all_close(got: &[DVec3], expected: &[DVec3], ulps: f64, size: f64) {
     pairs.for_each(|(&p, &q)| near(p, q, ulps, size));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_curve_of_a_basis_is_the_blend_of_its_points() {
     let mut rng = Rng(41);
     for basis in NAMED {
@@ -74,7 +75,7 @@ fn the_curve_of_a_basis_is_the_blend_of_its_points() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn control_points_by_the_books() {
     let mut rng = Rng(8);
     for _ in 0..100 {
@@ -111,7 +112,7 @@ fn control_points_by_the_books() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn there_and_back_is_the_same() {
     let mut rng = Rng(77);
     for basis in NAMED {
@@ -132,7 +133,7 @@ fn there_and_back_is_the_same() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn known_curves_in_every_basis() {
     let third = 1.0 / 3.0;
     // The curve (t, t³).
@@ -153,7 +154,7 @@ fn known_curves_in_every_basis() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn own_matrices() {
     let mut rng = Rng(13);
     for _ in 0..100 {
@@ -174,7 +175,7 @@ fn own_matrices() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn matrices_and_degrees_that_do_not_work_are_refused() {
     let quartic = bezier("0 0, 0 0, 0 0, 0 0, 0 0")
         .to_basis(Bezier)

@@ -4,7 +4,8 @@ use crate::support::{Rng, Space, all_near, refused};
 use casteljau::curve::{Cubic, Line, Quad};
 use casteljau::glam::{DAffine2, DVec2, DVec3, dvec2};
 use casteljau::{Curve, Error};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Compares a curve of a fixed degree with the same curve of any degree.
 macro_rules! same {
@@ -72,7 +73,7 @@ fn check<P: Space>(rng: &mut Rng) {
     );
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn methods_are_those_of_curves() {
     let mut rng = Rng(3301);
     for _ in 0..300 {
@@ -85,7 +86,7 @@ fn methods_are_those_of_curves() {
     assert_eq!(image, Curve::from(line).transform(&map));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn other_degrees_and_numbers_are_refused() {
     let line = Curve::line(DVec2::ZERO, DVec2::X);
     refused(Cubic::try_from(&line), "Count points 2");

@@ -8,9 +8,10 @@ use crate::support::{parameters, random_points, real, to_3d, ulp};
 use casteljau::MAX_COORDINATE;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn closed_forms_are_as_exact_as_de_casteljau() {
     fn check<P: Space>(points: &[DVec3], t: f64, compared: &mut (usize, usize)) {
         let curve = curve::<P>(points);
@@ -36,7 +37,7 @@ fn closed_forms_are_as_exact_as_de_casteljau() {
     assert!(1000 * beyond < all, "{beyond} of {all} by more than 2 ulps");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
     adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
@@ -49,7 +50,7 @@ fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn weights_sum_to_one_within_an_ulp() {
     let mut rng = Rng(5);
     for degree in 0..=64 {
@@ -69,7 +70,7 @@ fn weights_sum_to_one_within_an_ulp() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn weights_are_binomials_times_powers() {
     for degree in 0..=64 {
         let n = i32::try_from(degree).expect("small");
@@ -85,7 +86,7 @@ fn weights_are_binomials_times_powers() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn samples_are_points_at_even_steps() {
     fn check<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
@@ -108,7 +109,7 @@ fn samples_are_points_at_even_steps() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn every_level_of_the_triangle() {
     adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
@@ -127,7 +128,7 @@ fn every_level_of_the_triangle() {
 }
 
 /// Coordinates of any size within one curve: every result is finite.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn extreme_coordinates_do_not_overflow() {
     fn check<P: Space>(points: &[DVec3], t: f64, u: f64) {
         let curve = curve::<P>(points);
@@ -193,7 +194,7 @@ fn extreme_coordinates_do_not_overflow() {
 }
 
 /// The reference arithmetic: (1/3 + 1/3) + 1/3 and (1 + 2⁻⁸⁰) − 1 are accurate to 100 bits.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn exact_arithmetic_is_exact() {
     let tiny = exactly(2_f64.powi(-80));
     let kept = exactly(1.0) + tiny - exactly(1.0);

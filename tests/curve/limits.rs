@@ -6,10 +6,11 @@ use crate::support::{Space, bezier, curve, largest, near, near_at, parameters, r
 use casteljau::Point;
 use casteljau::glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_1_SQRT_2;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The first control point that differs from an end gives the tangent at this end, whatever lies between.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn tangents_at_the_ends_look_to_the_next_other_point() {
     fn check<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
@@ -39,7 +40,7 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn zero_length_handles() {
     let (down, diagonal) = (DVec2::NEG_Y, DVec2::splat(FRAC_1_SQRT_2));
     for (points, t, tangent) in [
@@ -66,7 +67,7 @@ fn zero_length_handles() {
 }
 
 /// (6t², t⁴) runs on y = x²/36, whose curvature at 0 is 1/18, though its derivative vanishes there.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curvature_as_a_finite_limit() {
     let (slow, turned) = (
         bezier("0 0, 0 0, 1 0, 3 0, 6 1"),
@@ -83,7 +84,7 @@ fn curvature_as_a_finite_limit() {
     near(space.reverse().curvature(1.0), 1.0 / 18.0, 1e-16);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_cusp_has_the_tangent_of_the_piece_after_it() {
     // B′(½) = 0 and B″(½) = (0, −6): the curve comes up and goes down again.
     let cusp = bezier("0 0, 1 1, 0 1, 1 0");
@@ -99,7 +100,7 @@ fn a_cusp_has_the_tangent_of_the_piece_after_it() {
 
 /// Where the derivative is almost zero, just before and after a point where it vanishes, the tangent still points
 /// forward.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn tangents_next_to_a_vanishing_derivative() {
     let ahead = DVec2::new(0.6, 0.8);
     let stopping = [bezier("0 0, 3 4, 3 4, 3 4"), bezier("0 0, 0 0, 3 4, 3 4")];

@@ -5,7 +5,8 @@ use crate::support::adversarial::ALL;
 use crate::support::{Space, all_near, bezier, curve, exact, largest, refused, to_3d, ulp, xy};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Eighths, whose products and differences are exact.
 const EIGHTHS: [f64; 9] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
@@ -21,7 +22,7 @@ fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn splits_and_subsegments_are_the_curve() {
     fn check<P: Space>(points: &[DVec3]) {
         let whole = curve::<P>(points);
@@ -56,7 +57,7 @@ fn splits_and_subsegments_are_the_curve() {
     assert_eq!(bezier("0 0, 0 8, 8 8, 8 0").halve(), expected);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn elevation_keeps_the_curve() {
     adversarial_points(&ALL, |points| {
         let whole = curve::<DVec3>(points);
@@ -87,7 +88,7 @@ fn elevation_keeps_the_curve() {
     refused(line.elevate(), "Range degree");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn equal_means_near_point_by_point() {
     let (a, b) = (bezier("0 0, 1 1, 2 0"), bezier("0 0, 1 1.5, 2 0"));
     assert!(a.approx_eq(&a, 0.0) && a.approx_eq(&b, 0.5) && !a.approx_eq(&b, 0.499));

@@ -5,13 +5,14 @@ use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error};
 use std::fmt::Debug;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn message<T: Debug>(result: Result<T, Error>) -> String {
     result.expect_err("refused").to_string()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn counts() {
     for got in [0, 1, 66, 1000, 1_000_000] {
         let points = vec![DVec2::ZERO; got];
@@ -26,7 +27,7 @@ fn counts() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn values_that_are_not_finite() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for axis in 0..3 {
@@ -43,7 +44,7 @@ fn values_that_are_not_finite() {
     assert!(Curve::new(&[DVec2::new(1e300, f64::NAN), DVec2::ZERO]).is_err());
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn numbers_out_of_range() {
     let line = bezier("0 0, 1 1");
     let expected = "segments: expected a whole number from 1, got 0";

@@ -5,7 +5,8 @@ use crate::support::adversarial::ALL;
 use crate::support::{bezier, curve, exact, highest, largest, near, near_at, real, ulp, xy};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The maximum of one coordinate (times `sign`), by samples and golden-section search in double the precision of f64.
 fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
@@ -24,7 +25,7 @@ fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
     peaks.fold(max, f64::max)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_box_contains_the_curve_and_is_touched() {
     adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
@@ -61,7 +62,7 @@ fn the_box_contains_the_curve_and_is_touched() {
     assert_eq!(bezier("-3e149 0, 0 4e149").bounds().diagonal(), 5e149);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn boxes_by_closed_forms() {
     // y = 2t(1 − t) has its maximum at ½.
     let arch = bezier("0 0, 1 1, 2 0").bounds();
@@ -86,7 +87,7 @@ fn turn(a: DVec2, b: DVec2, c: DVec2, size: f64) -> f64 {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_hull_is_convex_and_contains_the_curve() {
     adversarial_points(&ALL, |points| {
         let curve: Curve<DVec2> = curve(points);
@@ -106,7 +107,7 @@ fn the_hull_is_convex_and_contains_the_curve() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn known_hulls() {
     for (points, expected) in [
         ("1 1, 0 0, 0 1, 1 0", "0 0, 1 0, 1 1, 0 1"),
@@ -127,7 +128,7 @@ fn known_hulls() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn boxes_have_a_center_and_extents() {
     let bounds = bezier("1 2, 5 2, 5 10").control_bounds();
     assert_eq!((bounds.width(), bounds.height()), (4.0, 8.0));

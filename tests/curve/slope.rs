@@ -5,9 +5,10 @@ use crate::support::adversarial::ALL;
 use crate::support::{bezier, curve, exact, largest, near_at, parameters, real, ulp};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, MAX_COORDINATE, Point};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn derivatives_of_any_order_and_degree() {
     adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
@@ -32,7 +33,7 @@ fn derivatives_of_any_order_and_degree() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_derivative_as_a_curve() {
     adversarial_points(&ALL, |points| {
         let derivative = curve::<DVec3>(points).derivative();
@@ -50,7 +51,7 @@ fn the_derivative_as_a_curve() {
     assert_eq!(bezier("1 2, 4 1").derivative(), bezier("3 -1, 3 -1"));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_parabola() {
     // y = x² from −1 to 1 has the tangent (1, 2x) and the curvature 2 / (1 + 4x²)^³⁄₂.
     let parabola = bezier("-1 1, 0 -1, 1 1");
@@ -66,7 +67,7 @@ fn a_parabola() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_twisted_cubic() {
     // (t, t², t³): κ = 2√(9t⁴ + 9t² + 1) / (9t⁴ + 4t² + 1)^³⁄₂; the normal lies in the plane of B′ and B″.
     let third = 1.0 / 3.0;
@@ -88,7 +89,7 @@ fn a_twisted_cubic() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn straight_curves_have_no_principal_normal_and_no_curvature() {
     // Equal steps of integers, so that rounding does not bend the line.
     let (from, step) = (DVec3::new(1.0, -2.0, 5.0), DVec3::new(3.0, 1.0, -7.0));
@@ -105,7 +106,7 @@ fn straight_curves_have_no_principal_normal_and_no_curvature() {
 
 /// Directions are orthonormal, equal in the plane and in space, and without NaN: on every curve, at every t. The tangent
 /// has the direction of the derivative, unless this is lost in the rounding of the control points.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn directions_are_unit_vectors_at_right_angles() {
     adversarial_points(&ALL, |points| {
         let (space, plane) = (curve::<DVec3>(points), curve::<DVec2>(points));
@@ -132,7 +133,7 @@ fn directions_are_unit_vectors_at_right_angles() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn directions_follow_the_scale_of_the_curve() {
     let whole = bezier("0 0, 1 2, 3 3, 4 0");
     for scale in [498, -990, -1000].map(|k| 2.0_f64.powi(k)) {

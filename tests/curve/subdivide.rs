@@ -7,7 +7,8 @@ use crate::support::{Space, bezier, curve, exact, largest, near, refused, to_3d,
 use casteljau::curve::Subdivision;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Point};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn polygon_length(points: &[DVec3]) -> f64 {
     points.windows(2).map(|w| (w[1] - w[0]).length()).sum()
@@ -48,7 +49,7 @@ fn assert_bound_holds<P: Point>(node: &Subdivision<P>, points: &[DVec3], roundin
     assert!(distance <= max, "{distance} in {points:?}");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_tree_of_every_curve() {
     fn all<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
@@ -75,7 +76,7 @@ fn the_tree_of_every_curve() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn known_trees() {
     // At the root D1 = 4 and D2 = 2√2; its left half is (0, 0), (0, 1), (½, 3/2).
     let tree = bezier("0 0, 0 2, 2 2").subdivide(0.5).expect("a tree");
@@ -96,7 +97,7 @@ fn known_trees() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         refused(bezier("0 0, 1 2, 2 0").subdivide(bad), "Range tolerance");

@@ -5,7 +5,8 @@ use crate::support::{Rng, all_near, bezier, random_points, refused};
 use casteljau::Curve;
 use casteljau::curve::PathSink;
 use casteljau::glam::DVec2;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 #[derive(Debug, PartialEq)]
 enum Stroke {
@@ -46,7 +47,7 @@ fn strokes(curve: &Curve<DVec2>, tolerance: Option<f64>) -> Vec<Stroke> {
     notes.0
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn low_degrees_go_out_as_they_are() {
     let [p, q, r, s] = [(0.0, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 0.0)].map(DVec2::from);
     for (curve, tolerance, expected) in [
@@ -80,7 +81,7 @@ fn distance(curve: &Curve<DVec2>, drawn: &[Stroke]) -> f64 {
     farthest(&cubics, &fine).max(farthest(&some, &cubics))
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn high_degrees_become_cubics_within_the_tolerance() {
     let mut rng = Rng(21);
     for degree in [4, 5, 6, 9] {
@@ -95,7 +96,7 @@ fn high_degrees_become_cubics_within_the_tolerance() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn an_elevated_cubic_is_drawn_as_that_cubic() {
     let cubic = bezier("0 0, 4 8, 8 8, 12 4");
     let raised = cubic.elevate().and_then(|c| c.elevate()).expect("degree 5");
@@ -106,7 +107,7 @@ fn an_elevated_cubic_is_drawn_as_that_cubic() {
     all_near(&[start, p1, p2, end], cubic.control_points(), 16e-13);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn tolerances_are_checked_before_the_first_stroke() {
     let curve = bezier("0 0, 1 1, 2 0, 3 1, 4 0");
     for (bad, expected) in [

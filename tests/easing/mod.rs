@@ -6,7 +6,8 @@ mod css;
 use crate::support::exact::{self, Double, exactly};
 use crate::support::{Rng, real, refused};
 use casteljau::Easing;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Handles from CSS, at the limits of their range, and close to handles for which dx/dt vanishes.
 const KNOWN: [[f64; 4]; 16] = [
@@ -76,7 +77,7 @@ fn parameter(x1: f64, x2: f64, x: f64) -> Double {
     t - more
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_residual_does_not_pass_1e_15() {
     let mut rng = Rng(91);
     let mut worst = 0.0_f64;
@@ -112,7 +113,7 @@ fn slow(x1: f64, x2: f64, x: f64) -> Double {
 }
 
 /// Not only the residual is small: y is accurate to its last digits, even where dx/dt vanishes.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn y_is_right() {
     let mut rng = Rng(92);
     let mut worst = 0.0_f64;
@@ -141,7 +142,7 @@ fn y_is_right() {
     println!("worst share {worst}");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn monotone_where_the_handles_are() {
     let mut rng = Rng(93);
     for case in 0..cases() / 100 {
@@ -167,7 +168,7 @@ fn monotone_where_the_handles_are() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn exact_at_the_ends() {
     for handles in KNOWN {
         let ends = [0.0, -0.0, 1.0].map(|x| easing(handles).eval(x));
@@ -176,7 +177,7 @@ fn exact_at_the_ends() {
 }
 
 /// As defined in CSS Easing Functions Level 1.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn beyond_the_ends_along_the_tangents() {
     for (handles, x, y) in [
         ([0.25, 0.5, 0.5, 0.5], -1.0, -2.0),
@@ -196,7 +197,7 @@ fn beyond_the_ends_along_the_tangents() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_diagonal_is_exact() {
     let mut rng = Rng(94);
     for _ in 0..1000 {
@@ -206,7 +207,7 @@ fn the_diagonal_is_exact() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn never_nan_nor_infinite() {
     const MAX: f64 = f64::MAX;
     let xs = [0.0, -0.0, 1.0, 0.5, 5e-324, 1e-300];
@@ -226,7 +227,7 @@ fn never_nan_nor_infinite() {
 }
 
 /// js/geometry/easing.ts must give the same bits: tests/js/easing.test.js has the same cases and the same sum.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_same_bits_as_in_javascript() {
     let mut rng = Rng(95);
     let mut sum = 0_u64;
@@ -247,7 +248,7 @@ fn the_same_bits_as_in_javascript() {
     assert_eq!(sum, 0x5611_b466_7573_a859, "{sum:#x}");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     let infinities = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for (k, what) in ["x1", "y1", "x2", "y2"].into_iter().enumerate() {
@@ -263,7 +264,7 @@ fn refusals() {
 }
 
 /// A compensated sum, compared with a value known in closed form.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_middle_of_the_steepest() {
     // x = ½ + 4(t − ½)³ and y = ½ + 1.5(t − ½) − 2(t − ½)³: at x = ½ + 4·2⁻⁴⁸ t is ½ + 2⁻¹⁶.
     let off = 2.0_f64.powi(-16);

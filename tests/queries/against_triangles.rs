@@ -4,7 +4,8 @@ use crate::support::Rng;
 use crate::support::nets::RandomNet;
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Patch};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const SEGMENTS: usize = 96;
 
@@ -26,7 +27,7 @@ fn triangles(patch: &Patch) -> Vec<[DVec3; 3]> {
     corners.collect()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn as_many_hits_at_the_same_distances() {
     let mut random = Rng(77);
     let mut hits = 0;

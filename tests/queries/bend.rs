@@ -7,7 +7,8 @@ use casteljau::curve::Basis;
 use casteljau::glam::DVec3;
 use casteljau::patch::Curvature;
 use casteljau::{Curve, MAX_COORDINATE, Patch};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Asserts k1 and k2, and that the other curvatures agree with them.
 #[track_caller]
@@ -18,7 +19,7 @@ fn assert_curvature(got: Curvature, k1: f64, k2: f64, tolerance: f64) {
     assert!((got.mean - 0.5 * (got.k1 + got.k2)).abs() <= 1e-15 * got.k1.abs().max(got.k2.abs()));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curvature_of_graphs() {
     // z = a u² + b v² at its vertex has the curvatures 2a and 2b, toward the normal (0, 0, 1).
     let (a, b) = (
@@ -44,7 +45,7 @@ fn curvature_of_graphs() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curvature_follows_the_map() {
     let patch = Rng(7).patch(3, 3);
     for scale in [1e-6, 1e6] {
@@ -69,7 +70,7 @@ fn curvature_follows_the_map() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curvature_at_poles() {
     // The paraboloid z = r² with the pole at v = 0: the point (v cos, v sin, v²), with any curve instead of the circle.
     let arc = points("1 0 0  1 0.55 0  0.55 1 0  0 1 0");
@@ -99,7 +100,7 @@ fn curvature_at_poles() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curvature_is_finite_on_odd_patches() {
     for patch in odd_patches() {
         for (u, v) in samples(4) {
@@ -113,7 +114,7 @@ fn curvature_is_finite_on_odd_patches() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn flatness_bounds_the_two_triangles() {
     let random = random_patches(15, &[(3, 3), (2, 4), (1, 1), (6, 2), (3, 3)]);
     for patch in odd_patches().iter().chain(&random) {
@@ -146,7 +147,7 @@ fn flatness_bounds_the_two_triangles() {
     assert!(!patch(&huge, 1, 1).flatness().is_nan());
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn de_casteljau_leads_from_rows_to_the_point() {
     let patch = Rng(9).patch(3, 2);
     let lengths = |levels: &[Vec<DVec3>]| levels.iter().map(Vec::len).collect::<Vec<_>>();
@@ -165,7 +166,7 @@ fn de_casteljau_leads_from_rows_to_the_point() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_patch_from_another_basis() {
     let mut random = Rng(30);
     let net: [DVec3; 16] = std::array::from_fn(|_| random.grid_point());
@@ -197,7 +198,7 @@ fn a_patch_from_another_basis() {
     assert_near(patch.partials(1.0, 1.0).uv, net[15], 1e-14);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_basis_and_its_net_are_finite() {
     let net = [DVec3::ONE; 16];
     let point = Patch::from_basis(Basis::BSpline, &net).unwrap();

@@ -5,9 +5,10 @@ use crate::support::Rng;
 use crate::support::near;
 use crate::support::nets::{RandomNet, assert_near, graph, nothing, patch, samples, teapot};
 use casteljau::glam::{DAffine3, DMat3, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_the_teapot() {
     let bounds = teapot().bounds().unwrap();
     // The maximum x is a known figure; the others are exact by symmetry or by control points.
@@ -17,7 +18,7 @@ fn of_the_teapot() {
     assert!((bounds.max.z - 3.15).abs() < 1e-15);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_polynomials() {
     // z = u² − u + v has its minimum at (½, 0) and its maxima at (0, 1) and (1, 1).
     let bounds = graph(2, 1, &[(1.0, 2, 0), (-1.0, 1, 0), (1.0, 0, 1)]).bounds();
@@ -38,7 +39,7 @@ fn of_polynomials() {
     assert!(graph(3, 2, &valley).bounds().min.z.abs() < 1e-15);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn contain_and_touch_the_patch() {
     let random = random_patches(31, &[(3, 3), (2, 2), (6, 4), (1, 3)]);
     for patch in odd_patches().iter().chain(&random) {
@@ -57,7 +58,7 @@ fn contain_and_touch_the_patch() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn follow_scale_and_parameters() {
     let patch = Rng(5).patch(3, 4);
     let bounds = patch.bounds();
@@ -74,7 +75,7 @@ fn follow_scale_and_parameters() {
     assert_near(swapped.max, bounds.max, 4e-15);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_little_and_of_much() {
     assert_eq!(nothing().bounds(), None);
     let point = patch(&[DVec3::ONE; 4], 1, 1).bounds();

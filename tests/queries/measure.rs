@@ -10,7 +10,8 @@ use crate::support::{Rng, near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::models::Up;
 use casteljau::{Patch, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 #[track_caller]
 fn assert_relative(got: f64, expected: f64, relative: f64) {
@@ -32,7 +33,7 @@ fn with_swapped(surface: &Surface, patch: usize) -> Surface {
     Surface::new(surface.vertices().to_vec(), indices, m, n).unwrap()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn areas_in_closed_form() {
     assert_relative(graph(3, 2, &[]).area(), 1.0, 1e-14);
     let plane = graph(2, 2, &[(3.0, 1, 0), (-2.0, 0, 1)]);
@@ -53,7 +54,7 @@ fn areas_in_closed_form() {
     assert_relative(folded.area(), 1.0 / 3.0, 1e-7);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn areas_of_cup_and_spoon() {
     for up in [Up::Z, Up::Y] {
         // The last digit of the known figures, and the eighth digit.
@@ -107,7 +108,7 @@ fn rays_go_in_and_out_of_gumbos_body() {
     assert!(hits > 1500, "{hits}");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn volumes_in_closed_form() {
     assert_relative(cube().volume().unwrap(), 1.0, 1e-15);
     // 16 u(1 − u) v(1 − v) over its unit square, with which it shares its edges: 4/9.
@@ -127,7 +128,7 @@ fn volumes_in_closed_form() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_sign_of_a_volume() {
     let cube = cube();
     // Neighbours whose normals disagree do not change the result …
@@ -141,7 +142,7 @@ fn the_sign_of_a_volume() {
     assert_relative(mirrored.volume().unwrap(), -2.0, 1e-15);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn what_is_open_has_no_volume() {
     let cube = cube();
     let five = with_indices(&cube, cube.indices()[4..].to_vec());
@@ -152,7 +153,7 @@ fn what_is_open_has_no_volume() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn area_and_volume_follow_the_map() {
     let (teapot, cube) = (teapot(), cube());
     let area = teapot.area();
@@ -171,7 +172,7 @@ fn area_and_volume_follow_the_map() {
     assert_relative(pieces, patch.area(), 1e-8);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn points_and_curves_have_no_area() {
     let turn = DAffine3::from_rotation_x(0.7);
     for (k, patch) in odd_patches().iter().enumerate() {

@@ -5,9 +5,10 @@ use crate::support::nets::{RandomNet, assert_near, bowl, graph, nothing, points,
 use crate::support::{Rng, assert_refused, near};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_a_rectangle() {
     let flat = graph(3, 2, &[]);
     let asked = "0.3 0.6 2  0.3 0.6 0  -1 0.5 1  0.25 9 -1  2 -2 5  1e9 0.5 0";
@@ -21,7 +22,7 @@ fn of_a_rectangle() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_a_paraboloid() {
     // Above the vertex of z = (u − ½)² + (v − ½)², the nearest point is the vertex as long as the height of p is below
     // ½, the radius of curvature.
@@ -47,7 +48,7 @@ fn check(patch: &Patch, p: DVec3, count: u32) {
     assert!(min - distance <= 0.1 * size);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn no_sample_is_nearer() {
     let mut random = Rng(3);
     for patch in odd_patches() {
@@ -63,7 +64,7 @@ fn no_sample_is_nearer() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn points_of_the_surface_are_their_own_nearest() {
     for (k, patch) in teapot().patches().enumerate() {
         for (u, v) in samples(3) {
@@ -74,7 +75,7 @@ fn points_of_the_surface_are_their_own_nearest() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_the_teapot() {
     let patches: Vec<Patch> = teapot().patches().collect();
     let mut random = Rng(8);
@@ -95,7 +96,7 @@ fn of_the_teapot() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn follows_rotation_and_scale() {
     let mut random = Rng(12);
     let patch = random.patch(3, 3);
@@ -111,7 +112,7 @@ fn follows_rotation_and_scale() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn of_nothing_and_of_extremes() {
     assert_eq!(nothing().nearest(DVec3::ZERO), Ok(None));
     for size in [1e-300, 1e-150, 1e150] {

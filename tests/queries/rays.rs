@@ -6,7 +6,8 @@ use crate::support::{Rng, assert_refused, near};
 use casteljau::glam::DVec3;
 use casteljau::patch::PatchPoint;
 use casteljau::{Patch, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The hits of the ray with this origin and this direction.
 pub(crate) fn shoot(patch: &Patch, ray: &str) -> Vec<PatchPoint> {
@@ -33,7 +34,7 @@ fn nearest(hits: &[PatchPoint], p: DVec3) -> f64 {
     distances.fold(f64::INFINITY, f64::min)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_rectangle() {
     let flat = graph(3, 3, &[]);
     assert_hits(&flat, "0.25 0.5 2  0 0 -7", "0.25 0.5 0", 1e-15);
@@ -57,7 +58,7 @@ fn a_rectangle() {
     assert_hits(&flat, "1.000000000001 0.5 2  0 0 -1", "", 0.0);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_paraboloid_from_the_side_and_from_above() {
     // √0.04 is 0.2, up to rounding.
     assert_hits(
@@ -73,7 +74,7 @@ fn a_paraboloid_from_the_side_and_from_above() {
 }
 
 /// Every hit lies on the ray and on the surface; points of the surface at which rays are aimed are among the hits.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn what_is_aimed_at_is_hit() {
     let mut random = Rng(5);
     let others = random_patches(4, &[(3, 3), (5, 2), (3, 4), (1, 1)]);
@@ -93,7 +94,7 @@ fn what_is_aimed_at_is_hit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn shared_sides_are_hit_once() {
     let teapot = teapot();
     for (k, patch) in teapot.patches().enumerate().skip(4).take(8) {
@@ -109,7 +110,7 @@ fn shared_sides_are_hit_once() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
     // The number of hits with a closed surface is even: here the bowl and a mirrored copy, joined at the rim.
     let mut all = bowl().control_points().to_vec();
@@ -123,7 +124,7 @@ fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
     assert_eq!(hits[1].distance, 3.5);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn hits_follow_rotation_and_scale() {
     let mut random = Rng(21);
     let patch = random.patch(3, 3);
@@ -149,7 +150,7 @@ fn hits_follow_rotation_and_scale() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn odd_patches_give_few_finite_hits() {
     let mut random = Rng(6);
     for patch in odd_patches() {
@@ -172,7 +173,7 @@ fn odd_patches_give_few_finite_hits() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals_and_extremes() {
     let patch = graph(1, 1, &[]);
     let zero = "direction: expected a vector of a length above 0, got 0";

@@ -5,9 +5,10 @@ use crate::support::nets::{assert_near, bowl, graph, patch, points, teapot};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 use casteljau::patch::PatchPoint;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_touch_is_one_hit() {
     assert_hits(&bowl(), "-1 0.5 0  1 0 0", "0.5 0.5 0", 1e-14);
     assert_hits(&bowl(), "0.5 4 0  0 -0.1 0", "0.5 0.5 0", 1e-14);
@@ -22,7 +23,7 @@ fn a_touch_is_one_hit() {
 }
 
 /// Next to this ray there are three hits on one side and one on the other; on the ray itself two of the three coincide.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_touch_beside_a_crossing() {
     let net = points("-1 0 0  -1 0 1  -1 0 1  0 1 1  0 -1 1  0 1 0  1 1 0  1 1 0  1 1 1");
     let patch = patch(&net, 2, 2);
@@ -34,7 +35,7 @@ fn a_touch_beside_a_crossing() {
     assert!(hits(0.5).iter().any(near));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_ray_within_the_patch_meets_its_sides() {
     let flat = graph(3, 3, &[]);
     assert_hits(&flat, "-1 0.25 0  1 0 0", "0 0.25 0  1 0.25 0", 1e-14);
@@ -52,7 +53,7 @@ fn a_ray_within_the_patch_meets_its_sides() {
     );
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_pole_is_one_hit() {
     let teapot = teapot();
     let hits = teapot.intersect_ray(DVec3::Z * 9.0, -DVec3::Z).unwrap();
@@ -65,7 +66,7 @@ fn a_pole_is_one_hit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_seam_is_hit_once() {
     // A tube whose first and last control points of each row coincide: u = 0 and u = 1 are the same line.
     let net = points("1 0 0  1 3 0  -3 1 0  1 0 0  1 0 1  1 3 1  -3 1 1  1 0 1");
@@ -79,7 +80,7 @@ fn a_seam_is_hit_once() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn hits_near_an_edge_are_two_from_far_away_too() {
     // A roof of two faces, intersected slightly below its ridge.
     let net = points("-1 0 -1  -1 1 -1  0 0 0  0 1 0  1 0 -1  1 1 -1");

@@ -8,7 +8,8 @@ use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::BSpline;
 use casteljau::{Curve, Error, Point, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn cases() -> usize {
     crate::support::cases(4_000, 200_000)
@@ -97,14 +98,14 @@ fn matches<P: Space>(seed: u64) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn as_the_recursion_of_cox_and_de_boor() {
     matches::<DVec2>(111);
     matches::<DVec3>(112);
 }
 
 /// Closed B-splines are open ones whose points and knots are periodic.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn closed_ones_go_around() {
     let mut rng = Rng(113);
     for case in 0..cases() {
@@ -150,7 +151,7 @@ fn closed_ones_go_around() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_uniform_cubic() {
     let d = xy("0 0, 6 0, 6 12, 0 12, -6 6");
     let spline = Spline::from_bspline(&d, 3, None, false).expect("five points");
@@ -174,7 +175,7 @@ fn the_uniform_cubic() {
     );
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn clamped_ends_are_reached_exactly() {
     let mut rng = Rng(114);
     for p in [1, 2, 3, 7, 64] {
@@ -195,7 +196,7 @@ fn clamped_ends_are_reached_exactly() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn there_and_back_is_the_same_spline() {
     let mut rng = Rng(115);
     for case in 0..cases() {
@@ -214,7 +215,7 @@ fn there_and_back_is_the_same_spline() {
 }
 
 /// Only ratios of knots matter; affine maps of the points map the curve.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn knots_and_points_of_any_size() {
     let points: Vec<DVec2> = random_points(&mut Rng(116), 8);
     let u = [0.0, 0.0, 0.0, 0.0, 0.2, 0.3, 0.3, 0.9, 1.0, 1.0, 1.0, 1.0];
@@ -240,7 +241,7 @@ fn knots_and_points_of_any_size() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     let p = [DVec2::ZERO; 5];
     let table: [(&[f64], usize, bool, &str); 12] = [
@@ -294,7 +295,7 @@ fn refusals() {
     );
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn long_ones_in_linear_time() {
     let point = |i: u32| DVec2::new(f64::from(i), f64::from(i % 5));
     let points: Vec<DVec2> = (0..1_000_000).map(point).collect();
@@ -308,7 +309,7 @@ fn long_ones_in_linear_time() {
 }
 
 /// By the Cox–de Boor recursion; outside its range the curve ends at its ends.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn evaluation_keeps_the_knots() {
     let mut rng = Rng(117);
     for case in 0..cases() / 4 {

@@ -4,9 +4,10 @@ use crate::spline::{continuity, control, each_spline, random};
 use crate::support::{Rng, real, refused, spline};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn open_takes_n_degree_plus_1_points_closed_n_degree() {
     for degree in [1, 2, 3, 4, 64] {
         for (count, closed) in (0..=2 * degree + 2).flat_map(|n| [(n, false), (n, true)]) {
@@ -25,7 +26,7 @@ fn open_takes_n_degree_plus_1_points_closed_n_degree() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refused_degrees_and_values() {
     let points = vec![DVec2::ZERO; 7];
     for degree in [0, 65, usize::MAX] {
@@ -46,7 +47,7 @@ fn refused_degrees_and_values() {
     refused(Spline::new(&bad, 2, false), "NotFinite points 2");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn segments_share_the_points_of_their_joints() {
     each_spline(1, |spline, degrees| {
         assert_eq!(spline.degrees(), degrees);
@@ -65,7 +66,7 @@ fn segments_share_the_points_of_their_joints() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn curves_that_do_not_follow_each_other_are_refused_with_their_gap() {
     let line = |from: f64, to: f64| Curve::line(DVec2::new(from, 0.0), DVec2::new(to, 0.0));
     let join = |gap: f64| {
@@ -86,7 +87,7 @@ fn curves_that_do_not_follow_each_other_are_refused_with_their_gap() {
     refused(Spline::from_curves(&none, false), "Count curves 0");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn appending_goes_on_in_the_direction_of_arrival() {
     let mut rng = Rng(3);
     for degrees in [&[1][..], &[2], &[3], &[5], &[1, 3], &[3, 2]] {
@@ -112,7 +113,7 @@ fn appending_goes_on_in_the_direction_of_arrival() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn equal_means_the_same_structure_and_near_points() {
     let points: Vec<DVec3> = (0..7).map(|i| DVec3::splat(real(i))).collect();
     let of = |points: &[DVec3], degrees: &[usize]| {

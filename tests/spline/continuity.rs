@@ -6,7 +6,8 @@ use casteljau::glam::{DAffine2, DVec2, DVec3};
 use casteljau::spline::JointMode::{C1, Free, G1};
 use casteljau::{Curve, Point, Spline};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The names of the kinds of continuity at a joint without a gap.
 fn kinds<P: Point>(spline: &Spline<P>, joint: usize) -> String {
@@ -29,7 +30,7 @@ fn joined<P: Point>(curves: (Curve<P>, Curve<P>)) -> Spline<P> {
     Spline::from_curves(&[curves.0, curves.1], false).expect("joined")
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_table_of_continuity() {
     // |κ| = ⅔ h / a² with a the length of the handle and h the distance of the second point from the tangent. The signs
     // are equal if both second points lie on the same side of the tangent.
@@ -64,7 +65,7 @@ fn the_table_of_continuity() {
 }
 
 /// A curve split at t: geometric continuity always holds; derivatives are equal only if both pieces cover equal spans.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn pieces_of_one_curve() {
     let mut rng = Rng(51);
     for degree in [2, 3, 4, 6] {
@@ -80,7 +81,7 @@ fn pieces_of_one_curve() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_tolerance_is_a_distance() {
     // The end of the handle lies 1e-3 off the tangent; the derivatives differ by 3e-3.
     let spline = joint("-3 1, -1 0, 0 0, 1 1e-3, 5 1");
@@ -92,7 +93,7 @@ fn the_tolerance_is_a_distance() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn zero_length_handles_are_judged_by_their_limit() {
     for (inner, g1, c1, angle) in [
         // P₄ = P₃: the direction after the joint is towards P₅.
@@ -107,7 +108,7 @@ fn zero_length_handles_are_judged_by_their_limit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn in_space_and_at_the_seam_of_a_closed_spline() {
     // A nearly circular ring of four quadratics through the middles of a square's sides: C1, not C2.
     let ring = spline("1 0, 1 1, 0 1, -1 1, -1 0, -1 -1, 0 -1, 1 -1", 2, true);
@@ -126,7 +127,7 @@ fn in_space_and_at_the_seam_of_a_closed_spline() {
     assert_eq!(kinds(&twisted, 1), "G1 C1");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn set_joint_keeps_the_handle_before() {
     let cubics = joint("-3 1, -1 0, 0 0, 3 4, 5 5");
     // G1 keeps the length 5, C1 uses the length of the other handle.
@@ -147,7 +148,7 @@ fn set_joint_keeps_the_handle_before() {
 }
 
 /// Two lines in one direction, a line and a curve: degrees do not matter, only derivatives.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn lines() {
     for (after, expected) in [
         ("1 0, 2 0", "G1 C1 G2 C2"),

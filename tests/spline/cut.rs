@@ -5,7 +5,8 @@ use crate::support::{Rng, all_near, exact, near_at, real, refused, spline, xy, x
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::JointMode;
 use casteljau::{Error, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The maximum difference of control points, for the same structure.
 fn difference(a: &Spline<DVec3>, b: &Spline<DVec3>) -> f64 {
@@ -14,7 +15,7 @@ fn difference(a: &Spline<DVec3>, b: &Spline<DVec3>) -> f64 {
     pairs.map(|(&p, &q)| (p - q).length()).fold(0.0, f64::max)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn inserting_keeps_the_curve() {
     each_spline(31, |spline, degrees| {
         let points = spline.control_points();
@@ -39,7 +40,7 @@ fn inserting_keeps_the_curve() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn at_a_joint_or_an_end_there_is_nothing_to_insert() {
     let spline = random::<DVec3>(&mut Rng(32), &[3, 2, 1], false);
     for t in [0.0, 1.0, 2.0, 3.0] {
@@ -50,7 +51,7 @@ fn at_a_joint_or_an_end_there_is_nothing_to_insert() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn removing_undoes_an_insert() {
     let mut rng = Rng(33);
     let single: [&[usize]; 6] = [&[1], &[2], &[3], &[4], &[5], &[7]];
@@ -73,7 +74,7 @@ fn removing_undoes_an_insert() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn zero_length_handles_heal_too() {
     let stopping = Spline::new(&xyz("0 0 0, 0 0 0, 1 2 0, 3 1 1"), 3, false);
     let stopping = stopping.expect("a spline");
@@ -97,7 +98,7 @@ fn zero_length_handles_heal_too() {
 }
 
 /// P₁′ = P₀ + (P₁ − P₀)/t₀, P₂′ = P₆ + (P₅ − P₆)/(1 − t₀), t₀ = a/(a + b).
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn any_two_cubics_become_one_by_the_rule() {
     let mut rng = Rng(34);
     for _ in 0..50 {
@@ -116,7 +117,7 @@ fn any_two_cubics_become_one_by_the_rule() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_first_joint_of_a_closed_spline_can_go() {
     let spline = random::<DVec3>(&mut Rng(35), &[3, 3, 3], true);
     let less = spline.remove(0).expect("a joint");
@@ -126,7 +127,7 @@ fn the_first_joint_of_a_closed_spline_can_go() {
     assert_eq!(less.control_points().len(), 6);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_lower_degree_is_elevated() {
     let spline = random::<DVec3>(&mut Rng(36), &[1, 3], false);
     let healed = spline.remove(1).expect("a joint");
@@ -135,7 +136,7 @@ fn the_lower_degree_is_elevated() {
     assert_eq!((q[0], q[3]), (p[0], p[4]));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn what_is_no_joint_is_refused() {
     let open = random::<DVec3>(&mut Rng(37), &[3, 3, 3], false);
     for got in [0, 3, 4, usize::MAX] {

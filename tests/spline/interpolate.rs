@@ -7,7 +7,8 @@ use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::Interpolation::{self, CatmullRom, Natural};
 use casteljau::{Curve, Point, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const KINDS: [Interpolation; 5] = [
     Natural,
@@ -57,7 +58,7 @@ fn natural<P: Space>(seed: u64) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn natural_splines_solve_their_equations() {
     natural::<DVec2>(101);
     natural::<DVec3>(102);
@@ -96,13 +97,13 @@ fn catmull_rom<P: Space>(seed: u64) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn catmull_rom_splines_have_the_tangents_of_the_book() {
     catmull_rom::<DVec2>(103);
     catmull_rom::<DVec3>(104);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn uniform_ones_are_the_classical_basis() {
     let p = [(0.0, 0.0), (1.0, 1.0), (3.0, 1.0), (4.0, 0.0)].map(DVec2::from);
     let spline = interpolate(&p, CatmullRom { alpha: 0.0 }, false);
@@ -117,7 +118,7 @@ fn uniform_ones_are_the_classical_basis() {
     assert!((0..3).all(|k| continuity(&ring, k, None).c1));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn two_points_make_a_line() {
     let p = xy("1 2, 4 -1");
     for kind in KINDS {
@@ -130,7 +131,7 @@ fn two_points_make_a_line() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_point_that_comes_twice_is_a_corner() {
     let p = xy("0 0, 1 0, 1 0, 1 1");
     let spline = interpolate(&p, CatmullRom { alpha: 0.5 }, false);
@@ -179,13 +180,13 @@ fn adversarial<P: Space>(seed: u64) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn any_points() {
     adversarial::<DVec2>(105);
     adversarial::<DVec3>(106);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_million_points() {
     let point = |i: u32| DVec2::new(f64::from(i), f64::from(i % 7));
     let p: Vec<DVec2> = (0..1_000_000).map(point).collect();
@@ -198,7 +199,7 @@ fn a_million_points() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     for (count, kind) in KINDS.into_iter().flat_map(|kind| [(0, kind), (1, kind)]) {
         let refusal = Spline::interpolate(&vec![DVec2::ZERO; count], kind, true);

@@ -6,7 +6,8 @@ use crate::support::{Rng, Space, changed, largest, near_at, random_points, real}
 use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};
 use casteljau::spline::JointMode::{self, Auto, C1, C2, Free, G1, G2};
 use casteljau::{Error, Point, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const ALL: [JointMode; 6] = [Free, G1, C1, C2, G2, Auto];
 
@@ -71,18 +72,18 @@ fn adversarial<P: Space>(seed: u64, modes: &[JointMode]) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn any_spline_in_the_plane() {
     adversarial::<DVec2>(71, &ALL);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn any_spline_in_space() {
     adversarial::<DVec3>(72, &[Free, G1, C1, C2, Auto]);
 }
 
 /// C2 on open splines: whatever is moved, every joint holds, and the formula is the documented one.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn equal_second_derivatives_are_passed_on() {
     let mut rng = Rng(73);
     let structures: [&[usize]; 5] = [&[3; 2], &[3; 6], &[4, 3, 5], &[3, 6, 3, 4], &[5; 3]];
@@ -101,7 +102,7 @@ fn equal_second_derivatives_are_passed_on() {
 }
 
 /// G2 on open splines holds where the second points lie on the same side; the handles are aligned in any case.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn equal_curvatures() {
     let mut rng = Rng(74);
     let (mut held, mut not) = (0, 0);
@@ -174,14 +175,14 @@ fn automatic<P: Space>(seed: u64) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn automatic_handles_follow_their_neighbours() {
     automatic::<DVec2>(75);
     automatic::<DVec3>(76);
 }
 
 /// A handle of an automatic joint that is moved explicitly keeps its position; so does a handle at an end.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn automatic_handles_can_be_moved() {
     let spline = smooth::<DVec2>(&mut Rng(77), &[3; 3], false, Auto);
     for index in [1, 2, 4, 5, 7, 8] {
@@ -192,7 +193,7 @@ fn automatic_handles_can_be_moved() {
 }
 
 /// Modes may differ from joint to joint: a free joint stops the propagation.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn free_joints_stop_the_propagation() {
     let spline = smooth::<DVec2>(&mut Rng(78), &[3; 6], false, C2);
     let mode = |k: usize| if k == 3 { Free } else { C2 };
@@ -206,7 +207,7 @@ fn free_joints_stop_the_propagation() {
 }
 
 /// On a ring each point is set only once: where the two fronts meet one joint may break, and no other.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn rings_break_at_one_joint() {
     let mut rng = Rng(79);
     for count in [2, 3, 4, 5, 6, 9] {
@@ -244,7 +245,7 @@ fn rings_break_at_one_joint() {
 }
 
 /// The growth along a long spline ends where numbers would overflow.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn long_splines_stay_finite() {
     let points: Vec<DVec2> = (0..=9000)
         .map(|i| DVec2::new(real(i), real(i % 3)))
@@ -265,7 +266,7 @@ fn long_splines_stay_finite() {
 }
 
 /// Moving points of the reversed spline gives the mirrored result, and space behaves as the plane.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn reversed_and_turned() {
     let mut rng = Rng(80);
     for round in 0..600 {
@@ -302,7 +303,7 @@ fn reversed_and_turned() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn setting_a_joint_keeps_the_handle_before_it() {
     let mut rng = Rng(81);
     for _ in 0..2000 {
@@ -326,7 +327,7 @@ fn setting_a_joint_keeps_the_handle_before_it() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn equal_curvature_is_of_the_plane() {
     let spline = smooth::<DVec3>(&mut Rng(82), &[3; 3], false, C1);
     let error = spline.set_joint(1, G2).expect_err("refused");

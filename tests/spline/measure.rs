@@ -6,9 +6,10 @@ use crate::support::{Rng, exact, near_at, real, refused, spline, xy};
 use casteljau::Spline;
 use casteljau::curve::PathSink;
 use casteljau::glam::{DVec2, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn t_counts_the_segments() {
     each_spline(4, |spline, degrees| {
         let points = spline.control_points();
@@ -27,7 +28,7 @@ fn t_counts_the_segments() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn polylines_keep_the_tolerance_and_have_a_vertex_at_each_joint() {
     let mut rng = Rng(6);
     for degrees in [&[3, 3, 3][..], &[2, 2], &[1, 2, 3, 4, 5]] {
@@ -58,7 +59,7 @@ fn polylines_keep_the_tolerance_and_have_a_vertex_at_each_joint() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn boxes_are_those_of_all_segments() {
     let arcs = spline("0 0, 1 1, 2 0, 3 -1, 4 0", 2, false);
     let (exact, control) = (arcs.bounds(), arcs.control_bounds());
@@ -69,7 +70,7 @@ fn boxes_are_those_of_all_segments() {
     assert!((closed.min.x + 4.0 / 3.0).abs() < 1.0 && closed.min.x < -1.0);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn reversed_splines() {
     each_spline(7, |spline, degrees| {
         let back = spline.reverse();
@@ -110,7 +111,7 @@ impl PathSink for Notes {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn drawing_moves_once_and_closes_closed_splines() {
     let points = xy("0 0, 1 1, 2 4, 3 9, 4 16, 5 25");
     for (degrees, closed, letters, ends) in [

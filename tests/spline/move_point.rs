@@ -5,7 +5,8 @@ use crate::support::{Rng, real, refused, spline, xy};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::JointMode::{self, C1, C2, Free, G1, G2};
 use casteljau::{Error, MAX_COORDINATE, Spline};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const MODES: [JointMode; 3] = [Free, G1, C1];
 
@@ -49,7 +50,7 @@ fn drag(
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn all_joints_hold() {
     let structures: [(&[usize], bool); 13] = [
         (&[3; 12], false),
@@ -84,7 +85,7 @@ fn all_joints_hold() {
 }
 
 /// On a ring of quadratics each handle belongs to two joints: one joint, where the two fronts meet, may break.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_ring_of_quadratics_breaks_no_more_than_one_joint() {
     for count in [3, 4, 7, 12] {
         drag(&vec![2; count], true, |before, after, index, mode| {
@@ -109,7 +110,7 @@ const C: &str = "0 0, 0 2, 2 2, 2 0, 2 -2, -6 -2, 4 0";
 
 /// C2 means P₄ = 2P₃ − P₂ and P₅ = P₁ + 4(P₃ − P₂). G2 means that the handles are aligned, and if P₁ and P₅ are on the
 /// same side of the tangent, that their lengths are in the ratio of the square roots of the distances of P₁ and P₅.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_formulas_of_two_cubics() {
     let table = [
         // If a handle is moved, the other one follows, with its own length or with the length of the moved one.
@@ -152,7 +153,7 @@ fn the_formulas_of_two_cubics() {
 }
 
 /// A huge move must not produce an infinity elsewhere.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn results_stay_finite() {
     let far = DVec2::new(MAX_COORDINATE, -MAX_COORDINATE);
     for (mode, index) in MODES
@@ -168,7 +169,7 @@ fn results_stay_finite() {
 }
 
 /// If both neighbours of a joint coincide, no mode can hold; the joint stays where it is.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn rings_too_small_to_hold_anything() {
     for (points, degree) in [("0 0", 1), ("0 0, 1 2", 1), ("0 0, 1 2", 2)] {
         for mode in MODES {
@@ -184,7 +185,7 @@ fn rings_too_small_to_hold_anything() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     let mut open = spline(A, 3, false);
     for got in [7, usize::MAX] {

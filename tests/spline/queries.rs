@@ -3,10 +3,11 @@
 use crate::spline::each_spline;
 use crate::support::{near_at, real, refused, spline};
 use casteljau::glam::DVec2;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The usual approximation of a circle by four cubics, with |curvature − 1| < 0.022.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_circle_has_the_tangents_and_the_curvature_of_a_circle() {
     let c = 4.0 / 3.0 * (2_f64.sqrt() - 1.0);
     let right = format!("1 0, 1 {c}, {c} 1, 0 1, -{c} 1, -1 {c}");
@@ -23,7 +24,7 @@ fn a_circle_has_the_tangents_and_the_curvature_of_a_circle() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn parts_of_a_spline_are_the_same_curve() {
     each_spline(77, |spline, degrees| {
         let (n, count) = (degrees.len(), real(degrees.len()));
@@ -48,7 +49,7 @@ fn parts_of_a_spline_are_the_same_curve() {
     });
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_part_between_joints_has_no_empty_segment() {
     let square = spline("0 0, 1 0, 1 1, 0 1", 1, true);
     assert_eq!(
@@ -61,7 +62,7 @@ fn a_part_between_joints_has_no_empty_segment() {
     assert_eq!(point.control_points(), [DVec2::new(1.0, 0.5); 2]);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn extrema_lie_inside_segments_and_at_joints() {
     let lines = |text: &str, closed: bool| spline(text, 1, closed);
     for (what, spline, x, y) in [
@@ -108,7 +109,7 @@ fn extrema_lie_inside_segments_and_at_joints() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn times_at_a_coordinate_name_joints_once() {
     let square = spline("0 0, 4 0, 4 4, 0 4", 1, true);
     assert_eq!(square.times_at_coordinate(0, 1.0), Ok(vec![0.25, 2.75]));
@@ -118,7 +119,7 @@ fn times_at_a_coordinate_name_joints_once() {
     refused(square.times_at_coordinate(0, f64::NAN), "NotFinite value 0");
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_point_at_a_length_has_both_directions() {
     each_spline(78, |spline, degrees| {
         let s = 0.6 * spline.length();

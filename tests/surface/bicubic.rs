@@ -4,7 +4,8 @@ use crate::support::Rng;
 use crate::support::nets::{RandomNet, net, patch, teapot, vector};
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Mesh, Patch};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// 0.001° in radians.
 const MIN_ANGLE: f64 = 1.745e-5;
@@ -28,7 +29,7 @@ fn assert_positions(patch: &Patch, grid: Grid) {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn positions_within_four_ulps() {
     let mut random = Rng(21);
     // Just below a power of 2, where an ulp is the smallest fraction of the number, with any sign; and anywhere in
@@ -50,7 +51,7 @@ fn positions_within_four_ulps() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn positions_of_any_size() {
     let net = Rng(22).net(3, 3);
     for size in [1e-44, 1e-38, 1e-20, 1e20, 1e36, 2e37, 3e37, 1e38] {
@@ -59,7 +60,7 @@ fn positions_of_any_size() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn zeros_of_shared_sides_have_the_same_sign() {
     // Numbers below the range of f32 become a zero, and the bits of −0 differ from those of 0.
     let mut random = Rng(23);
@@ -115,7 +116,7 @@ fn collapsed(random: &mut Rng, sides: &[usize]) -> Patch {
     patch(&net, 3, 3)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_near_collapsed_sides() {
     let mut random = Rng(24);
     for sides in [&[0][..], &[1], &[2], &[3], &[0, 1], &[2, 3]] {
@@ -127,7 +128,7 @@ fn normals_near_collapsed_sides() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_of_slanted_patches() {
     // ∂u and ∂v are almost parallel: their cross product is 10⁻⁵ of the product of their lengths.
     let mut random = Rng(25);
@@ -140,7 +141,7 @@ fn normals_of_slanted_patches() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_where_little_is_left_of_the_product() {
     // A fold: x = (u − 0.5003)², so that ∂u × ∂v changes its sign between two samples and is small at both.
     let fold = 0.5003;
@@ -159,7 +160,7 @@ fn normals_where_little_is_left_of_the_product() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_surface_is_evaluated_by_its_patches() {
     let surface = teapot();
     for k in [0, 7, 31] {

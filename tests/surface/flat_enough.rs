@@ -7,7 +7,8 @@ use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::FlatPiece;
 use casteljau::models::Up;
 use casteljau::{Patch, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The paraboloid z = (x² + y²)·height over the unit square.
 fn bowl(height: f64) -> Surface {
@@ -18,7 +19,7 @@ fn count(surface: &Surface, tolerance: f64) -> usize {
     surface.subdivide(tolerance).unwrap().len()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn pieces_cover_the_patch() {
     let pieces = teapot().subdivide(0.02).unwrap();
     let patches: Vec<Patch> = teapot().patches().collect();
@@ -47,7 +48,7 @@ fn pieces_cover_the_patch() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn depth_of_a_paraboloid_is_known() {
     // The control points of a square piece of size h are at most 1·h²·height from the plane of three corners: the
     // fourth corner lies in that plane, and at the middles of the edges x² has the coefficient 0 between 0 and h². Each
@@ -65,7 +66,7 @@ fn depth_of_a_paraboloid_is_known() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn plane_pieces_are_not_split() {
     // A plane patch is one leaf, whatever its parametrisation.
     let mut random = Rng(4);
@@ -80,7 +81,7 @@ fn plane_pieces_are_not_split() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn corners_without_a_plane() {
     // All corners coincide: the control points must be near this point. Corners on a line, control points off it.
     let mut bubble = vec![DVec3::ZERO; 16];
@@ -105,7 +106,7 @@ fn corners_without_a_plane() {
     assert!(count(&single(&sliver, 3, 3), 0.01) > 4);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn it_bounds_no_distance_to_the_triangles() {
     // As documented: the control points of a flat S are in one plane, but the curve is not on the triangles.
     let net = points("0 0 0  0 2 0  1 -2 0  1 0 0  0 1 0  0 3 0  1 -1 0  1 1 0");
@@ -115,7 +116,7 @@ fn it_bounds_no_distance_to_the_triangles() {
     assert!(bulge > 1.5);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn finer_tolerances_and_sizes() {
     let cup = Surface::teacup(Up::Z);
     let counts = [0.1, 0.01, 1e-3, 1e-4].map(|tolerance| count(&cup, tolerance));
@@ -130,7 +131,7 @@ fn finer_tolerances_and_sizes() {
     assert!(count(&turned, 0.01).abs_diff(counts[1]) <= 8);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refused() {
     let surface = bowl(1.0);
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -4,7 +4,8 @@ use crate::support::Rng;
 use crate::support::nets::{RandomNet, patch, teapot, vector};
 use casteljau::glam::DVec3;
 use casteljau::{Grid, GridMethod, Mesh, Patch};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn stepped(patch: &Patch, grid: Grid) -> Mesh {
     let mut mesh = Mesh::default();
@@ -13,7 +14,7 @@ fn stepped(patch: &Patch, grid: Grid) -> Mesh {
     mesh
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn positions_drift_no_further_than_stated() {
     let mut random = Rng(31);
     for (m, n) in [(1, 1), (2, 3), (3, 3), (3, 1), (4, 2), (6, 3), (10, 2)] {
@@ -36,7 +37,7 @@ fn positions_drift_no_further_than_stated() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_last_sample_of_a_line_is_exact() {
     let mut random = Rng(32);
     for degree in [1, 2, 3, 5, 9, 64] {
@@ -68,7 +69,7 @@ fn the_last_sample_of_a_line_is_exact() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn the_teapot_looks_the_same() {
     let (grid, mut mesh) = (Grid::from(16), Mesh::default());
     let method = GridMethod::ForwardDifference;
@@ -86,7 +87,7 @@ fn the_teapot_looks_the_same() {
     assert_eq!((mesh.uvs, mesh.patch_ids), (exact.uvs, exact.patch_ids));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn any_finite_net_gives_numbers() {
     let mut random = Rng(33);
     for degree in [1, 3, 64] {

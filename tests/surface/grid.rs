@@ -5,7 +5,8 @@ use crate::support::{Rng, assert_refused, near};
 use casteljau::curve::bernstein;
 use casteljau::glam::DVec3;
 use casteljau::{Grid, Indices, Mesh, Patch, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn cells(segments_u: usize, segments_v: usize) -> Grid {
     Grid {
@@ -18,7 +19,7 @@ fn mesh(patch: &Patch, grid: Grid) -> Mesh {
     patch.grid(grid, false).unwrap()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn layout_of_the_buffers() {
     let grid = cells(3, 2);
     assert_eq!((grid.vertex_count(), grid.triangle_count()), (12, 12));
@@ -46,7 +47,7 @@ fn layout_of_the_buffers() {
     assert_eq!(mesh.indices.get(mesh.indices.len()), None);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn faces_run_counter_clockwise_and_cover_the_square_once() {
     let grid = cells(5, 3);
     let mesh = Rng(1).patch(3, 3).grid(grid, true).unwrap();
@@ -68,7 +69,7 @@ fn faces_run_counter_clockwise_and_cover_the_square_once() {
     assert!(grid.quads().flatten().eq(indices[1].iter().copied()));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn triangles_face_where_the_normals_point() {
     let mesh = teapot().grid(Grid::from(16), false).unwrap();
     let mut flat = 0;
@@ -86,7 +87,7 @@ fn triangles_face_where_the_normals_point() {
     assert_eq!(flat, 128);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn samples_are_points_and_normals_of_the_patch() {
     let mut random = Rng(2);
     for (m, n) in [(1, 1), (2, 3), (3, 3), (3, 2), (5, 4), (1, 64), (64, 1)] {
@@ -107,7 +108,7 @@ fn samples_are_points_and_normals_of_the_patch() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn corners_are_exact() {
     let mut random = Rng(3);
     for _ in 0..100 {
@@ -147,7 +148,7 @@ fn assert_shared(points: &[DVec3], random: &mut Rng, degrees: &[usize], n: usize
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn shared_sides_are_bit_identical_from_both_patches() {
     let mut random = Rng(4);
     for degree in [1, 2, 3, 5, 8] {
@@ -160,7 +161,7 @@ fn shared_sides_are_bit_identical_from_both_patches() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn shared_sides_are_bit_identical_where_everything_cancels() {
     // Edges that pass through 0 at one sample, where only the rounding of f64 remains: it must be equal for both
     // patches.
@@ -194,7 +195,7 @@ fn along_u1(side: &[DVec3], random: &mut Rng, degree_u: usize) -> Patch {
     patch(&net, degree_u, side.len() - 1)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn degenerate_and_extreme_patches_give_numbers() {
     let line: Vec<DVec3> = (0..16).map(|k| DVec3::X * f64::from(k % 4)).collect();
     for net in [vec![DVec3::ONE; 16], line] {
@@ -213,7 +214,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn sixteen_bits_up_to_65536_vertices() {
     for (n, small) in [(255, true), (256, false)] {
         let mesh = mesh(&Rng(6).patch(1, 1), Grid::from(n));
@@ -222,7 +223,7 @@ fn sixteen_bits_up_to_65536_vertices() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn an_earlier_mesh_is_reused() {
     let mut mesh = teapot().grid(Grid::from(20), true).unwrap();
     let buffers = |mesh: &Mesh| (mesh.positions.as_ptr(), mesh.normals.as_ptr());
@@ -238,7 +239,7 @@ fn an_earlier_mesh_is_reused() {
     assert_eq!(mesh, patch.grid(Grid::from(4), false).unwrap());
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn patches_of_different_degrees_in_one_surface() {
     let mut random = Rng(8);
     let degrees = [[3, 3], [2, 1], [3, 3], [1, 5]];
@@ -261,7 +262,7 @@ fn patches_of_different_degrees_in_one_surface() {
     assert_eq!(nothing().control_bounds(), None);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn segments_are_checked_before_anything_is_allocated() {
     let mut mesh = teapot().grid(Grid::from(2), false).unwrap();
     let before = mesh.clone();
@@ -285,7 +286,7 @@ fn segments_are_checked_before_anything_is_allocated() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn surfaces_that_do_not_add_up() {
     let vertices = vec![DVec3::ZERO; 16];
     let indices: Vec<u32> = (0..16).collect();

@@ -5,7 +5,8 @@ use crate::support::{Rng, assert_refused};
 use casteljau::Patch;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DAffine3, DVec3};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const DEGREES: [[usize; 9]; 2] = [[1, 2, 3, 1, 3, 4, 9, 3, 64], [1, 2, 3, 3, 2, 5, 1, 64, 2]];
 const TS: [f64; 6] = [0.0, 0.125, 1.0 / 3.0, 0.5, 0.9, 1.0];
@@ -30,7 +31,7 @@ fn bernstein_sum(patch: &Patch, u: f64, v: f64) -> DVec3 {
 }
 
 /// Evaluation, isocurves, bounds, elevation, maps.
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn every_form_has_the_points_of_the_bernstein_sum() {
     let map = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7)
         * DAffine3::from_scale(DVec3::new(1.0, -2.0, 0.5))
@@ -57,7 +58,7 @@ fn every_form_has_the_points_of_the_bernstein_sum() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn corners_and_sides_are_exact() {
     for patch in patches(2) {
         let (net, m) = (patch.control_points(), patch.degree_u());
@@ -76,7 +77,7 @@ fn corners_and_sides_are_exact() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn partials_of_a_polynomial() {
     // z = u³v² − 2uv + 5v³ over the unit square has known derivatives.
     for (m, n) in [(3, 3), (4, 3), (3, 6)] {
@@ -94,7 +95,7 @@ fn partials_of_a_polynomial() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn partials_of_the_lowest_degrees() {
     let saddle = graph(1, 1, &[(1.0, 1, 1)]).partials(0.25, 0.5);
     let got = [saddle.u, saddle.v, saddle.uu, saddle.uv, saddle.vv];
@@ -103,7 +104,7 @@ fn partials_of_the_lowest_degrees() {
     assert_eq!(parabola.uu, DVec3::new(0.0, 0.0, 2.0));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn pieces_join_and_lie_on_the_patch() {
     for patch in patches(4) {
         for (u, v) in everywhere() {
@@ -132,7 +133,7 @@ fn pieces_join_and_lie_on_the_patch() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normal_of_a_graph() {
     // z = u² − v³: the normal is (−2u, 3v², 1), normalised.
     let patch = graph(3, 3, &[(1.0, 2, 0), (-1.0, 0, 3)]);
@@ -159,7 +160,7 @@ fn cap() -> Patch {
     patch(&rows.concat(), 3, 2)
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normal_at_a_collapsed_side_is_the_limit() {
     let net = cap().control_points().to_vec();
     let backwards: Vec<DVec3> = net.iter().rev().copied().collect();
@@ -177,7 +178,7 @@ fn normal_at_a_collapsed_side_is_the_limit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normal_at_a_degenerate_corner_is_the_limit() {
     // Both handles at (0, 0) have length 0, or they are parallel: flat in z = 0, so the normal is z from every direction.
     for copies in [&[(1, 0), (4, 0), (5, 0)][..], &[(4, 1)]] {
@@ -187,7 +188,7 @@ fn normal_at_a_degenerate_corner_is_the_limit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_do_not_depend_on_size_or_position() {
     for a in patches(7) {
         for size in [1e-300, 1e-9, 1e9, 1e149] {
@@ -201,7 +202,7 @@ fn normals_do_not_depend_on_size_or_position() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn patches_without_a_normal_have_none() {
     let point = patch(&[DVec3::ONE; 16], 3, 3);
     let line = patch(&net(3, 3, |i, j| DVec3::X * (i + 4.0 * j)), 3, 3);
@@ -214,7 +215,7 @@ fn patches_without_a_normal_have_none() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn moving_a_point_moves_only_that() {
     let before = Rng(9).patch(3, 3);
     let mut moved = before.clone();
@@ -228,7 +229,7 @@ fn moving_a_point_moves_only_that() {
     assert!(!before.approx_eq(&before.elevate().unwrap(), 1e9));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     let net = [DVec3::ZERO; 16];
     let count = "net: expected (degree_u + 1)·(degree_v + 1) control points, got";

@@ -4,9 +4,10 @@ use crate::support::nets::{teapot, vectors};
 use casteljau::glam::{DAffine3, DVec2, DVec3};
 use casteljau::models::{Height, Up};
 use casteljau::{Grid, Surface, TeapotOptions};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn counts() {
     let surface = teapot();
     assert_eq!(surface.patch_count(), 32);
@@ -18,7 +19,7 @@ fn counts() {
     assert_eq!(counts, [9_248, 16_384]);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn parts_are_ranges_of_patches() {
     let whole: Vec<_> = teapot().patches().collect();
     let ranges = [0..4, 4..12, 12..16, 16..20, 20..28, 28..32, 0..0];
@@ -37,7 +38,7 @@ fn parts_are_ranges_of_patches() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn heights_and_axes() {
     let of = |height, up| {
         let options = TeapotOptions {
@@ -55,7 +56,7 @@ fn heights_and_axes() {
     assert_eq!(turned, [[-3.0, 0.0, -2.0], [3.525, 4.2, 2.0]]);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn up_is_a_turn_and_not_a_mirror_image() {
     let turn = DAffine3::from_rotation_x(-std::f64::consts::FRAC_PI_2);
     let turned = Surface::teapot(TeapotOptions {
@@ -67,7 +68,7 @@ fn up_is_a_turn_and_not_a_mirror_image() {
     assert!(pairs.all(|(a, b)| a.approx_eq(&b, 1e-15)));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn limit_normals_at_the_poles() {
     let surface = teapot();
     for (patches, expected) in [(20..24, DVec3::Z), (28..32, -DVec3::Z)] {
@@ -81,7 +82,7 @@ fn limit_normals_at_the_poles() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_have_length_one_and_point_outwards() {
     let mesh = teapot().grid(Grid::from(16), false).unwrap();
     let vertices = vectors(&mesh.positions).zip(vectors(&mesh.normals));
@@ -101,7 +102,7 @@ fn normals_have_length_one_and_point_outwards() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn profile_is_the_listing_s() {
     // The widest ring of the body has the radius 2 at the height 0.9 and consists of four quarters.
     let surface = teapot();
@@ -115,7 +116,7 @@ fn profile_is_the_listing_s() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn a_moved_vertex_moves_all_patches_that_share_it() {
     let surface = teapot();
     // The first corner of the rim's first patch is the last corner of its fourth patch.

@@ -6,7 +6,8 @@ use crate::support::surfaces::listing;
 use casteljau::glam::DVec3;
 use casteljau::models::Up;
 use casteljau::{Grid, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// The control points of each patch as bits, after a map and, where `reversed`, with v reversed.
 #[cfg(not(target_family = "wasm"))]
@@ -42,7 +43,7 @@ fn data_are_the_listings_bit_for_bit() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn counts() {
     let (cup, spoon) = (Surface::teacup(Up::Z), Surface::teaspoon(Up::Z));
     assert_eq!((cup.patch_count(), cup.vertices().len()), (26, 251));
@@ -50,7 +51,7 @@ fn counts() {
     assert_eq!((spoon.patch_count(), spoon.vertices().len()), (16, 148));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn normals_point_outwards() {
     // The spoon is closed except for its gaps: the volume inside is positive.
     for up in [Up::Z, Up::Y] {
@@ -78,7 +79,7 @@ fn normals_point_outwards() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn cup_stands_and_spoon_lies() {
     let cup = Surface::teacup(Up::Z).control_bounds().unwrap();
     assert_eq!((cup.min.z, cup.max.x, cup.max.y), (0.0, 1.0, 1.0));

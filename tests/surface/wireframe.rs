@@ -7,7 +7,8 @@ use crate::support::{Rng, assert_refused};
 use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Point, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// A recorded drawing: a list of strokes, each a list of joined curves.
 #[derive(Default)]
@@ -64,7 +65,7 @@ fn perspective(distance: f64) -> DMat4 {
     )
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn each_line_once() {
     // 32 patches with lines + 1 curves in each direction, minus 52 shared edges and 8 collapsed ones.
     for lines in [1, 2, 5] {
@@ -78,7 +79,7 @@ fn each_line_once() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn lines_are_isocurves_of_the_patch() {
     let net = Rng(1).net(2, 4);
     let surface = single(&net, 2, 4);
@@ -94,7 +95,7 @@ fn lines_are_isocurves_of_the_patch() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn affine_maps_draw_the_mapped_control_points() {
     let matrix = DMat4::from_cols(
         dvec4(30.0, 7.0, 1.0, 0.0),
@@ -115,7 +116,7 @@ fn affine_maps_draw_the_mapped_control_points() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn perspective_keeps_the_tolerance() {
     let mut random = Rng(2);
     let mut surfaces = vec![teapot()];
@@ -166,7 +167,7 @@ fn samples<P: Point>(curves: &[Curve<P>], count: usize) -> Vec<P> {
     samples.flatten().collect()
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn what_lies_behind_the_eye_is_left_out() {
     // The eye is inside the teapot, on its axis.
     let matrix = perspective(0.0);
@@ -185,7 +186,7 @@ fn what_lies_behind_the_eye_is_left_out() {
     assert!(draw(&teapot(), &perspective(-10.0), 4, 0.1).0.is_empty());
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn extreme_surfaces_draw_numbers_or_nothing() {
     for size in [1e-300, 1e149] {
         let net: Vec<DVec3> = Rng(3).net(3, 3).iter().map(|&p| p * size).collect();
@@ -202,7 +203,7 @@ fn extreme_surfaces_draw_numbers_or_nothing() {
     assert!(draw(&point, &DMat4::IDENTITY, 2, 0.1).0.len() <= 6);
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refusals() {
     let lines = "lines: expected a whole number from 1, got 0";
     assert_refused(teapot().isocurves(0), lines);

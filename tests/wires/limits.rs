@@ -8,9 +8,10 @@ use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::{PatchRange, Wire, WireframeOptions};
 use casteljau::models::Up;
 use casteljau::{Mesh, Surface};
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn ranges_tell_which_patch_drew() {
     for mesh in [tubes(&teapot(), 3, 0.02, 4), ribbons(&teapot(), 3, 0.02)] {
         assert_eq!(mesh.patch_ranges.len(), 32);
@@ -24,7 +25,7 @@ fn ranges_tell_which_patch_drew() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn results_follow_the_surface() {
     let turn =
         DAffine3::from_rotation_y(0.7) * DAffine3::from_translation(DVec3::new(1.0, 2.0, 3.0));
@@ -40,7 +41,7 @@ fn results_follow_the_surface() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn degenerate_lines() {
     let point = single(&[DVec3::ONE; 16], 3, 3);
     for (surface, patches) in [(&point, 1), (&nothing(), 0)] {
@@ -76,7 +77,7 @@ fn check_ribbons(mesh: &Mesh) {
     assert!(all.all(|vertex| vertex < count));
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn adversarial_nets() {
     let mut random = Rng(11);
     for case in 0..300 {
@@ -90,7 +91,7 @@ fn adversarial_nets() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn refused() {
     let tube = |radius, sides| Wire::Tube { radius, sides };
     let ribbon = |width| Wire::Ribbon { width };

@@ -5,9 +5,10 @@ use crate::support::Rng;
 use crate::support::nets::{RandomNet, single, triangles, vector};
 use casteljau::glam::DVec3;
 use std::f64::consts::PI;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn ribbons_lie_in_the_tangent_planes() {
     let surface = single(&Rng(8).net(3, 3), 3, 3);
     let width = 0.04;
@@ -37,7 +38,7 @@ fn ribbons_lie_in_the_tangent_planes() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn ribbons_turn_with_the_surface() {
     // z = 20xy: every line is straight, but the surface turns about it by almost half a turn from end to end.
     let net = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];

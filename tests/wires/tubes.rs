@@ -6,9 +6,10 @@ use crate::support::measure::from_segment;
 use crate::support::nets::{RandomNet, net, single, teapot, triangles, vector, vectors, volume};
 use casteljau::glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
-use wasm_bindgen_test::wasm_bindgen_test;
+#[cfg(target_family = "wasm")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn straight_tubes_are_capsules() {
     // Four straight edges of a rectangle of 3 × 2.
     let surface = single(&net(1, 1, |i, j| DVec3::new(3.0 * i, 2.0 * j, 1.0)), 1, 1);
@@ -39,7 +40,7 @@ fn straight_tubes_are_capsules() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn teapot_s_tubes_are_closed_bodies() {
     for (lines, sides) in [(1, 3), (2, 5), (4, 8)] {
         let mesh = tubes(&teapot(), lines, 0.02, sides);
@@ -51,7 +52,7 @@ fn teapot_s_tubes_are_closed_bodies() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn centres_lie_on_the_lines() {
     let surface = single(&Rng(3).net(3, 3), 3, 3);
     let (radius, sides) = (0.02, 8);
@@ -81,7 +82,7 @@ fn centres_lie_on_the_lines() {
     }
 }
 
-#[wasm_bindgen_test(unsupported = test)]
+#[test]
 fn tubes_of_plane_lines_do_not_twist() {
     // All lines of a plane patch: the component of a corner's normal perpendicular to the plane is constant along the
     // line.
