@@ -263,7 +263,7 @@ impl<P: Point> Line<P> {
     /// The derivative, which is constant: the vector from the start to the end.
     #[inline]
     pub fn derivative(&self) -> P {
-        self.points[1] - self.points[0]
+        clamp_to_limit(self.points[1] - self.points[0])
     }
 }
 
@@ -284,7 +284,7 @@ impl<P: Point> Quad<P> {
     /// The same curve as a cubic.
     pub fn elevate(&self) -> Cubic<P> {
         let [a, b, c] = self.points;
-        let points = [a, a.lerp(b, 2.0 / 3.0), c.lerp(b, 2.0 / 3.0), c];
+        let points = [a, b.lerp(a, 1.0 / 3.0), c.lerp(b, 2.0 / 3.0), c];
         Cubic { points }
     }
 }

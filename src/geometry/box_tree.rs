@@ -163,9 +163,13 @@ impl BoxTree {
         }
     }
 
-    /// Calls `act` for each item whose box meets the ray from p in a direction; `act` returns the length at which the
-    /// ray may end.
+    /// Calls `act` for each item whose box meets the ray from p in a direction, which is not along an axis; `act` returns
+    /// the length at which the ray may end.
     pub(crate) fn along_ray(&self, p: DVec2, direction: DVec2, mut act: impl FnMut(usize) -> f64) {
+        debug_assert!(
+            direction.cmpne(DVec2::ZERO).all(),
+            "0/0 at the sides of boxes"
+        );
         let mut end = f64::INFINITY;
         let mut stack = vec![1];
         while let Some(k) = stack.pop() {

@@ -131,13 +131,7 @@ impl SplineSet {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
         for (i, curve) in self.curves.iter().enumerate() {
-            for intersection in curve.self_intersections() {
-                let intersection = Intersection {
-                    t: intersection.t,
-                    u: intersection.u,
-                    point: intersection.point,
-                    kind: IntersectionKind::Cross,
-                };
+            for intersection in curve.self_contacts() {
                 found.push(self.intersection_of(self, (i, i), intersection));
             }
         }

@@ -2,6 +2,8 @@
 
 use crate::intersect::generate::new;
 use crate::support::{Rng, bezier, largest, near, random_points, real};
+use casteljau::Path;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;
 
 #[test]
@@ -94,4 +96,16 @@ fn halves_cross_where_the_whole_crosses_itself() {
             assert!((p.t - q.0).abs().max((p.u - q.1).abs()) < 1e-9, "{what}");
         }
     }
+}
+
+/// x = 3(τ² − 1)², y = 3(τ² − 1)(τ + ½) for τ = 4t − 2: both passes of the origin, at τ = ±1, are vertical.
+#[test]
+fn a_curve_that_touches_itself() {
+    let touching = bezier("27 -13.5, -45 13.5, 59 -3.5, -45 -16.5, 27 22.5");
+    let found = Path::from(touching).self_intersections();
+    let contacts: Vec<_> = found.iter().filter(|m| m.point.length() < 1e-6).collect();
+    assert_eq!(contacts.len(), 1, "{found:?}");
+    near(contacts[0].t, 0.25, 1e-6);
+    near(contacts[0].u, 0.75, 1e-6);
+    assert_eq!(contacts[0].kind, IntersectionKind::Tangent);
 }

@@ -41,8 +41,22 @@ impl Test {
             // B′ × B″ · dt/2 in Bernstein form.
             let products = [a.perp_dot(b), 0.5 * a.perp_dot(c), b.perp_dot(c)];
             let (low, high) = range(products.into_iter());
-            let cube = least * least * least * (0.5 * dt);
-            if low > self.limits[0] * cube && high < self.limits[1] * cube {
+            let most = vectors.iter().map(|v| v.dot(*v)).fold(0.0, larger).sqrt();
+            let [least_cube, most_cube] = [least, most].map(|v| v * v * v * (0.5 * dt));
+            // A limit times |B′|³ is hardest to keep where it is nearest to the products.
+            let lower = self.limits[0]
+                * if self.limits[0] < 0.0 {
+                    least_cube
+                } else {
+                    most_cube
+                };
+            let upper = self.limits[1]
+                * if self.limits[1] > 0.0 {
+                    least_cube
+                } else {
+                    most_cube
+                };
+            if low > lower && high < upper {
                 return true;
             }
         }
@@ -94,6 +108,24 @@ mod tests {
                     "{k}: {min} to {max} is not within {limits:?}"
                 );
             }
+        }
+    }
+
+    /// Limits of equal sign: the curvature of an arc that is almost a quarter of the unit circle.
+    #[test]
+    fn limits_of_one_sign_are_proved() {
+        let kappa = 0.552;
+        let arc = [(0.0, kappa), (kappa - 1.0, 1.0 - kappa), (-kappa, 0.0)];
+        let left = arc.map(|v| DVec2::from(v) * 3.0);
+        let right = left.map(|v| DVec2::new(v.x, -v.y));
+        for (low, high, expected) in [
+            (0.9, 1.1, true),
+            (-1.0, 1.1, true),
+            (1.02, 2.0, false),
+            (0.5, 0.9, false),
+        ] {
+            assert_eq!(curvature_is_within(&left, [low, high]), expected);
+            assert_eq!(curvature_is_within(&right, [-high, -low]), expected);
         }
     }
 

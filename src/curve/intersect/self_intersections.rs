@@ -1,7 +1,7 @@
 //! Self-intersections of a curve.
 
 use super::super::Curve;
-use super::intersection::SelfIntersection;
+use super::intersection::{Intersection, IntersectionKind, SelfIntersection};
 use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::stationary::{derivative_zeros, is_monotone_along_chord};
 use crate::bernstein::de_casteljau::keep_between;
@@ -32,6 +32,14 @@ impl Curve<DVec2> {
     /// π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut into segments without
     /// reversals, which are intersected with each other within the limit of [`intersections`](Self::intersections).
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
+        self.self_contacts()
+            .into_iter()
+            .map(|Intersection { t, u, point, .. }| SelfIntersection { t, u, point })
+            .collect()
+    }
+
+    /// [`self_intersections`](Self::self_intersections) with the kind of contact.
+    pub(crate) fn self_contacts(&self) -> Vec<Intersection> {
         if self.degree() < 3 || is_monotone_along_chord(&self.points) {
             return Vec::new();
         }
@@ -41,20 +49,25 @@ impl Curve<DVec2> {
         if Chord::of(&pair.curves[0]).width <= pair.slack {
             return Vec::new();
         }
-        let mut locations: Vec<_> = if self.degree() == 3 {
-            double_point(&pair).into_iter().collect()
+        let found = if self.degree() == 3 {
+            // The branches of a double point of a cubic have different directions.
+            let cross = |times| ClassifiedPoint::new(times, IntersectionKind::Cross);
+            double_point(&pair).map(cross).into_iter().collect()
         } else {
             crossings(&pair)
         };
-        locations.retain(|&(t, u)| u - t > MIN_LOOP);
-        locations
-            .into_iter()
-            .map(|(t, u)| SelfIntersection {
+        let contact = |location: ClassifiedPoint| {
+            let (t, u) = location.times();
+            Intersection {
                 t,
                 u,
                 point: self.eval(if u == 1.0 { 1.0 } else { t }),
-            })
-            .collect()
+                kind: location.kind,
+            }
+        };
+        let mut contacts: Vec<_> = found.into_iter().map(contact).collect();
+        contacts.retain(|contact| contact.u - contact.t > MIN_LOOP);
+        contacts
     }
 }
 
@@ -76,7 +89,7 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
 }
 
 /// The self-intersections of a curve of any degree.
-fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
+fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedPoint> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
     for to in derivative_zeros(&pair.curves[0]).into_iter().chain([1.0]) {
@@ -103,7 +116,6 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     pair.locations(found)
         .into_iter()
         .filter(ClassifiedPoint::is_point)
-        .map(|location| location.times())
         .collect()
 }
 
