@@ -236,21 +236,26 @@ fn end_of(intersection: &SplineIntersection) -> (f64, f64) {
     }
 }
 
-/// Merges overlaps, sorted by t, that continue where another one ends in the same direction.
+/// Merges overlaps, sorted by the pair of splines and by t, that continue where another one ends in the same direction.
 fn joined_pieces(pieces: Vec<SplineIntersection>) -> Vec<SplineIntersection> {
     let mut all: Vec<SplineIntersection> = Vec::new();
+    // Those of the same pair that do not end before the current one starts.
+    let mut open: Vec<usize> = Vec::new();
     for piece in pieces {
         let (t_end, u_end) = end_of(&piece);
-        let continues = |q: &&mut SplineIntersection| {
-            let (t, u) = end_of(q);
-            (q.a, q.b) == (piece.a, piece.b)
-                && (t - piece.at.t).abs() <= ONE_JOINT
-                && (u - piece.at.u).abs() <= ONE_JOINT
-                && (u - q.at.u) * (u_end - piece.at.u) > 0.0
+        let after = |q: &SplineIntersection| piece.at.t - end_of(q).0;
+        open.retain(|&k| (all[k].a, all[k].b) == (piece.a, piece.b) && after(&all[k]) <= ONE_JOINT);
+        let continues = |q: &SplineIntersection| {
+            after(q) >= -ONE_JOINT
+                && (end_of(q).1 - piece.at.u).abs() <= ONE_JOINT
+                && (end_of(q).1 - q.at.u) * (u_end - piece.at.u) > 0.0
         };
-        match all.iter_mut().rev().find(continues) {
-            Some(before) => before.at.kind = IntersectionKind::Overlap { t_end, u_end },
-            None => all.push(piece),
+        match open.iter().rev().find(|&&k| continues(&all[k])) {
+            Some(&k) => all[k].at.kind = IntersectionKind::Overlap { t_end, u_end },
+            None => {
+                open.push(all.len());
+                all.push(piece);
+            }
         }
     }
     all

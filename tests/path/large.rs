@@ -56,6 +56,22 @@ fn queries_of_a_coast() {
     assert_eq!(again.expect("own text"), path);
 }
 
+/// Two grids of squares, one moved by half a square: each side is shared with four others.
+#[test]
+fn overlaps_of_many_squares() {
+    let (rows, columns) = (count() / 500, 100);
+    let grid = |left: f64| {
+        let square = |k: usize| {
+            let corner = DVec2::new(left + real(k % columns), real(k / columns));
+            Path::rect(corner, DVec2::ONE).expect("finite")
+        };
+        let squares = (0..rows * columns).flat_map(|k| square(k).subpaths().collect::<Vec<_>>());
+        Path::new(&squares.collect::<Vec<_>>())
+    };
+    let found = grid(0.0).intersections(&grid(0.5));
+    assert_eq!(found.len(), (2 * columns - 1) * (4 * rows - 2));
+}
+
 #[test]
 fn dashes_of_a_coast() {
     let path = lines(&coast(count()), true);
