@@ -10,11 +10,17 @@ import type { Stop } from "./easing-piecewise.js";
 /** The line of a link through the point `from`. The next link begins on it, between `from` and x = `to`. */
 export type Line = readonly [slope: number, from: Stop, to: number];
 
-/**
- * What a line has to pass, for one boundary of the tolerance: the points on that boundary; the slope of the line that
- * touches it last, and the point that it touches then.
- */
-export type Boundary = [points: Stop[], slope: number, touch: Stop];
+/** What a line has to pass, for one boundary of the tolerance. */
+export type Boundary = {
+  /** The points on the boundary */
+  points: Stop[];
+  /** The slope of the line that touches it last, and the point that it touches then */
+  slope: number;
+  touch: Stop;
+  /** The convex hull, on the side of the lines, of the first `done` points */
+  hull: Stop[];
+  done: number;
+};
 
 /** Halvings of the tolerance in the search for the smallest error. */
 const ROUNDS = 12;
@@ -46,46 +52,64 @@ function fewestLines(run: readonly Stop[], tolerance: number): Line[] {
   for (let k = 0; k <= end; ) {
     const [x, y] = run[k];
     const points = SIGNS.map((sign) => [x, k % end === 0 ? y : y - sign * tolerance] as Stop);
-    const side = points.findIndex((point, i) => SIGNS[i] * (slopeTo(link, i, point) - link[1 - i][1]) > 0);
+    const side = points.findIndex((point, i) => SIGNS[i] * (slopeTo(link, i, point) - link[1 - i].slope) > 0);
     if (side < 0) {
       points.forEach((point, i) => addPoint(link, i, point));
       k++;
     } else {
-      const [, slope, from] = link[1 - side];
-      const to = k === end ? x : crossing(slope, from, link[side][0].at(-1) as Stop, points[side]);
+      const { points: others, slope, touch: from } = link[1 - side];
+      const to = k === end ? x : crossing(slope, from, link[side].points.at(-1) as Stop, points[side]);
       lines.push([slope, from, to] as const);
       const next = newLink();
-      const others = link[1 - side][0];
       for (const point of others.slice(others.indexOf(from))) addPoint(next, 1 - side, point);
       if (k < end) addPoint(next, side, [to, heightAt(slope, from, to)]);
       link = next;
     }
   }
   // Through the last point, in the middle of the possible slopes.
-  const slopes = link.map(([, slope]) => slope).filter(Number.isFinite);
+  const slopes = link.map(({ slope }) => slope).filter(Number.isFinite);
   const slope = 0.5 * (slopes[0] + slopes[slopes.length - 1]);
   return [...lines, [slope, run[end], 0] as const];
 }
 
 /** @returns lower, upper */
-const newLink = (): Boundary[] => SIGNS.map((sign) => [[], -sign / 0, [0, 0]]);
+const newLink = (): Boundary[] =>
+  SIGNS.map((sign) => ({ points: [], slope: -sign / 0, touch: [0, 0], hull: [], done: 0 }));
 
 /**
- * The limit that a point of one boundary sets to the slopes of lines which pass the other one.
+ * The limit that a point of one boundary sets to the slopes of lines which pass the other one, on the left of the point.
  *
- * @param point right of all others
+ * @param point not left of any other
  */
 function slopeTo(link: Boundary[], side: number, [x, y]: Stop) {
   const sign = SIGNS[side];
-  let slope = -Infinity;
-  for (const [a, b] of link[1 - side][0]) if (a < x) slope = Math.max(slope, (sign * (y - b)) / (x - a));
-  return sign * slope;
+  const other = link[1 - side];
+  const { points, hull } = other;
+  for (; other.done < points.length && points[other.done][0] < x; other.done++) {
+    const p = points[other.done];
+    while (hull.length > 1 && !turnsBack(hull[hull.length - 2], hull[hull.length - 1], p, sign)) hull.pop();
+    hull.push(p);
+  }
+  // Along the hull the slopes grow up to the point that the line touches, and then fall.
+  const slope = (k: number) => (sign * (y - hull[k][1])) / (x - hull[k][0]);
+  let [low, high] = [0, hull.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (slope(middle) < slope(middle + 1)) low = middle + 1;
+    else high = middle;
+  }
+  return sign * (hull.length ? slope(low) : -Infinity);
 }
 
+/** Whether b lies on the side of the lines of the one from a to c. */
+const turnsBack = (a: Stop, b: Stop, c: Stop, sign: number) =>
+  sign * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) > 0;
+
 function addPoint(link: Boundary[], side: number, point: Stop) {
+  const own = link[side];
   const slope = slopeTo(link, side, point);
-  link[side][0].push(point);
-  if (SIGNS[side] * (slope - link[side][1]) > 0) link[side] = [link[side][0], slope, point];
+  own.points.push(point);
+  if (SIGNS[side] * (slope - own.slope) > 0) [own.slope, own.touch] = [slope, point];
 }
 
 /** The x at which a line crosses the one between two points, which lie on different sides of it. */

@@ -31,6 +31,9 @@ struct Boundary {
     /// The limit of the slopes, and the point at which it was set: the line of this slope touches it last.
     slope: f64,
     touch: usize,
+    /// The convex hull, on the side of the lines, of the first `done` points.
+    hull: Vec<Stop>,
+    done: usize,
 }
 
 /// The polyline of the fewest stops between the ends of a run, at the smallest error that this number permits.
@@ -65,7 +68,7 @@ fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<Line> {
         let is_pinned = k % end == 0;
         let points = SIGNS.map(|sign| [x, if is_pinned { y } else { y - sign * tolerance }]);
         let out_of_reach = |&side: &usize| {
-            SIGNS[side] * (slope_to(&link, side, points[side]) - link[1 - side].slope) > 0.0
+            SIGNS[side] * (slope_to(&mut link, side, points[side]) - link[1 - side].slope) > 0.0
         };
         let Some(side) = (0..2).find(out_of_reach) else {
             add_point(&mut link, 0, points[0]);
@@ -98,16 +101,49 @@ fn new_link() -> [Boundary; 2] {
         points: Vec::new(),
         slope: -sign * f64::INFINITY,
         touch: 0,
+        hull: Vec::new(),
+        done: 0,
     })
 }
 
-/// The limit of the slope that a new point of one boundary sets, together with the points of the other boundary to its
-/// left.
-fn slope_to(link: &[Boundary; 2], side: usize, [x, y]: Stop) -> f64 {
+/// The limit of the slope that a point of one boundary, not left of any other, sets together with the points of the other
+/// boundary on its left.
+fn slope_to(link: &mut [Boundary; 2], side: usize, [x, y]: Stop) -> f64 {
     let sign = SIGNS[side];
-    let left = link[1 - side].points.iter().filter(|[a, _]| *a < x);
-    let slopes = left.map(|[a, b]| (sign * (y - b)) / (x - a));
-    sign * slopes.fold(f64::NEG_INFINITY, f64::max)
+    let Boundary {
+        points, hull, done, ..
+    } = &mut link[1 - side];
+    while let Some(&p) = points.get(*done).filter(|p| p[0] < x) {
+        while let [.., a, b] = hull[..]
+            && !turns_back(a, b, p, sign)
+        {
+            hull.pop();
+        }
+        hull.push(p);
+        *done += 1;
+    }
+    // Along the hull the slopes grow up to the point that the line touches, and then fall.
+    let slope = |k: usize| (sign * (y - hull[k][1])) / (x - hull[k][0]);
+    let (mut low, mut high) = (0, hull.len().saturating_sub(1));
+    while low < high {
+        let middle = (low + high) / 2;
+        if slope(middle) < slope(middle + 1) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    let greatest = if hull.is_empty() {
+        f64::NEG_INFINITY
+    } else {
+        slope(low)
+    };
+    sign * greatest
+}
+
+/// Whether b lies on the side of the lines of the one from a to c.
+fn turns_back(a: Stop, b: Stop, c: Stop, sign: f64) -> bool {
+    sign * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) > 0.0
 }
 
 fn add_point(link: &mut [Boundary; 2], side: usize, point: Stop) {
