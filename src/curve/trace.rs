@@ -5,7 +5,7 @@ use crate::bernstein::polynomials::binomials;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ratio;
+use crate::numeric::float::{ratio, ulp};
 use glam::DVec2;
 
 /// Receives path commands; for example an HTML canvas, a path builder or a plotter.
@@ -25,8 +25,9 @@ pub trait PathSink {
 impl Curve<DVec2> {
     /// Sends the curve to `sink`, beginning with a `move_to` its start.
     ///
-    /// Degrees 1 to 3 are sent unchanged. Higher degrees become cubics with the same end tangents, whose distance from
-    /// the curve is at most 10⁻⁴ of the diagonal of the control points' box.
+    /// Degrees 1 to 3 are sent unchanged. A higher degree n becomes cubics with the same end tangents, whose distance from
+    /// the curve is at most 10⁻⁴ of the diagonal of the control points' box, or n² ulps of the largest coordinate if that
+    /// is more, which rounding hides.
     pub fn trace(&self, sink: &mut impl PathSink) {
         sink.move_to(self.start());
         self.trace_on(sink, None);
@@ -54,21 +55,30 @@ impl<P: Point> Curve<P> {
             [_, p1, p2, p3] => sink.cubic_to(p1.to_2d(), p2.to_2d(), p3.to_2d()),
             _ => {
                 let default = || 1e-4 * self.control_bounds().diagonal();
-                self.trace_cubics(sink, tolerance.unwrap_or_else(default), MAX_HALVINGS);
+                let mut draw = |cubic: &Self| cubic.trace_on(sink, None);
+                self.for_each_cubic(tolerance.unwrap_or_else(default), &mut draw);
             }
         }
     }
 
-    /// Halves the curve until a cubic is within the tolerance.
-    fn trace_cubics(&self, sink: &mut impl PathSink, tolerance: f64, halvings: usize) {
+    /// Calls `act` with the curve if its degree is at most 3, and otherwise with cubics in its place, of which each has the
+    /// ends and the end tangents of its part of the curve, within a tolerance or what rounding hides.
+    pub(crate) fn for_each_cubic(&self, tolerance: f64, act: &mut impl FnMut(&Self)) {
+        if self.degree() <= 3 {
+            return act(self);
+        }
+        let hidden = hidden_by_rounding(self.degree(), self.max_abs());
+        self.halve_to_cubics(tolerance.max(hidden), MAX_HALVINGS, act);
+    }
+
+    fn halve_to_cubics(&self, tolerance: f64, halvings: usize, act: &mut impl FnMut(&Self)) {
         let cubic = self.cubic_of_same_tangents();
         if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
-            cubic.trace_on(sink, None);
-            return;
+            return act(&cubic);
         }
         let (left, right) = self.halve();
-        left.trace_cubics(sink, tolerance, halvings - 1);
-        right.trace_cubics(sink, tolerance, halvings - 1);
+        left.halve_to_cubics(tolerance, halvings - 1, act);
+        right.halve_to_cubics(tolerance, halvings - 1, act);
     }
 
     /// The cubic with the same end points and the same end derivatives.
@@ -106,5 +116,12 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The error of the cubic falls by a factor of 16 with each halving: 13 halvings exhaust the 52 bits of f64.
-const MAX_HALVINGS: usize = 13;
+/// The distance of a cubic from a curve of degree n that rounding hides: halving leaves errors of some ulps in the control
+/// points, which n/3 multiplies for the handles of the cubic.
+pub(crate) fn hidden_by_rounding(degree: usize, largest: f64) -> f64 {
+    (degree * degree) as f64 * ulp(largest)
+}
+
+/// The error of the cubic is at most n⁴/4! times the largest coordinate, and falls by a factor of 16 with each halving: to
+/// n² ulps by 13 halvings for the 52 bits of f64 and 3 for n = 64, and some as a reserve for rounding.
+pub(crate) const MAX_HALVINGS: usize = 20;

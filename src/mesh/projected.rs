@@ -8,17 +8,14 @@
 
 use crate::bernstein::polynomials::binomials;
 use crate::curve::Curve;
-use crate::curve::trace::PathSink;
+use crate::curve::trace::{MAX_HALVINGS, PathSink, hidden_by_rounding};
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, ulp};
+use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use glam::{DMat4, DVec3, DVec4};
 
 /// The smallest depth that is drawn, as a fraction of the largest depth.
 const NEAR_RATIO: f64 = 1e-3;
-
-/// The maximum number of halvings of a curve: into pieces of 1/4096.
-const MAX_HALVINGS: usize = 12;
 
 /// A projection to a canvas.
 pub(crate) struct Projection {
@@ -87,7 +84,11 @@ impl Projection {
             return Some(Curve::from_points(flat));
         }
         let cubic = cubic_of_same_tangents(points, &flat);
-        (must || error_bound(points, &cubic) <= self.tolerance).then(|| Curve::from_slice(&cubic))
+        let largest = flat.iter().map(|p| p.max_abs()).fold(0.0, f64::max);
+        let tolerance = self
+            .tolerance
+            .max(hidden_by_rounding(points.len() - 1, largest));
+        (must || error_bound(points, &cubic) <= tolerance).then(|| Curve::from_slice(&cubic))
     }
 }
 
@@ -101,9 +102,7 @@ impl<T: PathSink> ProjectedSubpath<'_, T> {
         if !self.down {
             self.sink.move_to(flat.start().to_2d());
         }
-        // A tolerance below the rounding of the coordinates is useless on a canvas, and no cubic can meet it.
-        let min = 4.0 * ulp(flat.max_abs());
-        flat.trace_on(self.sink, Some(tolerance.max(min)));
+        flat.trace_on(self.sink, Some(tolerance));
         self.down = true;
     }
 }

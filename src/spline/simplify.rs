@@ -11,7 +11,6 @@ use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
-use crate::numeric::work_limit::WorkLimit;
 
 /// The ratio of the tolerance that is spent on the polyline that approximates the spline.
 const POLYLINE_SHARE: f64 = 1.0 / 32.0;
@@ -19,9 +18,6 @@ const POLYLINE_SHARE: f64 = 1.0 / 32.0;
 /// The maximum number of polyline vertices per segment: at 1/32 of a tolerance of 10⁻⁶ of its size, a cubic needs about
 /// half of them.
 const MAX_VERTICES_PER_SEGMENT: usize = 1 << 12;
-
-/// The maximum number of cubics that replace a segment of a higher degree whose polyline would have too many vertices.
-const MAX_CUBICS_PER_SEGMENT: usize = 1 << 12;
 
 /// Tangents that differ by less than this, as the distance of unit vectors (3°), are those of a smooth joint.
 const SMOOTH: f64 = 0.05;
@@ -280,35 +276,13 @@ impl<P: Point> Vertices<P> {
 }
 
 impl<P: Point> Spline<P> {
-    /// The spline with each segment of a higher degree replaced by cubics: it is halved until the cubic with the same
-    /// ends and tangents is within the tolerance.
+    /// The spline with each segment of a higher degree replaced by cubics within the tolerance.
     fn in_cubics(&self, tolerance: f64) -> Result<Self, Error> {
-        let mut work = WorkLimit::new(MAX_CUBICS_PER_SEGMENT.saturating_mul(self.segment_count()));
         let mut cubics = Vec::new();
         for segment in self.segments() {
-            // The remaining parts of the segment, the first one last.
-            let mut rest = vec![segment];
-            while let Some(piece) = rest.pop() {
-                if !work.spend(1) {
-                    let limit = MAX_CUBICS_PER_SEGMENT.saturating_mul(self.segment_count());
-                    return Err(Error::too_many(
-                        "cubics of the simplified spline",
-                        limit,
-                        limit.saturating_add(1),
-                    ));
-                }
-                if piece.degree() <= 3 {
-                    cubics.push(piece);
-                    continue;
-                }
-                let cubic = piece.cubic_of_same_tangents();
-                if piece.distance_of_controls(&cubic) <= tolerance * (1.0 - ROUNDING_SHARE) {
-                    cubics.push(cubic);
-                } else {
-                    let (left, right) = piece.halve();
-                    rest.extend([right, left]);
-                }
-            }
+            segment.for_each_cubic(tolerance * (1.0 - ROUNDING_SHARE), &mut |cubic| {
+                cubics.push(cubic.clone());
+            });
         }
         Self::from_curves(&cubics, self.closed)
     }

@@ -96,6 +96,31 @@ fn high_degrees_become_cubics_within_the_tolerance() {
     }
 }
 
+/// At degree 64 the error of a cubic is large until the halves are short.
+#[test]
+fn the_finest_tolerance_is_kept_at_degree_64() {
+    let points: Vec<DVec2> = (0..=64)
+        .map(|i| {
+            let y = if i % 2 == 0 || i == 1 { 1.0 } else { -1.0 };
+            DVec2::new(f64::from(i) / 64.0, y)
+        })
+        .collect();
+    let curve = Curve::new(&points).expect("finite");
+    let drawn = strokes(&curve, Some(1e-12));
+    let mut from = curve.start();
+    for (k, stroke) in drawn[1..].iter().enumerate() {
+        let Stroke::Cubic(p1, p2, p) = *stroke else {
+            panic!("{stroke:?}")
+        };
+        if k % 50 == 0 {
+            let middle = Curve::cubic(from, p1, p2, p).eval(0.5);
+            let distance = curve.nearest(middle).expect("finite").distance;
+            assert!(distance < 1e-12, "cubic {k} of {}: {distance}", drawn.len());
+        }
+        from = p;
+    }
+}
+
 #[test]
 fn an_elevated_cubic_is_drawn_as_that_cubic() {
     let cubic = bezier("0 0, 4 8, 8 8, 12 4");
