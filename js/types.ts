@@ -18,7 +18,8 @@ export type { FitEffort, FitOptions, SimplifyOptions } from "./geometry/spline/s
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
 export type { StrokeJoin } from "./geometry/joins.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
-export type { FillRule, Moments, RegionOptions } from "./geometry/path/core-path.js";
+export type { Moments } from "./geometry/path/core-path.js";
+export type { FillRule, RegionOptions } from "./geometry/path/fill-rule.js";
 export type { SvgError, Face } from "./geometry/path/path.js";
 export type {
   StrokeOptions,
@@ -33,7 +34,8 @@ export type { BooleanOperation } from "./geometry/path/path-boolean.js";
 export type { PathTime, PathPoint, PathPointAtLength } from "./geometry/path/path-queries.js";
 export type { PathExtrema } from "./geometry/path/path-coordinates.js";
 export type { ArcOptions, RectOptions } from "./geometry/path/path-shapes.js";
-export type { NearestPath, Shape } from "./geometry/path/core-path.js";
+export type { Shape } from "./geometry/path/core-path.js";
+export type { NearestPath, PathIndex } from "./geometry/path/path-index.js";
 export type { PathBuilder } from "./geometry/path/path-builder.js";
 export type { PathSegment, CssOptions } from "./io/path-data.js";
 export type { SvgOptions, PathSvgOptions, ArcSvgOptions } from "./io/svg-write.js";

@@ -101,8 +101,13 @@ export class BoxTree {
 
   /** Calls `act` for each item whose box contains a point of the plane, its border included. */
   around(x: number, y: number, act: (item: number) => void): void {
+    this.overlapping(x, y, x, y, act);
+  }
+
+  /** Calls `act` for each item whose box has a point in common with a box of the plane. */
+  overlapping(minX: number, minY: number, maxX: number, maxY: number, act: (item: number) => void): void {
     this.descend((boxes, at, from, to) => {
-      if (!(boxes[at] <= x && x <= boxes[at + 2] && boxes[at + 1] <= y && y <= boxes[at + 3])) return false;
+      if (boxes[at] > maxX || boxes[at + 2] < minX || boxes[at + 1] > maxY || boxes[at + 3] < minY) return false;
       if (to - from > 1) return true;
       act(this.#order?.[from] ?? from);
       return false;

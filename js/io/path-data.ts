@@ -2,7 +2,7 @@
 import * as check from "../geometry/check.js";
 import { checkTolerance, draw, roundTrip, shortNumber } from "./svg-write.js";
 import { ARGUMENT_COUNTS, PathBuilder } from "./svg-read.js";
-import type { FillRule } from "../geometry/path/core-path.js";
+import type { FillRule } from "../geometry/path/fill-rule.js";
 
 /** One command of path data: its letter and its numbers. */
 export interface PathSegment {

@@ -98,7 +98,7 @@ test("entries: the paths of casteljau/paths have all but operations on regions",
   assert.equal(ring.length(), whole.length());
   assert.equal(paths.Curve, complete.Curve);
   assert.equal(Spline, complete.Spline);
-  assert.deepEqual(Path.nearestOf([whole, ring], [3, 0]), complete.Path.nearestOf([ring, whole], [3, 0]));
+  assert.deepEqual(Path.index([whole, ring]).nearest([3, 0]), complete.Path.index([ring, whole]).nearest([3, 0]));
   const { circle } = /** @type {any} */ (Path);
   assert.throws(() => circle([0, 0], 2), {
     name: "TypeError",

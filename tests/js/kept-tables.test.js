@@ -240,30 +240,37 @@ test("paths: after the first call the core is not passed the path", () => {
   assert.deepEqual(ask(), answers);
 });
 
-test("Path.nearestOf: the first of the nearest paths, within a distance", () => {
+test("Path.index: the first of the nearest paths, those that contain a point, those within a box", () => {
   const paths = Array.from({ length: 200 }, (_, k) => Path.circle([20 * (k % 20), 20 * Math.floor(k / 20)], 9));
-  paths.push(new Path([]));
-  for (const p of pointsOf("0,0 10,10 33,71 399,1 -50,60 200,190.5")) {
+  paths.splice(100, 0, new Path([]));
+  paths.push(Path.rect([-10, -10], 100, 100), Path.fromSVG("M0 0H40V40H0Z M10 10H30V30H10Z"));
+  const index = Path.index(paths);
+  for (const p of pointsOf("0,0 10,10 33,71 399,1 -50,60 200,190.5 20,20")) {
     const all = paths
-      .map((path, index) => ({ index, .../** @type {any} */ (path.nearest(p)) }))
+      .map((path, k) => ({ index: k, .../** @type {any} */ (path.nearest(p)) }))
       .filter(({ point }) => point);
     const expected = all.reduce((best, other) => (other.distance < best.distance ? other : best));
-    assert.deepEqual(Path.nearestOf(paths, p), expected);
-    assert.deepEqual(Path.nearestOf(paths, p, { maxDistance: expected.distance }), expected);
-    assert.equal(Path.nearestOf(paths, p, { maxDistance: 0.999 * expected.distance }), null);
+    assert.deepEqual(index.nearest(p), expected);
+    assert.deepEqual(index.nearest(p, { maxDistance: expected.distance }), expected);
+    if (expected.distance > 0) assert.equal(index.nearest(p, { maxDistance: 0.999 * expected.distance }), null);
+    for (const fillRule of /** @type {const} */ (["nonzero", "evenodd"])) {
+      const containing = paths.flatMap((path, k) => (path.contains(p, { fillRule }) ? [k] : [])).reverse();
+      assert.deepEqual(index.containing(p, { fillRule }), containing);
+    }
   }
-  Path.nearestOf(paths, [33, 71]);
+  const box = { min: [-9, -9], max: { x: 49, y: 60 } };
+  assert.deepEqual(index.within(box), [0, 1, 2, 20, 21, 22, 40, 41, 42, 202]);
+  index.nearest([33, 71]);
   calls.clear();
-  Path.nearestOf(paths, [33, 71]);
+  index.nearest([33, 71]);
   const [general, cubic] = called("curve_nearest", "cubic_nearest");
   assert.ok(general + cubic < 30, "most paths are not searched");
-  assert.equal(Path.nearestOf([], [0, 0]), null);
-  refused(
-    () => Path.nearestOf(untyped(paths[0]), [0, 0]),
-    TypeError,
-    /^paths: expected an array of paths, got a Path$/,
-  );
-  refused(() => Path.nearestOf(paths, [0, 0], { maxDistance: Number.NaN }), RangeError, /^maxDistance: /);
+  const empty = Path.index([]);
+  assert.deepEqual([empty.nearest([0, 0]), empty.containing([0, 0]), empty.within(box)], [null, [], []]);
+  refused(() => Path.index(untyped(paths[0])), TypeError, /^paths: expected an array of paths, got a Path$/);
+  refused(() => index.nearest([0, 0], { maxDistance: Number.NaN }), RangeError, /^maxDistance: /);
+  refused(() => index.containing([0, 0], untyped({ fillRule: "odd" })), RangeError, /^fillRule: /);
+  refused(() => index.within(untyped([0, 0])), TypeError, /^box.min: /);
 });
 
 test("boxes are asked for once, also those of an empty path", () => {

@@ -140,7 +140,7 @@ test("structured clones of values lose their class: the message says what to do"
     [() => path.union(structuredClone(path)), "other: expected a Path"],
     [() => path.clip(structuredClone(path)), "region: expected a Path"],
     [() => Path.combine([structuredClone(path)], "union"), "paths[0]: expected a Path"],
-    [() => Path.nearestOf([structuredClone(path)], [0, 0]), "paths[0]: expected a Path"],
+    [() => Path.index([structuredClone(path)]), "paths[0]: expected a Path"],
     [() => Path.from(structuredClone(path)), "shapes: expected a Path, a Spline or a Curve"],
     [() => new Path([structuredClone(seven)]), "splines[0]: expected a Spline or a Curve"],
     [() => Surface.fromPatches([structuredClone(patch)]), "patches[0]: expected a Patch"],
@@ -217,7 +217,7 @@ test("surplus arguments", () => {
     [() => path.split(START, START), "split: expected 1 argument, got 2; did you mean subsegment(from, to)?"],
     [
       () => path.nearest([0, 0], 5),
-      "nearest: expected 1 argument, got 2; did you mean Path.nearestOf([path], point, { maxDistance })?",
+      "nearest: expected 1 argument, got 2; did you mean Path.index([path]).nearest(point, { maxDistance })?",
     ],
     [() => path.subsegment(START, START, 1), "subsegment: expected 2 arguments, got 3"],
     [() => Path.from(cubic, seven), "from: expected 1 argument, got 2; did you mean from([a, b])?"],

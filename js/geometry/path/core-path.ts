@@ -11,9 +11,11 @@ import { findArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn, checkTolerance } from "../../io/svg-write.js";
 import { extents, packedSplines, packedPaths } from "../../wasm/packed-path.js";
 import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
+import { isEvenOdd } from "./fill-rule.js";
 import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
 import { pointAndDirections } from "../arc-length.js";
 import { PathSegmentIndex } from "./path-segment-index.js";
+import { PathIndex } from "./path-index.js";
 import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
@@ -30,6 +32,7 @@ import type { CoreSpline, SplineJSON } from "../spline/core-spline.js";
 import type { Spline, SimplifyOptions } from "../spline/spline.js";
 import type { CssOptions, PathSegment } from "../../io/path-data.js";
 import type { PathSvgOptions } from "../../io/svg-write.js";
+import type { RegionOptions } from "./fill-rule.js";
 import type { PathExtrema } from "./path-coordinates.js";
 import type { PathTime, PathPoint, PathPointAtLength } from "./path-queries.js";
 import type { Point, Bounds } from "../points.js";
@@ -44,9 +47,6 @@ let isShown = false;
 
 /** The limit of one result in the core: 1 GiB of coordinates. */
 const MAX_SAMPLE_SEGMENTS = (1 << 26) - 1;
-
-/** The rule that decides which winding numbers are inside: all except 0, or the odd ones. */
-export type FillRule = "nonzero" | "evenodd";
 
 /** The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number. */
 export interface Moments {
@@ -64,32 +64,8 @@ export interface Moments {
   yy: number;
 }
 
-/** How a path is filled. */
-export interface RegionOptions {
-  /**
-   * Which points a path contains: those with a winding number other than 0 ("nonzero", the default), or with an odd
-   * one ("evenodd")
-   */
-  fillRule?: FillRule;
-}
-
-const FILL_RULES: readonly FillRule[] = ["nonzero", "evenodd"];
-
-/**
- * @internal
- * @returns whether the rule is "evenodd"
- */
-export function isEvenOdd(options: RegionOptions | undefined): boolean {
-  const { fillRule = "nonzero" } = check.options(options, ["fillRule"]);
-  check.oneOf(fillRule, "fillRule", FILL_RULES);
-  return fillRule === "evenodd";
-}
-
 /** What a path can be made of and intersected with, from any entry point of this package. */
 export type Shape = CorePath | CoreSpline | CoreCurve;
-
-/** What `Path.nearestOf` finds: the index of the path, and the nearest point on it. */
-export type NearestPath = PathPoint & { index: number };
 
 /** A class of paths, on which static methods are called. */
 export type PathClass<P> = new (splines: ArrayLike<CoreSpline | CoreCurve>) => P;
@@ -580,7 +556,7 @@ export class CorePath {
    */
   nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
     const p = coordinatesOf(point);
-    check.noSurplus(surplus, "nearest", 1, "Path.nearestOf([path], point, { maxDistance })");
+    check.noSurplus(surplus, "nearest", 1, "Path.index([path]).nearest(point, { maxDistance })");
     if (this.#asked) return this._nearest(p, Infinity);
     this.#asked = true;
     return nearestOnPath(this._packed, p);
@@ -651,18 +627,6 @@ export class CorePath {
   #segmentTree() {
     this.#tree ??= new PathTree(this.#index());
     return this.#tree;
-  }
-
-  /**
-   * The distance of a point from the box of the control points; infinite for an empty path.
-   *
-   * @internal
-   */
-  _boxDistance([x, y]: Float64Array): number {
-    if (this.#controlBounds === undefined) this.#controlBounds = this._box(false);
-    if (this.#controlBounds === null) return Infinity;
-    const { min, max } = this.#controlBounds;
-    return Math.hypot(Math.max(min.x - x, x - max.x, 0), Math.max(min.y - y, y - max.y, 0));
   }
 
   #index() {
@@ -830,39 +794,16 @@ export class CorePath {
   }
 
   /**
-   * The path of a list that is nearest to a point, the first one of several, for hit testing: its index, the location on
-   * it, the nearest point and its distance. Null if all are farther than `maxDistance`, and for empty paths.
+   * An index of paths for hit testing: the nearest path, those that contain a point, and those within a box. It answers in
+   * about log n steps for n paths.
    *
-   *     const hit = Path.nearestOf(paths, [event.offsetX, event.offsetY], { maxDistance: 5 });
-   *     if (hit) paths[hit.index]; // is under the pointer
-   *
-   * @param options `maxDistance`: by default there is no limit
+   *     const index = Path.index(paths);
+   *     const hit = index.nearest([event.offsetX, event.offsetY], { maxDistance: 5 });
+   *     const [top] = index.containing([event.offsetX, event.offsetY]);
    */
-  static nearestOf(
-    paths: ArrayLike<CorePath>,
-    point: PointLike,
-    options?: { maxDistance?: number },
-  ): NearestPath | null {
+  static index(paths: ArrayLike<CorePath>): PathIndex {
     if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${check.describe(paths)}`);
-    const { maxDistance = Infinity } = check.options(options, ["maxDistance"]);
-    if (maxDistance !== Infinity) check.finite(maxDistance, "maxDistance");
-    if (maxDistance < 0) throw new RangeError(`maxDistance: expected a number from 0, got ${maxDistance}`);
-    const p = coordinatesOf(point);
-    const all = Array.from(paths, (path, k) => measurable(path, `paths[${k}]`));
-    const distances = all.map((path) => path._boxDistance(p));
-    let limit = maxDistance;
-    let best: NearestPath | null = null;
-    const search = (index: number) => {
-      if (!(distances[index] <= limit)) return;
-      const found = all[index]._nearest(p, limit);
-      if (!found || (best && found.distance === limit && index > best.index)) return;
-      best = { index, ...found };
-      limit = found.distance;
-    };
-    const first = distances.indexOf(distances.reduce((min, distance) => Math.min(min, distance), Infinity));
-    if (first >= 0) search(first); // most others are farther than this one
-    for (let index = 0; index < all.length; index++) if (index !== first) search(index);
-    return best;
+    return new PathIndex(Array.from(paths, (path, k) => measurable(path, `paths[${k}]`)));
   }
 
   /**

@@ -4,10 +4,10 @@ import { core } from "../../wasm/init.js";
 import { packedPath, pathData } from "../brand.js";
 import { describe } from "../describe.js";
 import { extentAt } from "../../wasm/packed-path.js";
-import { isEvenOdd } from "./core-path.js";
+import { isEvenOdd } from "./fill-rule.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.js";
-import type { RegionOptions } from "./core-path.js";
+import type { RegionOptions } from "./fill-rule.js";
 
 /**
  * How `Path.combine` combines regions: the points in at least one of them, in all of them, or in an odd number of them.

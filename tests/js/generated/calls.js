@@ -188,11 +188,10 @@ const PATH = {
   "Path.builder": (a) => drawn(a),
   "Path.toCSS": (a) => a.path.toCSS(svg(a)),
   "Path.toThree": (a) => a.path.toThree(THREE, { fillRule: a.rule }).map(({ holes }) => holes.length),
-  "Path.nearestOf": (a) =>
-    Path.nearestOf(
-      a.path.subpaths.map((spline) => new Path([spline])),
-      a.p,
-    ),
+  "Path.index": (a) => {
+    const index = Path.index(a.path.subpaths.map((spline) => new Path([spline])));
+    return [index.nearest(a.p), index.containing(a.p, { fillRule: a.rule })];
+  },
   "Path.lengthAt": (a) => a.path.lengthAt(location(a)),
   "Path.from": (a) => Path.from([a.path, ...a.path.subpaths]),
   "Path.circle": (a) => Path.circle(a.p, Math.abs(a.radius), { tolerance: a.tolerance }),

@@ -33,7 +33,7 @@ const SAME_CASES = {
   "InkStroke.spline": "InkStroke.outline",
   "InkStroke.widths": "InkStroke.outline",
   "Path.lengthAt": "Path.eval",
-  "Path.nearestOf": "Path.nearest",
+  "Path.index": "Path.nearest",
   "Path.toThree": "Path.removeOverlaps",
   "Path.toCSS": "Path.toSVG",
   "Path.toPathData": "Path.toPath2D",
