@@ -48,7 +48,8 @@
 //!   results are the same. The npm package does without it.
 //! - `surfaces`: patches, surfaces, meshes and the teapot.
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
-//!   checked as by the constructors.
+//!   checked as by the constructors; options that are left out have their defaults. JSON keeps every bit of a number only if
+//!   the crate `serde_json` has its feature `float_roundtrip`.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
 //! - `rayon`: `grid`, `tessellate`, `area`, `volume` and `intersect_ray` of a surface use all cores, through the global
 //!   thread pool of the crate rayon or the pool in which they are called. The results are the same bit for bit. It pays

@@ -20,6 +20,7 @@ impl<P: Point> Curve<P> {
     ///
     /// # Panics
     /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
+    #[track_caller]
     pub fn line(p0: P, p1: P) -> Self {
         Self::of_finite([p0, p1])
     }
@@ -28,6 +29,7 @@ impl<P: Point> Curve<P> {
     ///
     /// # Panics
     /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
+    #[track_caller]
     pub fn quad(p0: P, p1: P, p2: P) -> Self {
         Self::of_finite([p0, p1, p2])
     }
@@ -36,10 +38,12 @@ impl<P: Point> Curve<P> {
     ///
     /// # Panics
     /// If a coordinate is NaN, infinite or beyond [`MAX_COORDINATE`](crate::MAX_COORDINATE). [`Curve::new`] returns an error instead.
+    #[track_caller]
     pub fn cubic(p0: P, p1: P, p2: P, p3: P) -> Self {
         Self::of_finite([p0, p1, p2, p3])
     }
 
+    #[track_caller]
     fn of_finite<const N: usize>(points: [P; N]) -> Self {
         for (index, point) in points.iter().enumerate() {
             assert!(
@@ -69,6 +73,7 @@ impl Mul<Curve<DVec2>> for DAffine2 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, curve: Curve<DVec2>) -> Curve<DVec2> {
         self * &curve
     }
@@ -81,6 +86,7 @@ impl Mul<&Curve<DVec2>> for DAffine2 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, curve: &Curve<DVec2>) -> Curve<DVec2> {
         expect_image(curve.transform(&self))
     }
@@ -93,6 +99,7 @@ impl Mul<&Curve<DVec3>> for DAffine3 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, curve: &Curve<DVec3>) -> Curve<DVec3> {
         expect_image(curve.transform(&self))
     }

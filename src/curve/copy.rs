@@ -229,6 +229,15 @@ macro_rules! copy_curve {
             }
         }
 
+        impl<P: Point> TryFrom<Curve<P>> for $type<P> {
+            type Error = Error;
+
+            /// As for a reference.
+            fn try_from(curve: Curve<P>) -> Result<Self, Error> {
+                Self::try_from(&curve)
+            }
+        }
+
         impl<P: Point> TryFrom<[P; $degree + 1]> for $type<P> {
             type Error = Error;
 

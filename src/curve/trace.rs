@@ -28,7 +28,7 @@ impl Curve<DVec2> {
     /// Degrees 1 to 3 are sent unchanged. A higher degree n becomes cubics with the same end tangents, whose distance from
     /// the curve is at most 10⁻⁴ of the diagonal of the control points' box, or n² ulps of the largest coordinate if that
     /// is more, which rounding hides.
-    pub fn trace(&self, sink: &mut impl PathSink) {
+    pub fn trace(&self, sink: &mut (impl PathSink + ?Sized)) {
         sink.move_to(self.start());
         self.trace_on(sink, None);
     }
@@ -38,7 +38,11 @@ impl Curve<DVec2> {
     ///
     /// # Errors
     /// Same as [`flatten`](Self::flatten) for the tolerance.
-    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+    pub fn trace_within(
+        &self,
+        sink: &mut (impl PathSink + ?Sized),
+        tolerance: f64,
+    ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         sink.move_to(self.start());
         self.trace_on(sink, Some(tolerance));
@@ -48,7 +52,7 @@ impl Curve<DVec2> {
 
 impl<P: Point> Curve<P> {
     /// Continues from the current point with the projection of the curve along z.
-    pub(crate) fn trace_on(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
+    pub(crate) fn trace_on(&self, sink: &mut (impl PathSink + ?Sized), tolerance: Option<f64>) {
         match *self.points {
             [_, p1] => sink.line_to(p1.to_2d()),
             [_, p1, p2] => sink.quad_to(p1.to_2d(), p2.to_2d()),

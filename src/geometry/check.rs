@@ -77,6 +77,7 @@ pub(crate) fn images<P: Point>(points: &[P], map: &P::Affine) -> Result<Vec<P>, 
     clippy::panic,
     reason = "the documented panic of the operators that apply a map"
 )]
+#[track_caller]
 pub(crate) fn expect_image<T>(image: Result<T, Error>) -> T {
     image.unwrap_or_else(|error| panic!("{error}"))
 }

@@ -53,7 +53,7 @@ impl Surface {
     /// As `isocurves`; [`Error::NotFinite`] for the matrix, [`Error::Range`] for the tolerance.
     pub fn trace_projected(
         &self,
-        sink: &mut impl PathSink,
+        sink: &mut (impl PathSink + ?Sized),
         matrix: &DMat4,
         lines: usize,
         tolerance: Option<f64>,

@@ -25,6 +25,7 @@ pub struct TessellationOptions {
     /// The level of detail of the mesh.
     pub detail: Detail,
     /// Which corners become one vertex; by default those with the same normal.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub weld: Weld,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Projection {
 }
 
 /// A sink, and whether its current point is the end of the previous piece.
-struct ProjectedSubpath<'a, T> {
+struct ProjectedSubpath<'a, T: ?Sized> {
     sink: &'a mut T,
     down: bool,
 }
@@ -45,7 +45,7 @@ impl Projection {
     }
 
     /// Draws the part of a curve that lies in front of the eye.
-    pub(crate) fn draw(&self, curve: &Curve<DVec3>, sink: &mut impl PathSink) {
+    pub(crate) fn draw(&self, curve: &Curve<DVec3>, sink: &mut (impl PathSink + ?Sized)) {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
         let mut stroke = ProjectedSubpath { sink, down: false };
@@ -56,7 +56,7 @@ impl Projection {
     fn draw_piece(
         &self,
         piece: &Curve<DVec3>,
-        stroke: &mut ProjectedSubpath<impl PathSink>,
+        stroke: &mut ProjectedSubpath<impl PathSink + ?Sized>,
         halvings: usize,
     ) {
         let before_eye = |p: &DVec3| p.z >= self.near;
@@ -92,7 +92,7 @@ impl Projection {
     }
 }
 
-impl<T: PathSink> ProjectedSubpath<'_, T> {
+impl<T: PathSink + ?Sized> ProjectedSubpath<'_, T> {
     /// Draws a curve, joined to the previous one if that was drawn; nothing if coordinates overflow.
     fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
         if !flat.max_abs().is_finite() {

@@ -5,7 +5,7 @@
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
+    serde(default, rename_all = "camelCase")
 )]
 #[non_exhaustive]
 pub struct WireframeOptions {

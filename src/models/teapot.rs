@@ -16,7 +16,7 @@ use glam::DVec3;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
+    serde(default, rename_all = "camelCase")
 )]
 pub struct TeapotOptions {
     /// Include the rim, patches 0–3 of the complete teapot.

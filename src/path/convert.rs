@@ -80,6 +80,7 @@ impl Mul<Path> for DAffine2 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, path: Path) -> Path {
         self * &path
     }
@@ -92,6 +93,7 @@ impl Mul<&Path> for DAffine2 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, path: &Path) -> Path {
         expect_image(path.transform(&self))
     }

@@ -80,20 +80,30 @@ pub struct InkOptions {
     pub size: f64,
     /// How much the width follows the pressure p, from −1 to 1: it is size·(1 + thinning·(2p − 1)). 0.5 by default;
     /// a negative number makes fast strokes wider.
+    #[cfg_attr(feature = "serde", serde(default = "half"))]
     pub thinning: f64,
     /// The lengths over which the width grows from 0 at the start and shrinks to 0 at the end: 0 by default. In a stroke that is
     /// shorter than both, they have the same ratio and fill it.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub taper: [f64; 2],
     /// From 0 to 1: positions and widths are averaged over this part of `size` along the stroke, half of it to each side.
     /// 0.5 by default.
+    #[cfg_attr(feature = "serde", serde(default = "half"))]
     pub smoothing: f64,
     /// From 0 to 1, how far each position stays behind its sample: 0.5 by default. The end of the stroke is the last sample.
+    #[cfg_attr(feature = "serde", serde(default = "half"))]
     pub streamline: f64,
     /// The largest distance of the curve from the smoothed samples, and of the outline from that of the curve: 2.5 % of
     /// `size` by default.
     pub tolerance: Option<f64>,
     /// Where the pressure comes from: the speed by default.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub pressure: InkPressure,
+}
+
+#[cfg(feature = "serde")]
+const fn half() -> f64 {
+    0.5
 }
 
 impl InkOptions {

@@ -8,7 +8,7 @@ use crate::geometry::error::Error;
 
 impl Path {
     /// Sends the path to `sink`: for each subpath a `move_to`, its segments, and `close` if it is closed.
-    pub fn trace(&self, sink: &mut impl PathSink) {
+    pub fn trace(&self, sink: &mut (impl PathSink + ?Sized)) {
         self.trace_all(sink, None);
     }
 
@@ -16,13 +16,17 @@ impl Path {
     ///
     /// # Errors
     /// As [`Curve::trace_within`].
-    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+    pub fn trace_within(
+        &self,
+        sink: &mut (impl PathSink + ?Sized),
+        tolerance: f64,
+    ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         self.trace_all(sink, Some(tolerance));
         Ok(())
     }
 
-    fn trace_all(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
+    fn trace_all(&self, sink: &mut (impl PathSink + ?Sized), tolerance: Option<f64>) {
         for part in self.parts() {
             sink.move_to(part.points[0]);
             for points in part.segments() {

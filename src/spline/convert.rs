@@ -21,6 +21,7 @@ impl Mul<&Spline<DVec2>> for DAffine2 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, spline: &Spline<DVec2>) -> Spline<DVec2> {
         expect_image(spline.transform(&self))
     }
@@ -33,6 +34,7 @@ impl Mul<&Spline<DVec3>> for DAffine3 {
     ///
     /// # Panics
     /// If the image is not finite, because an operator cannot return an error.
+    #[track_caller]
     fn mul(self, spline: &Spline<DVec3>) -> Spline<DVec3> {
         expect_image(spline.transform(&self))
     }

@@ -34,10 +34,13 @@ pub struct FitOptions {
     /// The largest distance of a point from the spline, in the unit of the points.
     pub tolerance: f64,
     /// The smallest turn that is kept as a corner, in radians, above 0 and at most π: π/5 (36°) by default.
+    #[cfg_attr(feature = "serde", serde(default = "default_corner_angle"))]
     pub corner_angle: f64,
     /// Whether the spline continues from the last point to the first: false by default.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub closed: bool,
     /// How much is computed: [`FitEffort::Fast`] by default.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub effort: FitEffort,
 }
 
@@ -76,6 +79,11 @@ impl FitOptions {
 
 /// The default of the corner angle: 36°.
 pub(crate) const DEFAULT_CORNER_ANGLE: f64 = PI / 5.0;
+
+#[cfg(feature = "serde")]
+pub(crate) const fn default_corner_angle() -> f64 {
+    DEFAULT_CORNER_ANGLE
+}
 
 /// A smaller coordinate of a unit tangent is 0.
 const ALIGNED: f64 = 1e-9;

@@ -100,7 +100,7 @@ impl<P: Point> Spline<P> {
 
 impl Spline<DVec2> {
     /// Sends the spline to `sink`: one `move_to`, then its segments; a closed spline is closed.
-    pub fn trace(&self, sink: &mut impl PathSink) {
+    pub fn trace(&self, sink: &mut (impl PathSink + ?Sized)) {
         self.trace_all(sink, None);
     }
 
@@ -108,13 +108,17 @@ impl Spline<DVec2> {
     ///
     /// # Errors
     /// As [`Curve::trace_within`](crate::Curve::trace_within).
-    pub fn trace_within(&self, sink: &mut impl PathSink, tolerance: f64) -> Result<(), Error> {
+    pub fn trace_within(
+        &self,
+        sink: &mut (impl PathSink + ?Sized),
+        tolerance: f64,
+    ) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         self.trace_all(sink, Some(tolerance));
         Ok(())
     }
 
-    fn trace_all(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
+    fn trace_all(&self, sink: &mut (impl PathSink + ?Sized), tolerance: Option<f64>) {
         sink.move_to(self.points[0]);
         for k in 0..self.segment_count() {
             self.curve(k).trace_on(sink, tolerance);

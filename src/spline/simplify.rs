@@ -37,13 +37,16 @@ pub struct SimplifyOptions {
     /// The largest distance between the original and the result, in the unit of the points.
     pub tolerance: f64,
     /// The smallest turn that is kept as a corner, in radians, above 0 and at most π: π/5 (36°) by default.
+    #[cfg_attr(feature = "serde", serde(default = "super::fit::default_corner_angle"))]
     pub corner_angle: f64,
     /// Whether the extrema of each coordinate become joints with handles parallel to the axis, as in outlines of fonts:
     /// false by default.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub extrema: bool,
     /// The number of decimals of all control points, at most 15: `None` by default, for no rounding.
     pub precision: Option<u8>,
     /// How much is computed: [`FitEffort::Fast`] by default.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub effort: FitEffort,
 }
 

@@ -16,6 +16,7 @@ macro_rules! same {
         assert_eq!(curve.control_points(), copy.control_points());
         assert_eq!((copy.start(), copy.end()), (curve.start(), curve.end()));
         assert_eq!($type::try_from(&curve), Ok(copy));
+        assert_eq!($type::try_from(curve.clone()), Ok(copy));
         assert_eq!(copy.eval(t), curve.eval(t));
         for (part, of_curve) in [
             (copy.split(t), curve.split(t)),

@@ -48,6 +48,14 @@ fn strokes(curve: &Curve<DVec2>, tolerance: Option<f64>) -> Vec<Stroke> {
 }
 
 #[test]
+fn a_sink_may_be_a_trait_object() {
+    let mut notes = Notes::default();
+    let sink: &mut dyn PathSink = &mut notes;
+    bezier("0 0, 1 1").trace(sink);
+    assert_eq!(notes.0.len(), 2);
+}
+
+#[test]
 fn low_degrees_go_out_as_they_are() {
     let [p, q, r, s] = [(0.0, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 0.0)].map(DVec2::from);
     for (curve, tolerance, expected) in [

@@ -4,10 +4,10 @@ use crate::support::assert_refused;
 use crate::support::nets::net;
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::mesh::TessellationOptions;
+use casteljau::mesh::{Detail, TessellationOptions, WireframeOptions};
 use casteljau::models::Up;
-use casteljau::path::FillRule;
-use casteljau::spline::{Interpolation, JointMode};
+use casteljau::path::{CornerOptions, FillRule, InkOptions, OffsetOptions, StrokeOptions};
+use casteljau::spline::{FitOptions, Interpolation, JointMode, SimplifyOptions};
 use casteljau::{Curve, Easing, Grid, Patch, Path, Spline, Surface, TeapotOptions};
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{from_str, to_string};
@@ -61,6 +61,51 @@ fn there_and_back<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: T)
     let text = to_string(&value).unwrap();
     assert_eq!(from_str::<T>(&text).unwrap(), value);
     text
+}
+
+#[test]
+fn options_that_are_left_out_have_their_defaults() {
+    assert_eq!(
+        from_str::<StrokeOptions>("{}").unwrap(),
+        StrokeOptions::new()
+    );
+    assert_eq!(
+        from_str::<CornerOptions>("{}").unwrap(),
+        CornerOptions::new()
+    );
+    assert_eq!(
+        from_str::<OffsetOptions>("{}").unwrap(),
+        OffsetOptions::new()
+    );
+    assert_eq!(
+        from_str::<WireframeOptions>("{}").unwrap(),
+        WireframeOptions::default()
+    );
+    assert_eq!(
+        from_str::<TeapotOptions>("{}").unwrap(),
+        TeapotOptions::default()
+    );
+    let tolerance = r#"{"tolerance":0.5}"#;
+    assert_eq!(
+        from_str::<FitOptions>(tolerance).unwrap(),
+        FitOptions::new(0.5)
+    );
+    assert_eq!(
+        from_str::<SimplifyOptions>(tolerance).unwrap(),
+        SimplifyOptions::new(0.5)
+    );
+    assert_eq!(
+        from_str::<InkOptions>(r#"{"size":8}"#).unwrap(),
+        InkOptions::new(8.0)
+    );
+    assert!(from_str::<FitOptions>("{}").is_err());
+    let written = to_string(&TessellationOptions::from(Detail::Tolerance(0.5))).unwrap();
+    let short = written.replace(r#","weld":"normal""#, "");
+    assert!(short.len() < written.len());
+    assert_eq!(
+        from_str(&short).ok(),
+        Some(TessellationOptions::from(Detail::Tolerance(0.5)))
+    );
 }
 
 #[test]

@@ -117,7 +117,8 @@ impl Attempt {
         Self { arcs, edges, faces }
     }
 
-    /// One edge of each component that contradicts itself, and more.
+    /// At least one edge of each component that contradicts itself: every edge at which winding numbers do, or one edge of
+    /// each component that is not plane.
     fn contradictory(&self, segments: &Segments) -> Vec<usize> {
         let Self { edges, faces, .. } = self;
         if !faces.not_plane.is_empty() {

@@ -74,7 +74,7 @@ pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
     region.subpaths().filter(keeps).collect()
 }
 
-/// The part of its radius by which a disc may be larger and not be found.
+/// A disc is certain to be found if its radius is larger than asked for by this part.
 const DISC_SLACK: f64 = 0.125;
 
 /// The steps of the searches in all contours: for each segment, and in addition for any number of them. A step is a

@@ -12,7 +12,7 @@ use crate::spline::OffsetJoin;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
+    serde(default, rename_all = "camelCase")
 )]
 #[non_exhaustive]
 pub struct OffsetOptions {

@@ -34,7 +34,7 @@ pub enum StrokeCap {
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
+    serde(default, rename_all = "camelCase")
 )]
 #[non_exhaustive]
 pub struct StrokeOptions {
@@ -143,7 +143,7 @@ impl StrokeOptions {
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
+    serde(default, rename_all = "camelCase")
 )]
 #[non_exhaustive]
 pub struct CornerOptions {

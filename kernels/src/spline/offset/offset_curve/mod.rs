@@ -148,9 +148,9 @@ impl<'a> OffsetCurve<'a> {
             return;
         }
         let is_tiny = local.tiny(from, to);
-        let chord = (self.point(to) - self.point(from)).length();
+        let chord = || (self.point(to) - self.point(from)).length();
         // Where rounding of B′ turns the normal, the ends are farther apart than the bound on the length says.
-        if is_tiny && chord <= TINY_PART * self.tolerance {
+        if is_tiny && chord() <= TINY_PART * self.tolerance {
             let cubic = self.cubic(from, to, self.first_handles(from, to));
             out.extend_from_slice(&cubic[1..]);
             return;
