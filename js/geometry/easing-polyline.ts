@@ -81,29 +81,27 @@ const newLink = (): Boundary[] =>
  *
  * @param point not left of any other
  */
-function slopeTo(link: Boundary[], side: number, [x, y]: Stop) {
+function slopeTo(link: Boundary[], side: number, point: Stop) {
   const sign = SIGNS[side];
   const other = link[1 - side];
   const { points, hull } = other;
-  for (; other.done < points.length && points[other.done][0] < x; other.done++) {
-    const p = points[other.done];
-    while (hull.length > 1 && !turnsBack(hull[hull.length - 2], hull[hull.length - 1], p, sign)) hull.pop();
-    hull.push(p);
+  const slope = ([a, b]: Stop, [x, y]: Stop) => (sign * (y - b)) / (x - a);
+  for (; points[other.done]?.[0] < point[0]; other.done++) {
+    const next = points[other.done];
+    let k = hull.length - 1;
+    while (k > 0 && !(slope(hull[k - 1], hull[k]) < slope(hull[k], next))) k--;
+    hull.length = k + 1;
+    hull.push(next);
   }
   // Along the hull the slopes grow up to the point that the line touches, and then fall.
-  const slope = (k: number) => (sign * (y - hull[k][1])) / (x - hull[k][0]);
-  let [low, high] = [0, hull.length - 1];
-  while (low < high) {
+  let low = 0;
+  for (let high = hull.length - 1; low < high; ) {
     const middle = (low + high) >> 1;
-    if (slope(middle) < slope(middle + 1)) low = middle + 1;
+    if (slope(hull[middle], point) < slope(hull[middle + 1], point)) low = middle + 1;
     else high = middle;
   }
-  return sign * (hull.length ? slope(low) : -Infinity);
+  return hull.length ? sign * slope(hull[low], point) : -sign / 0;
 }
-
-/** Whether b lies on the side of the lines of the one from a to c. */
-const turnsBack = (a: Stop, b: Stop, c: Stop, sign: number) =>
-  sign * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) > 0;
 
 function addPoint(link: Boundary[], side: number, point: Stop) {
   const own = link[side];

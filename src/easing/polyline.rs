@@ -108,42 +108,34 @@ fn new_link() -> [Boundary; 2] {
 
 /// The limit of the slope that a point of one boundary, not left of any other, sets together with the points of the other
 /// boundary on its left.
-fn slope_to(link: &mut [Boundary; 2], side: usize, [x, y]: Stop) -> f64 {
+fn slope_to(link: &mut [Boundary; 2], side: usize, point: Stop) -> f64 {
     let sign = SIGNS[side];
     let Boundary {
         points, hull, done, ..
     } = &mut link[1 - side];
-    while let Some(&p) = points.get(*done).filter(|p| p[0] < x) {
+    let slope = |[a, b]: Stop, [x, y]: Stop| (sign * (y - b)) / (x - a);
+    while let Some(&next) = points.get(*done).filter(|p| p[0] < point[0]) {
+        let turns_back = |a, b| slope(a, b) < slope(b, next);
         while let [.., a, b] = hull[..]
-            && !turns_back(a, b, p, sign)
+            && !turns_back(a, b)
         {
             hull.pop();
         }
-        hull.push(p);
+        hull.push(next);
         *done += 1;
     }
     // Along the hull the slopes grow up to the point that the line touches, and then fall.
-    let slope = |k: usize| (sign * (y - hull[k][1])) / (x - hull[k][0]);
     let (mut low, mut high) = (0, hull.len().saturating_sub(1));
     while low < high {
         let middle = (low + high) / 2;
-        if slope(middle) < slope(middle + 1) {
+        if slope(hull[middle], point) < slope(hull[middle + 1], point) {
             low = middle + 1;
         } else {
             high = middle;
         }
     }
-    let greatest = if hull.is_empty() {
-        f64::NEG_INFINITY
-    } else {
-        slope(low)
-    };
-    sign * greatest
-}
-
-/// Whether b lies on the side of the lines of the one from a to c.
-fn turns_back(a: Stop, b: Stop, c: Stop, sign: f64) -> bool {
-    sign * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) > 0.0
+    let touched = hull.get(low);
+    sign * touched.map_or(f64::NEG_INFINITY, |&p| slope(p, point))
 }
 
 fn add_point(link: &mut [Boundary; 2], side: usize, point: Stop) {
