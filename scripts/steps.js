@@ -190,7 +190,7 @@ async function js(context) {
 }
 
 /** Page tests of `npm test`, which need no site: the applet, the elements, one file for each. */
-const MAIN_PAGES = ["applet", "bezier-applet", "surface", "companions", "easing-element"];
+const MAIN_PAGES = ["applet", "bezier-applet", "surface", "surface-undo", "companions", "easing-element"];
 
 /** @param {Context} context */
 async function page(context) {
