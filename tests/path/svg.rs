@@ -115,7 +115,13 @@ fn all_paths_come_back_to_the_bit() {
                 .map(|s| (s.is_closed(), s.degrees(), bits(s.control_points())))
                 .collect()
         };
-        assert_eq!(parts(&again), parts(&path), "{text}");
+        if text.contains('A') {
+            // Cubics that are an arc, also by chance, are read up to rounding.
+            let most = 128.0 * f64::EPSILON * path.control_bounds().map_or(0.0, |b| b.diagonal());
+            assert!(again.approx_eq(&path, most), "{text}");
+        } else {
+            assert_eq!(parts(&again), parts(&path), "{text}");
+        }
         // In short form: the same structure, and no coordinate is off by more than half a digit.
         let digits = u8::try_from(rng.below(20)).expect("small");
         let brief = brief(&path, digits);
