@@ -24,6 +24,9 @@
 //!
 //! - Numbers that are NaN: functions that evaluate ([`Curve::eval`], [`Curve::time_at_length`]) return NaN, questions with
 //!   yes or no ([`Path::contains`]) say no, and searches ([`Curve::nearest`]) return an error.
+//! - `Result` stands where an argument can be refused, a position in a part that does not exist ([`Path::eval`],
+//!   [`Surface::eval`]) among them; `Option` where there may be nothing to return: the [`bounds`](Path::bounds) of an empty path, the item at an
+//!   index ([`Surface::patch`]). [`Path::nearest`] has both.
 //!
 //! # Coming from kurbo or lyon
 //!
@@ -33,7 +36,7 @@
 //! | `BezPath`; `Path` | [`Path`], a list of [`Spline`]s; [`Path::builder`], [`Path::from_elements`], [`Path::elements`], [`Path::trace`] into a [`curve::PathSink`] |
 //! | `Circle`, `Rect`, `RoundedRect`, `Arc`, `Ellipse` | [`Path::circle`], [`Path::rect`], [`Path::rounded_rect`], [`Path::arc`], [`Path::ellipse`] |
 //! | `eval`, `subsegment(a..b)`, `subdivide`; `sample`, `split_range`, `split` | [`Curve::eval`], [`Curve::subsegment`], [`Curve::halve`], [`Curve::split`] |
-//! | `arclen(accuracy)`, `inv_arclen`; `approximate_length` | [`Curve::length`] and [`Curve::length_within`], [`Curve::time_at_length`] |
+//! | `arclen(accuracy)`, `inv_arclen`; `approximate_length` | [`Curve::length`] and [`Curve::length_within`], [`Curve::time_at_length`]; [`Path::lengths`] for many questions |
 //! | `nearest(p, accuracy)` | [`Curve::nearest`], to rounding |
 //! | `bounding_box`; `bounding_box`, `fast_bounding_box` | [`Curve::bounds`], [`Curve::control_bounds`] |
 //! | `flatten`, `offset_cubic`, `stroke`; `for_each_flattened` | [`Curve::flatten`], [`Curve::offset`], [`Path::stroke`], [`Curve::flatten_with`] |

@@ -4,7 +4,11 @@
 //! it, and they are as large as their control points. Every method has the result of the same method of `Curve`.
 
 use super::Curve;
+use super::arc_length::point_at_length::PointAtLength;
+use super::intersect::intersection::{Intersection, SelfIntersection};
+use super::moments::Moments;
 use super::nearest::{Nearest, nearest_on};
+use super::trace::PathSink;
 use crate::bernstein::de_casteljau::split_cubic_with;
 use crate::bernstein::evaluate::{weigh3, weigh4};
 use crate::curve::flatten::Polyline;
@@ -13,6 +17,8 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::spline::Spline;
+use glam::DVec2;
 use std::ops::RangeBounds;
 
 /// The line segment from one point to another.
@@ -57,6 +63,18 @@ pub struct Quad<P: Point> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubic<P: Point> {
     points: [P; 4],
+}
+
+/// Methods that are those of the same curve as [`Curve`].
+macro_rules! as_curve {
+    ($($(#[$meta:meta])* fn $name:ident($($arg:ident: $type:ty),*) -> $result:ty;)*) => {
+        $(
+            $(#[$meta])*
+            pub fn $name(&self, $($arg: $type),*) -> $result {
+                self.curve().$name($($arg),*)
+            }
+        )*
+    };
 }
 
 /// Implements what the three types have in common.
@@ -141,31 +159,72 @@ macro_rules! copy_curve {
                 Ok(Self { points })
             }
 
-            /// The unit tangent at t, see [`Curve::tangent`].
-            pub fn tangent(&self, t: f64) -> P {
-                self.curve().tangent(t)
-            }
+            as_curve! {
+                /// The unit tangent at t, see [`Curve::tangent`].
+                fn tangent(t: f64) -> P;
 
-            /// The unit normal at t, see [`Curve::normal`].
-            pub fn normal(&self, t: f64) -> P {
-                self.curve().normal(t)
-            }
+                /// The unit normal at t, see [`Curve::normal`].
+                fn normal(t: f64) -> P;
 
-            /// The curvature at t, see [`Curve::curvature`].
-            pub fn curvature(&self, t: f64) -> f64 {
-                self.curve().curvature(t)
-            }
+                /// The curvature at t, see [`Curve::curvature`].
+                fn curvature(t: f64) -> f64;
 
-            /// The tight bounding box, see [`Curve::bounds`].
-            #[doc(alias = "bounding_box")]
-            pub fn bounds(&self) -> Bounds<P> {
-                self.curve().bounds()
-            }
+                /// The k-th derivative at t, see [`Curve::derivative_at`].
+                fn derivative_at(t: f64, k: usize) -> P;
 
-            /// The arc length, see [`Curve::length`].
-            #[doc(alias = "arclen")]
-            pub fn length(&self) -> f64 {
-                self.curve().length()
+                /// The tight bounding box, see [`Curve::bounds`].
+                #[doc(alias = "bounding_box")]
+                fn bounds() -> Bounds<P>;
+
+                /// The bounding box of the control points.
+                fn control_bounds() -> Bounds<P>;
+
+                /// The parameters where a coordinate is extremal, see [`Curve::extrema`].
+                ///
+                /// # Errors
+                /// As [`Curve::extrema`].
+                fn extrema(axis: usize) -> Result<Vec<f64>, Error>;
+
+                /// The parameters where a coordinate has a value, see [`Curve::times_at_coordinate`].
+                ///
+                /// # Errors
+                /// As [`Curve::times_at_coordinate`].
+                fn times_at_coordinate(axis: usize, value: f64) -> Result<Vec<f64>, Error>;
+
+                /// The arc length, see [`Curve::length`].
+                #[doc(alias = "arclen")]
+                fn length() -> f64;
+
+                /// The arc length within a tolerance, see [`Curve::length_within`].
+                ///
+                /// # Errors
+                /// As [`Curve::length_within`].
+                fn length_within(tolerance: f64) -> Result<f64, Error>;
+
+                /// The parameter at an arc length, see [`Curve::time_at_length`].
+                #[doc(alias = "inv_arclen")]
+                fn time_at_length(s: f64) -> f64;
+
+                /// The point at an arc length with its directions, see [`Curve::point_at_length`].
+                fn point_at_length(s: f64) -> PointAtLength<P>;
+
+                /// Parameters of points that cut the curve into arcs of the same length, see [`Curve::equidistant_times`].
+                ///
+                /// # Errors
+                /// As [`Curve::equidistant_times`].
+                fn equidistant_times(segments: usize) -> Result<Vec<f64>, Error>;
+
+                /// Points at equal steps of the parameter, see [`Curve::sample`].
+                ///
+                /// # Errors
+                /// As [`Curve::sample`].
+                fn sample(segments: usize) -> Result<Vec<P>, Error>;
+
+                /// A polyline within a tolerance, see [`Curve::flatten`].
+                ///
+                /// # Errors
+                /// As [`Curve::flatten`].
+                fn flatten(tolerance: f64) -> Result<Polyline<P>, Error>;
             }
 
             /// The nearest point, see [`Curve::nearest`].
@@ -175,14 +234,6 @@ macro_rules! copy_curve {
             pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
                 check_points("p", &[p])?;
                 Ok(nearest_on(&self.points, p))
-            }
-
-            /// A polyline within a tolerance, see [`Curve::flatten`].
-            ///
-            /// # Errors
-            /// As [`Curve::flatten`].
-            pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
-                self.curve().flatten(tolerance)
             }
 
             /// [`flatten`](Self::flatten) that passes each vertex to `vertex`, see [`Curve::flatten_with`].
@@ -200,6 +251,44 @@ macro_rules! copy_curve {
             #[inline]
             fn curve(&self) -> Curve<P> {
                 Curve::from_slice(&self.points)
+            }
+        }
+
+        impl $type<DVec2> {
+            as_curve! {
+                /// The signed area between the curve and its chord, see [`Curve::area`].
+                fn area() -> f64;
+
+                /// The moments of the region between the curve and the origin, see [`Curve::moments`].
+                fn moments() -> Moments;
+
+                /// The points that the curve passes twice, see [`Curve::self_intersections`].
+                fn self_intersections() -> Vec<SelfIntersection>;
+
+                /// A curve at a distance, see [`Curve::offset`].
+                ///
+                /// # Errors
+                /// As [`Curve::offset`].
+                fn offset(distance: f64) -> Result<Spline<DVec2>, Error>;
+
+                /// A curve at a distance within a tolerance, see [`Curve::offset_within`].
+                ///
+                /// # Errors
+                /// As [`Curve::offset_within`].
+                fn offset_within(distance: f64, tolerance: f64) -> Result<Spline<DVec2>, Error>;
+
+                /// The curve as SVG path data, see [`Curve::to_svg`].
+                fn to_svg() -> String;
+            }
+
+            /// Sends the curve to a sink, see [`Curve::trace`].
+            pub fn trace(&self, sink: &mut (impl PathSink + ?Sized)) {
+                self.curve().trace(sink);
+            }
+
+            /// All intersections with a curve of any type, see [`Curve::intersections`].
+            pub fn intersections(&self, other: impl Into<Curve<DVec2>>) -> Vec<Intersection> {
+                self.curve().intersections(&other.into())
             }
         }
 

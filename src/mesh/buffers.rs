@@ -77,6 +77,22 @@ impl<T> Mesh<T> {
     }
 }
 
+impl Mesh {
+    /// All vertices in one buffer, as a GPU reads them with one binding: for each one x, y, z, the normal, and u, v if the
+    /// mesh has them. A vertex has 6 or 8 numbers, 24 or 32 bytes.
+    pub fn interleaved(&self) -> Vec<f32> {
+        let mut numbers =
+            Vec::with_capacity(self.positions.len() + self.normals.len() + self.uvs.len());
+        for vertex in 0..self.vertex_count() {
+            for (list, size) in [(&self.positions, 3), (&self.normals, 3), (&self.uvs, 2)] {
+                let start = size * vertex;
+                numbers.extend_from_slice(list.get(start..start + size).unwrap_or_default());
+            }
+        }
+        numbers
+    }
+}
+
 impl Mesh<f64> {
     /// Clears all buffers and keeps their memory.
     pub(crate) fn clear(&mut self) {
@@ -148,6 +164,17 @@ impl Indices {
             Self::U16(list) => list.get(index).map(|&i| usize::from(i)),
             Self::U32(list) => list.get(index).map(|&i| i as usize),
         }
+    }
+
+    /// The indices as bytes, the lowest one first, padded with zeros to a multiple of 4, as WebGPU demands of the size of a
+    /// write.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes: Vec<u8> = match self {
+            Self::U16(list) => list.iter().flat_map(|index| index.to_le_bytes()).collect(),
+            Self::U32(list) => list.iter().flat_map(|index| index.to_le_bytes()).collect(),
+        };
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        bytes
     }
 
     /// All indices in order.

@@ -90,7 +90,14 @@ impl Path {
     /// The position at the arc length s from the start of the first subpath, with point, tangent and normal; `None` for
     /// the empty path. See [`time_at_length`](Self::time_at_length).
     pub fn point_at_length(&self, s: f64) -> Option<PointAtLength<DVec2, PathTime>> {
-        let t = self.time_at_length(s)?;
+        self.point_and_directions(self.time_at_length(s)?)
+    }
+
+    /// The point at a position of the path, with its directions.
+    pub(crate) fn point_and_directions(
+        &self,
+        t: PathTime,
+    ) -> Option<PointAtLength<DVec2, PathTime>> {
         let all = |curve: &Curve<DVec2>, rest: f64| PointAtLength {
             t,
             point: curve.eval(rest),

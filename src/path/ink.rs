@@ -402,7 +402,7 @@ fn fit(
 ///
 /// ```
 /// use casteljau::path::{InkOptions, InkSample, InkStroke};
-/// use glam::DVec2;
+/// use casteljau::glam::DVec2;
 ///
 /// let mut ink = InkStroke::new(&InkOptions::new(8.0).taper(10.0, 20.0))?;
 /// for k in 0..40 {

@@ -2,6 +2,7 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
+use crate::curve::PointAtLength;
 use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
@@ -58,13 +59,30 @@ impl Path {
     }
 
     fn time_at(&self, s: f64, tolerance: Option<f64>) -> Option<PathTime> {
-        if self.is_empty() {
-            return None;
-        }
+        self.lengths().position(s, tolerance)
+    }
+
+    /// The arc lengths of all segments, for many questions about one path: each one of [`PathLengths`] costs a binary
+    /// search and a step on one segment, where [`time_at_length`](Self::time_at_length) and
+    /// [`point_at_length`](Self::point_at_length) compute all lengths first.
+    ///
+    /// ```
+    /// use casteljau::{Path, path::PathTime};
+    ///
+    /// let path = Path::from_svg("M0 0H4 M0 1H4V5").expect("path data");
+    /// let mut lengths = path.lengths();
+    /// assert_eq!(lengths.total(), 12.0);
+    /// assert_eq!(lengths.time_at(10.0), Some(PathTime::new(1, 1.5)));
+    /// assert_eq!(lengths.point_at(10.0).map(|at| at.point.y), Some(3.0));
+    /// ```
+    pub fn lengths(&self) -> PathLengths<'_> {
         let index = SegmentIndex::new(self);
-        let mut lengths = index.lengths();
-        let curve = &|k| index.curve(k);
-        Some(index.path_time(lengths.position(s, 0.0, tolerance, curve)))
+        let lengths = index.lengths();
+        PathLengths {
+            path: self,
+            index,
+            lengths,
+        }
     }
 
     /// `segments` + 1 positions that divide the path into parts of equal length; an empty list for the empty path.
@@ -87,6 +105,42 @@ impl Path {
             .into_iter()
             .map(|at| index.path_time(at))
             .collect())
+    }
+}
+
+/// The arc lengths of the segments of a path; see [`Path::lengths`].
+///
+/// The tables of the segment that was asked last are kept, too, so questions in the order of the path are fastest.
+pub struct PathLengths<'a> {
+    path: &'a Path,
+    index: SegmentIndex<'a>,
+    lengths: SegmentLengths,
+}
+
+impl PathLengths<'_> {
+    /// As [`Path::length`].
+    pub fn total(&self) -> f64 {
+        self.lengths.ends()[self.path.segment_count()]
+    }
+
+    /// As [`Path::time_at_length`].
+    pub fn time_at(&mut self, s: f64) -> Option<PathTime> {
+        self.position(s, None)
+    }
+
+    /// As [`Path::point_at_length`].
+    pub fn point_at(&mut self, s: f64) -> Option<PointAtLength<DVec2, PathTime>> {
+        let time = self.time_at(s)?;
+        self.path.point_and_directions(time)
+    }
+
+    fn position(&mut self, s: f64, tolerance: Option<f64>) -> Option<PathTime> {
+        if self.path.is_empty() {
+            return None;
+        }
+        let Self { index, lengths, .. } = self;
+        let at = lengths.position(s, 0.0, tolerance, &|k| index.curve(k));
+        Some(index.path_time(at))
     }
 }
 

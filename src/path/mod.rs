@@ -35,6 +35,7 @@ pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
 pub use ink::{InkChanges, InkOptions, InkPressure, InkSample, InkStroke};
 pub use intersect::PathIntersection;
+pub use length::PathLengths;
 pub use nearest::PathPoint;
 pub use stroke::{
     CornerOptions, OffsetOptions, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition,

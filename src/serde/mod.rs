@@ -6,7 +6,7 @@
 #[cfg(feature = "surfaces")]
 mod surfaces;
 
-use crate::curve::Curve;
+use crate::curve::{Cubic, Curve, Line, Quad};
 use crate::easing::{Easing, Kind};
 use crate::geometry::point::Point;
 use crate::path::Path;
@@ -50,6 +50,26 @@ impl<'de, P: Point + Read<'de>> Deserialize<'de> for Curve<P> {
         Self::new(&form.points).map_err(D::Error::custom)
     }
 }
+
+macro_rules! as_curve {
+    ($($type:ident),*) => {
+        $(
+            impl<P: Point + Write> Write for $type<P> {
+                fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                    Curve::from(*self).serialize(serializer)
+                }
+            }
+
+            impl<'de, P: Point + Read<'de>> Deserialize<'de> for $type<P> {
+                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                    Self::try_from(Curve::deserialize(deserializer)?).map_err(D::Error::custom)
+                }
+            }
+        )*
+    };
+}
+
+as_curve!(Line, Quad, Cubic);
 
 impl<P: Point + Write> Write for Spline<P> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -3,6 +3,7 @@
 use super::cubics::chord_lengths;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
+use crate::numeric::order::larger;
 use crate::numeric::work_limit::WorkLimit;
 use std::ops::Range;
 
@@ -22,8 +23,19 @@ pub(crate) struct Cluster<P> {
     /// The index of its first point.
     pub(crate) first: usize,
     pub(crate) mean: P,
-    /// The mean of the chord lengths at its points.
+    /// The chord length from the first cluster, from mean to mean: it does not grow with the number of points in a cluster,
+    /// which may be large where someone stood still.
     pub(crate) length: f64,
+    /// The mean of the chord lengths at its points, and the ratio of the size of the cluster to their growth in it.
+    polyline_length: f64,
+    scale: f64,
+}
+
+impl<P> Cluster<P> {
+    /// The length from the mean to a point of the cluster with a chord length.
+    pub(crate) fn length_to(&self, polyline_length: f64) -> f64 {
+        (polyline_length - self.polyline_length) * self.scale
+    }
 }
 
 impl<P: Point> SampledPolyline<P> {
@@ -58,23 +70,33 @@ impl<P: Point> SampledPolyline<P> {
     /// Divides the points from index `first` to `last`, inclusive: the points of a cluster lie within `radius` of its
     /// first point.
     pub(crate) fn clusters(&self, first: usize, last: usize, radius: f64) -> Vec<Cluster<P>> {
-        let mut clusters = Vec::new();
+        let mut clusters: Vec<Cluster<P>> = Vec::new();
         let mut from = first;
         while from <= last {
             let start = self.point(from);
-            let (mut sum, mut length) = (P::default(), 0.0);
-            let mut to = from;
-            while to <= last && (self.point(to) - start).norm() < radius {
-                sum += self.point(to) - start;
-                length += self.length(to);
+            let (mut sum, mut lengths, mut farthest) = (P::default(), self.length(from), 0.0);
+            let mut to = from + 1;
+            while to <= last {
+                let gap = self.point(to) - start;
+                let distance = gap.norm();
+                if distance >= radius {
+                    break;
+                }
+                sum += gap;
+                lengths += self.length(to);
+                farthest = larger(farthest, distance);
                 to += 1;
             }
-            let to = to.max(from + 1);
             let count = (to - from) as f64;
+            let mean = start + sum / count;
+            let step = |before: &Cluster<P>| before.length + (mean - before.mean).norm();
+            let around = self.length(to - 1) - self.length(from);
             clusters.push(Cluster {
                 first: from,
-                mean: start + sum / count,
-                length: length.max(self.length(from)) / count,
+                mean,
+                length: clusters.last().map_or(0.0, step),
+                polyline_length: lengths / count,
+                scale: if around > 0.0 { farthest / around } else { 1.0 },
             });
             from = to;
         }

@@ -44,7 +44,7 @@ pub(crate) fn smoothed<P: Point>(
         let next = clusters.get(k + 1).map_or(last + 1, |next| next.first);
         let (here, parabola) = (clusters[k], local_parabola(&clusters, k, tolerance));
         (here.first..next).map(move |index| {
-            let x = polyline.length(index) - here.length;
+            let x = here.length_to(polyline.length(index));
             let position = here.mean + parabola.value(x);
             let mut tangent = parabola.derivative(x).unit();
             if tangent == P::default() {

@@ -191,9 +191,23 @@ impl Surface {
         Some(Patch::from_net(points, columns))
     }
 
-    /// The point of a patch at (u, v), see [`Patch::eval`]; `None` if there is no such patch.
-    pub fn eval(&self, patch: usize, u: f64, v: f64) -> Option<DVec3> {
-        self.patch(patch).map(|patch| patch.eval(u, v))
+    /// The point of a patch at (u, v), see [`Patch::eval`].
+    ///
+    /// # Errors
+    /// [`Error::Index`] for a patch that does not exist, [`Error::Count`] for a surface without patches.
+    pub fn eval(&self, patch: usize, u: f64, v: f64) -> Result<DVec3, Error> {
+        let last = self.patch_count().checked_sub(1).ok_or(Error::Count {
+            what: "patches",
+            expected: "at least 1",
+            got: 0,
+        })?;
+        let found = self.patch(patch).ok_or(Error::Index {
+            what: "patch",
+            first: 0,
+            last,
+            got: patch,
+        })?;
+        Ok(found.eval(u, v))
     }
 
     /// All patches in order.

@@ -40,6 +40,22 @@ macro_rules! same {
             (curve.tangent(t), curve.normal(t))
         );
         assert_eq!(copy.curvature(t).to_bits(), curve.curvature(t).to_bits());
+        assert_eq!(copy.derivative_at(t, 2), curve.derivative_at(t, 2));
+        assert_eq!(copy.control_bounds(), curve.control_bounds());
+        assert_eq!(copy.extrema(1), curve.extrema(1));
+        assert_eq!(
+            copy.times_at_coordinate(0, 0.25),
+            curve.times_at_coordinate(0, 0.25)
+        );
+        let half = 0.5 * copy.length();
+        assert_eq!(
+            copy.length_within(tolerance),
+            curve.length_within(tolerance)
+        );
+        assert_eq!(copy.time_at_length(half), curve.time_at_length(half));
+        assert_eq!(copy.point_at_length(half), curve.point_at_length(half));
+        assert_eq!(copy.equidistant_times(3), curve.equidistant_times(3));
+        assert_eq!(copy.sample(4), curve.sample(4));
         copy
     }};
 }
@@ -79,6 +95,29 @@ fn methods_are_those_of_curves() {
     let line = Line::new(DVec2::X, DVec2::Y).expect("finite");
     let image = line.transform(&map).map(Curve::from);
     assert_eq!(image, Curve::from(line).transform(&map));
+}
+
+#[test]
+fn methods_of_the_plane_are_those_of_curves() {
+    let points = [(0.0, 0.0), (3.0, 2.0), (-2.0, 2.0), (1.0, 0.0)].map(DVec2::from);
+    let cubic = Cubic::try_from(points).expect("finite");
+    let curve = Curve::from(cubic);
+    assert_eq!(
+        (cubic.area(), cubic.moments()),
+        (curve.area(), curve.moments())
+    );
+    assert_eq!(cubic.self_intersections(), curve.self_intersections());
+    assert_eq!(cubic.offset(0.25), curve.offset(0.25));
+    assert_eq!(
+        cubic.offset_within(0.25, 0.1),
+        curve.offset_within(0.25, 0.1)
+    );
+    assert_eq!(cubic.to_svg(), curve.to_svg());
+    let line = Line::new(dvec2(-1.0, 0.5), dvec2(2.0, 1.0)).expect("finite");
+    let crossings = curve.intersections(&Curve::from(line));
+    assert!(!crossings.is_empty());
+    assert_eq!(cubic.intersections(line), crossings);
+    assert_eq!(cubic.intersections(Curve::from(line)), crossings);
 }
 
 #[test]

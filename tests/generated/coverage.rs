@@ -20,7 +20,7 @@ const TYPES: [&str; 9] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 49] = [
+const WITHIN_OTHERS: [&str; 51] = [
     "InkStroke::new", // InkStroke::outline, and those that follow
     "InkStroke::append",
     "InkStroke::changes",
@@ -41,6 +41,8 @@ const WITHIN_OTHERS: [&str; 49] = [
     "Curve::offset_within",        // Curve::offset
     "Spline::offset_within",       // Spline::offset
     "Path::length_at",             // Path::time_at_length
+    "Path::lengths",               // Path::time_at_length
+    "Mesh::interleaved",           // copies what the meshes contain
     "Path::point_at_length",       // Path::time_at_length, and those that follow
     "Path::nearest_of",            // tests/path/sizes.rs
     "Path::eval",

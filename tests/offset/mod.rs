@@ -88,6 +88,32 @@ fn adversarial_curves() {
     });
 }
 
+/// Distances next to a radius of curvature, where the offset has a cusp or almost one and the foot of a perpendicular is
+/// not determined by the first derivative.
+#[test]
+fn distances_next_to_a_radius_of_curvature() {
+    let mut rng = Rng(2022);
+    let cases = (0..cases() / 4).map(|case| {
+        let points = [(); 4].map(|()| DVec2::new(rng.signed(), rng.signed()));
+        let curve = Curve::new(&points).expect("finite");
+        let radius = 1.0 / curve.curvature(rng.unit());
+        let distance = radius * (1.0 + rng.signed() * rng.magnitude(-9.0, -1.0));
+        let reach = 1.0 + distance.abs();
+        let tolerance = rng.magnitude(-7.0, -1.0).max(64.0 * ulp(reach));
+        (case, curve, distance, tolerance)
+    });
+    on_all(cases, |(case, curve, distance, tolerance)| {
+        if distance.abs() > 30.0 {
+            return;
+        }
+        let found = error(&curve, distance, tolerance);
+        assert!(
+            found <= 1.0,
+            "{found} tolerances: {case} {curve:?} at {distance}, {tolerance}"
+        );
+    });
+}
+
 /// Huge and tiny curves of any degree: the result consists of finite numbers and is returned in time.
 #[test]
 fn any_curve_has_an_offset() {

@@ -60,6 +60,28 @@ fn points_lie_within_the_tolerance_and_corners_are_found() {
     assert!(beside <= 3, "{beside}");
 }
 
+/// Someone stands still and walks on: what lies within the tolerance is one place, however many points there are.
+#[test]
+fn a_cluster_is_one_piece() {
+    let mut rng = Rng(2202);
+    for count in [100, 5_000, 40_000] {
+        for place in [0, 100, 200] {
+            let walk = |k: usize| DVec2::new(real(k), 30.0 * (0.05 * real(k)).sin());
+            let still = (0..count).map(|_| walk(place) + DVec2::new(rng.signed(), rng.signed()));
+            let still: Vec<DVec2> = still.collect();
+            let (before, after) = ((0..place).map(walk), (place..200).map(walk));
+            let points: Vec<DVec2> = before.chain(still).chain(after).collect();
+            let fitted = fit(&points, 5.0);
+            assert!(
+                fitted.segment_count() <= 8,
+                "{count} at {place}: {}",
+                fitted.segment_count()
+            );
+            is_within(&fitted, &points, 5.0);
+        }
+    }
+}
+
 #[test]
 fn degenerate_points() {
     let p = DVec2::new(3.0, 4.0);

@@ -42,6 +42,33 @@ fn positions_by_length_have_point_and_directions() {
 }
 
 #[test]
+fn kept_lengths_answer_as_the_path_does() {
+    for path in paths() {
+        let mut lengths = path.lengths();
+        let total = path.length();
+        assert_eq!(lengths.total(), total);
+        for part in [0.4, 0.41, -1.0, 0.0, 0.9, 0.1, 1.0, 2.0] {
+            let s = part * total;
+            // Within the accuracy of a position: a segment that is asked again has a table.
+            let (time, at) = (lengths.time_at(s), lengths.point_at(s));
+            let (time, at) = (time.expect("not empty"), at.expect("not empty"));
+            let expected = path.point_at_length(s).expect("not empty");
+            for found in [time, at.t] {
+                assert_eq!(found.subpath, expected.t.subpath);
+                near(found.t, expected.t.t, 1e-11);
+            }
+            assert_eq!(Ok(at.point), path.eval(at.t));
+        }
+    }
+    let empty = Path::default();
+    let mut none = empty.lengths();
+    assert_eq!(
+        (none.total(), none.time_at(1.0), none.point_at(1.0)),
+        (0.0, None, None)
+    );
+}
+
+#[test]
 fn the_parts_of_a_split_are_the_path() {
     let mut rng = Rng(2802);
     for path in paths() {

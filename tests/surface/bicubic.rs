@@ -1,9 +1,9 @@
 //! Guarantees of grids of bicubic patches on difficult nets: 4 ulps, identical edges, normals within 0.001°.
 
-use crate::support::Rng;
 use crate::support::nets::{RandomNet, net, patch, teapot, vector};
+use crate::support::{Rng, assert_refused};
 use casteljau::glam::DVec3;
-use casteljau::{Grid, Mesh, Patch};
+use casteljau::{Grid, Mesh, Patch, Surface};
 #[cfg(target_family = "wasm")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -165,7 +165,15 @@ fn a_surface_is_evaluated_by_its_patches() {
     let surface = teapot();
     for k in [0, 7, 31] {
         let patch = surface.patch(k).expect("a patch");
-        assert_eq!(surface.eval(k, 0.25, 0.75), Some(patch.eval(0.25, 0.75)));
+        assert_eq!(surface.eval(k, 0.25, 0.75), Ok(patch.eval(0.25, 0.75)));
     }
-    assert_eq!(surface.eval(32, 0.5, 0.5), None);
+    assert_refused(
+        surface.eval(32, 0.5, 0.5),
+        "patch: expected an index from 0 to 31, got 32",
+    );
+    let none = Surface::new(Vec::new(), Vec::new(), 3, 3).expect("no patches");
+    assert_refused(
+        none.eval(0, 0.5, 0.5),
+        "patches: expected at least 1, got 0",
+    );
 }

@@ -20,6 +20,30 @@ fn mesh(patch: &Patch, grid: Grid) -> Mesh {
 }
 
 #[test]
+fn vertices_in_one_buffer_and_indices_as_bytes() {
+    let mesh = teapot().grid(cells(2, 1), false).unwrap();
+    let numbers = mesh.interleaved();
+    assert_eq!(numbers.len(), 8 * mesh.vertex_count());
+    for (vertex, all) in numbers.chunks(8).enumerate() {
+        let three = 3 * vertex..3 * vertex + 3;
+        assert_eq!(all[..3], mesh.positions[three.clone()]);
+        assert_eq!(all[3..6], mesh.normals[three]);
+        assert_eq!(all[6..], mesh.uvs[2 * vertex..2 * vertex + 2]);
+    }
+    let shared = Mesh {
+        uvs: Vec::new(),
+        ..mesh
+    };
+    assert_eq!(shared.interleaved().len(), 6 * shared.vertex_count());
+    assert_eq!(
+        Indices::U16(vec![1, 258, 3]).to_bytes(),
+        [1, 0, 2, 1, 3, 0, 0, 0]
+    );
+    assert_eq!(Indices::U32(vec![0x0403_0201]).to_bytes(), [1, 2, 3, 4]);
+    assert!(Indices::default().to_bytes().is_empty());
+}
+
+#[test]
 fn layout_of_the_buffers() {
     let grid = cells(3, 2);
     assert_eq!((grid.vertex_count(), grid.triangle_count()), (12, 12));

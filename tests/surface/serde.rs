@@ -2,7 +2,7 @@
 
 use crate::support::assert_refused;
 use crate::support::nets::net;
-use casteljau::curve::IntersectionKind;
+use casteljau::curve::{Cubic, IntersectionKind, Quad};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::mesh::{Detail, TessellationOptions, WireframeOptions};
 use casteljau::models::Up;
@@ -25,6 +25,8 @@ fn texts_are_those_of_javascript() {
     let text = r#"{"points":[[0.0,0.5],[1.0,2.0],[2.0,0.1]]}"#;
     let curve: Curve<DVec2> = read(text);
     assert_eq!(curve.control_points()[2], DVec2::new(2.0, 0.1));
+    assert_eq!(Curve::from(read::<Quad<DVec2>>(text)), curve);
+    assert!(from_str::<Cubic<DVec2>>(text).is_err());
     let text =
         r#"{"points":[[0.0,0.0],[1.0,2.0],[2.0,0.0],[3.0,0.0]],"degrees":[2,1],"closed":false}"#;
     assert_eq!(read::<Spline<DVec2>>(text).degrees(), [2, 1]);

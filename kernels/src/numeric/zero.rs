@@ -93,3 +93,19 @@ pub fn regula_falsi(
     }
     0.5 * (lo + hi)
 }
+
+/// A bound of the difference between the value of a function at a point and at a zero of its derivative next to it;
+/// infinite if there need not be one.
+///
+/// At the point the derivative is at most `slope`; at a distance x from it the second derivative has a constant sign and
+/// is at least `curvature` − `change`·x. Within the distance at which that is m = (curvature + √(curvature² −
+/// 4 change slope))/2 the derivative has a zero, and the values differ by at most slope²/(2m).
+#[inline]
+pub fn difference_at_zero(slope: f64, curvature: f64, change: f64) -> f64 {
+    let discriminant = curvature * curvature - 4.0 * change * slope;
+    if curvature > 0.0 && discriminant >= 0.0 {
+        slope * slope / (curvature + discriminant.sqrt())
+    } else {
+        f64::INFINITY
+    }
+}

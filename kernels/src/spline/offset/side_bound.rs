@@ -9,9 +9,13 @@
 //!   ⟨M, M⟩ = (|E| + r) f,   ⟨M, W⟩ = −|E| f′ − f r′,   ⟨W, W⟩ − ⟨M, W′⟩ = |E| f″ + f′ (f′ + 2 r′) + f r″
 //!
 //! (where f′ and f″ are derivatives with respect to the disc) lie between their least and their greatest Bernstein
-//! coefficient. So f is bounded, and the stationary value differs from it by at most f′²/(2 f″), which is doubled here:
-//! f″ is bounded only at the pairs between. Next to cusps of a side f″ is 0; while the stationary disc is between the two
-//! pairs, its value differs by at most |f′|. That disc moves along with u from the first pair of the cubic to the last one,
+//! coefficient. So f is bounded, and so is its difference from the stationary value (`difference_at_zero`), although these are
+//! values for the pairs (u, u): with E₁ = Q(u) − B(t) the second derivative by t is
+//!
+//!   f″ = |B′ − (B′·e) e|²/|E₁| − e·B″ − r″, e = E₁/|E₁|
+//!
+//! and its gradient by Q is at most |B″|/|E₁| + 2|B′|²/|E₁|². Next to cusps of a side f″ is 0; while the stationary disc is
+//! between the two pairs, its value differs by at most |f′|. That disc moves along with u from the first pair of the cubic to the last one,
 //! so every point of the side is as near to the cubic.
 //!
 //! The idea of M is from Choi, Choi and Moon, "Mathematical theory of medial axis transform", Pacific J. Math. 181 (1997).
@@ -20,6 +24,7 @@ use crate::bernstein::vector_products::{
     cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
 };
 use crate::numeric::order::{larger, range, smaller};
+use crate::numeric::zero::difference_at_zero;
 use crate::spline::fit_run::Vector;
 use glam::DVec3;
 
@@ -54,8 +59,15 @@ pub fn side_bound(m: &[DVec3; 4], w: &[DVec3; 3], sign: f64, rest: f64, toleranc
     let bends = cubic_by_linear(m, &changes, product);
     let (ahead, _) = range((0..5).map(|k| sign * (squares[k] - bends[k])));
     let curvature = ahead - f_rate * (2.0 * largest(w) + f_rate) - off * largest(&changes);
-    let steps = f_rate * size / larger(curvature, 0.0);
-    off + f_rate * smaller(steps, 1.0) + rest
+    let longest = |vectors: &[DVec3]| range(vectors.iter().map(|v| v.length_squared())).1.sqrt();
+    let rates = [0, 1, 2].map(|k| ((m[k + 1] - m[k]) * 3.0 + w[k]).truncate().extend(0.0));
+    // With |E| ≥ least / 2 at all pairs that matter: curvature/size divided by twice this change is less than a half of
+    // least/|Q′|.
+    let turn =
+        2.0 * longest(&changes) + 8.0 * range(w.iter().map(|v| v.length_squared())).1 / least;
+    let change = longest(&rates) * turn / least;
+    let difference = difference_at_zero(f_rate, curvature / size, change);
+    off + smaller(difference, f_rate) + rest
 }
 
 /// ⟨a, b⟩.

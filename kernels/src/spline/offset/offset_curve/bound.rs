@@ -6,10 +6,14 @@
 //! the difference of |E| from the given distance, the deviation of E from the normal, and the distance of the foot of
 //! the perpendicular from B(u). With δ the tangential component of E, either
 //!
-//!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
+//!   √(δ² + (|E| − d)²)   or   |√(|E|² ∓ S) − d|
 //!
-//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. If |B′|² − E·B″ is
-//! positive, the foot is the nearest point, so its distance is at most |E|; if negative, at least |E|. |E| is the same on
+//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. S bounds the difference
+//! of |E|² from the square of the distance at the foot, next to B(t) with t ≠ u: for Q(u) the second derivative of half
+//! the square by t is that of the pair (t, t) plus (Q(t) − Q(u))·B″(t), so it changes by at most max|Q′| max|B″| |t − u|
+//! (`difference_at_zero`). If |B′|² − E·B″ is
+//! positive, the foot is the nearest point, so its distance is at most |E|; if negative, at least |E|. A foot beyond the
+//! end of a part is in the next one, whose bound is proved as well. |E| is the same on
 //! the other side, and tolerances of more than d accept single points there, so the side is checked at the first pair:
 //! E cannot change sides without passing B′. The foot moves along with u from one end to the other, so every point of
 //! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
@@ -22,14 +26,11 @@ use crate::bernstein::vector_products::{
 };
 use crate::numeric::order::{larger, range};
 use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::difference_at_zero;
 use glam::DVec2;
 
 /// Maximum number of bounds evaluated for one cubic before it is rejected; a cubic within the tolerance needs 4 to 40.
 const MAX_BOUNDS: usize = 96;
-
-/// The contribution of the foot, as a multiple of its first estimate: |B′|² − E·B″ is bounded only for the pairs (u,
-/// u), and the foot is at a slightly different parameter.
-const FOOT_SAFETY: f64 = 2.0;
 
 impl OffsetCurve<'_> {
     /// Whether the cubic is proved to be within the tolerance everywhere, with at most `MAX_BOUNDS` bounds.
@@ -148,25 +149,41 @@ impl OffsetCurve<'_> {
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
         let mut tangential_max = larger(tangential_high, -tangential_low);
         let mut forward = larger(f_min, -f_max);
+        let longest =
+            |vectors: &[DVec2]| range(vectors.iter().map(|v| v.length_squared())).1.sqrt();
+        let mut rate = longest(&[
+            (e[1] - e[0]) * 3.0 + v[0],
+            (e[2] - e[1]) * 3.0 + v[1],
+            (e[3] - e[2]) * 3.0 + v[2],
+        ]);
+        let mut slope = longest(&d_slopes);
         if rest > 0.0 {
             // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
             // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
             let fastest = max.sqrt();
             tangential_max += rest * (fastest + 20.0 * high);
             forward -= rest * (40.0 * fastest + 160.0 * high);
+            rate += rest * 20.0;
+            slope += rest * 160.0;
         }
-        let tangential_square = tangential_max * tangential_max;
-        if forward > tangential_max && tangential_square < 0.25 * low * low * min {
-            let excess = FOOT_SAFETY * tangential_square / (2.0 * low * forward);
+        let square_change = 2.0 * difference_at_zero(tangential_max, forward, rate * slope);
+        if square_change < low * low {
             let found = if f_min > 0.0 {
-                larger(high - distance, distance - low + excess)
+                larger(
+                    high - distance,
+                    distance - (low * low - square_change).sqrt(),
+                )
             } else {
-                larger(high - distance + excess, distance - low)
+                larger(
+                    (high * high + square_change).sqrt() - distance,
+                    distance - low,
+                )
             };
             if found <= self.tolerance {
                 return found;
             }
         }
+        let tangential_square = tangential_max * tangential_max;
         if min <= 0.0 || tangential_square >= low * low * min {
             return f64::INFINITY;
         }
