@@ -1,8 +1,13 @@
 // casteljau/surfaces: patches and surfaces on the curves of casteljau/core. xtask/bundle.js gives it one wasm module with the
 // functions of both.
+import { CoreCurve } from "./geometry/curve/core-curve.js";
+import { CURVE_METHODS, explainMissing } from "./geometry/missing.js";
+
 export * from "./types.js";
 export { init } from "./wasm/init.js";
-export { Curve } from "./geometry/core/curve.js";
-export { Patch } from "./geometry/core/patch.js";
-export { Surface } from "./geometry/core/surface.js";
+export { CoreCurve as Curve };
+export { CorePatch as Patch } from "./geometry/patch/core-patch.js";
+export { CoreSurface as Surface } from "./geometry/surface/core-surface.js";
 export { Mesh } from "./geometry/mesh.js";
+
+explainMissing(CoreCurve, "Curve", "casteljau/surfaces", CURVE_METHODS, "interpolate");

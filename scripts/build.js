@@ -95,7 +95,7 @@ export const bundles = (mode) =>
       inputs: [...filesBelow("js"), ...BUNDLERS, "package.json", "package-lock.json", "Cargo.lock"],
       outputs: [
         ...SITE_SCRIPTS,
-        ...["core.js", "paths.js", "slim.js", "casteljau.wasm", "custom-elements.json", "texts.json", "easing.js"].map(
+        ...["core.js", "slim.js", "casteljau.wasm", "custom-elements.json", "texts.json", "easing.js"].map(
           (name) => `dist/${name}`,
         ),
         "dist/casteljau.global.js",

@@ -79,7 +79,7 @@ const markClassNames = {
     build.onLoad({ filter: /[\\/]js[\\/]geometry[\\/]/ }, async ({ path }) => {
       const contents = await readFile(path, "utf8");
       const marked = contents.replace(
-        /^(export class (Curve|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b[^{]*\{)$/m,
+        /^(export class (?:Core)?(Curve|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b.*\{)$/m,
         '$1 static className = "$2";',
       );
       return { contents: marked, loader: "ts" };
@@ -181,7 +181,6 @@ async function bundle(entry, name, options = {}) {
 /** The entry points that share their files; the last ones are loaded when an element of a kind is almost visible. */
 const SHARING = {
   index: "index.ts",
-  paths: "paths.ts",
   easing: "easing.ts",
   applet: "applet/index.ts",
   elements: "elements/index.ts",
@@ -258,7 +257,7 @@ const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(n
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   sharing(SHARING, "", { plugins: [surfacesExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
-  sharing({ index: "index.ts", paths: "paths.ts" }, "node/", {
+  sharing({ index: "index.ts" }, "node/", {
     plugins: [fromFile],
     platform: "node",
     sourcemap: false,

@@ -13,9 +13,9 @@ const COMMITTED_KB = {
   "{ easing }": 6.5,
   "{ Curve }": 162.1,
   "{ Surface }": 266.6,
-  "{ Path } of paths": 173,
+  "{ Path }": 260,
   everything: 446.5,
-  "{ Curve, Spline } of core": 48.4,
+  "everything of core": 80,
   "{ Surface } of surfaces": 122.2,
   "only types": 0,
   "bezier-app.js": 48,
@@ -31,10 +31,9 @@ const TARGETS_KB = {
   "{ easing }": 4,
   "{ Curve }": 140,
   everything: 365,
-  "{ Curve, Spline } of core": 45,
+  "everything of core": 80,
   "{ Surface } of surfaces": 110,
   "bezier-app.js": 48,
-  "{ Path } of paths": 150,
   "bezier-applet: kernel": 150,
   "bezier-easing: kernel": 10,
   "bezier-surface: kernel": 120,
@@ -89,16 +88,7 @@ async function isKernel(name) {
 const allNames = (await readdir("dist", { recursive: true })).filter((name) =>
   /^(elements.*|shared-.*)\.js$/.test(name),
 );
-const ENTRIES = [
-  "casteljau.wasm",
-  "slim.js",
-  "index.js",
-  "paths.js",
-  "core.js",
-  "surfaces.js",
-  "applet.js",
-  "bezier-app.js",
-];
+const ENTRIES = ["casteljau.wasm", "slim.js", "index.js", "core.js", "surfaces.js", "applet.js", "bezier-app.js"];
 const parts = await Promise.all([...ENTRIES, ...allNames].map(sizeOf));
 console.log(`${"".padEnd(28)} minified  gzip -9`);
 parts.filter(({ name }) => ENTRIES.includes(name) || name === "shared-curves.js").forEach(row);

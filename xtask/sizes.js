@@ -12,10 +12,10 @@ export const gzip = (bytes) => gzipSync(bytes, { level: 9 }).length;
 export const IMPORTS = [
   ["{ easing }", "easing", "index"],
   ["{ Curve }", "Curve", "index"],
-  ["{ Path } of paths", "Path", "paths"],
+  ["{ Path }", "Path", "index"],
   ["{ Surface }", "Surface", "index"],
   ["everything", "Curve, Spline, Path, InkStroke, Patch, Surface, Mesh, easing, init", "index"],
-  ["{ Curve, Spline } of core", "Curve, Spline", "core"],
+  ["everything of core", "Curve, Spline, Path", "core"],
   ["{ Surface } of surfaces", "Surface", "surfaces"],
   ["only types", "type Curve, type Mesh", "index"],
 ];

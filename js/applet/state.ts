@@ -3,7 +3,7 @@
 import { finiteNumber, kindOf, pointsArray } from "../editor/check.js";
 import { cubics, firstPoints, pairs, POINTS_PER_SEGMENT } from "../editor/plane.js";
 import { randomChain, roomiestAmong } from "../editor/random.js";
-import type { Spline } from "../paths.js";
+import type { Spline } from "../index.js";
 import type { Box } from "../editor/plane.js";
 
 export type JointMode = "free" | "g1" | "c1";

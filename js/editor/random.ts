@@ -1,5 +1,5 @@
 // Chance, and places for new points.
-import type { Spline } from "../paths.js";
+import type { Spline } from "../index.js";
 import { cubics, isInside, pairs, POINTS_PER_SEGMENT } from "./plane.js";
 import type { Box } from "./plane.js";
 

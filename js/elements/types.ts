@@ -1,6 +1,6 @@
 // The public types of the elements. They do not mention the libraries that the elements use.
 
-import type { Curve, Spline } from "../paths.js";
+import type { Curve, Spline } from "../index.js";
 import type { Surface } from "../surfaces.js";
 
 /**

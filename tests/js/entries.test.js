@@ -7,7 +7,6 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import * as complete from "casteljau";
 import * as coreEntry from "casteljau/core";
-import * as paths from "casteljau/paths";
 import * as slim from "casteljau/slim";
 import * as surfaces from "casteljau/surfaces";
 import { build } from "esbuild";
@@ -20,15 +19,16 @@ const ARCH = [0, 0, 0, 2, 3, 2, 3, 0];
 const LINE = [-1, 1, 4, 1];
 /** The abscissas at which the arch y = 6t(1 − t) has the height 1. */
 const ROOTS = [(3 - Math.sqrt(3)) / 6, (3 + Math.sqrt(3)) / 6];
-const WITH_CURVES = { complete, core: coreEntry, slim };
+const WITH_CURVES = /** @type {Record<string, typeof complete>} */ (
+  /** @type {unknown} */ ({ complete, core: coreEntry, slim })
+);
 
 test("entries: what each one exports", () => {
   const all = ["Curve", "InkStroke", "Mesh", "Patch", "Path", "Spline", "Surface", "easing", "init"];
   assert.deepEqual(Object.keys(complete).sort(), all);
   assert.deepEqual(Object.keys(slim).sort(), all);
-  assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Spline", "init"]);
+  assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Path", "Spline", "init"]);
   assert.deepEqual(Object.keys(surfaces).sort(), ["Curve", "Mesh", "Patch", "Surface", "init"]);
-  assert.deepEqual(Object.keys(paths).sort(), ["Curve", "Path", "Spline", "init"]);
 });
 
 test("entries: import and require give the same classes", () => {
@@ -82,22 +82,66 @@ test("entries: paths and patches of casteljau and casteljau/slim are accepted by
   assert.ok(patches.every((patch) => patches.every((other) => patch.equals(other))));
 });
 
-test("entries: the paths of casteljau/paths have all but operations on regions", () => {
-  const { Path, Spline } = paths;
+/** The names of the methods of a class, inherited ones included, without those that are only for the package. */
+function methodsOf(Class) {
+  const names = new Set();
+  for (let each = Class; each !== Function.prototype && each !== Object.prototype; each = Object.getPrototypeOf(each))
+    for (const name of Object.getOwnPropertyNames(each)) if (/^[a-z]/.test(name)) names.add(name);
+  return [...names].sort();
+}
+
+test("entries: a small entry point has every method of casteljau, or one that names it", () => {
+  const refusals = { "casteljau/core": coreEntry, "casteljau/surfaces": surfaces };
+  for (const [entry, classes] of Object.entries(refusals)) {
+    for (const [name, Class] of Object.entries(classes)) {
+      if (name === "init") continue;
+      const Whole = complete[name];
+      assert.equal(Class.name, name);
+      assert.deepEqual(methodsOf(Class), methodsOf(Whole), `${entry}: statics of ${name}`);
+      assert.deepEqual(methodsOf(Class.prototype), methodsOf(Whole.prototype), `${entry}: ${name}`);
+    }
+  }
+  const refused = (call, method) =>
+    assert.throws(call, { name: "TypeError", message: `${method} is in "casteljau", not in "casteljau/core"` });
+  refused(() => untyped(new coreEntry.Curve(ARCH)).offset(1), "Curve.offset");
+  refused(() => untyped(coreEntry.Spline).fit([], {}), "Spline.fit");
+  refused(() => untyped(coreEntry.Path.circle([0, 0], 1)).union(), "Path.union");
+  refused(() => untyped(coreEntry.Path.circle([0, 0], 1).subpaths[0]).simplify(1), "Spline.simplify");
+});
+
+test("entries: the measures of casteljau/core are those of casteljau", () => {
+  const d = "M0 0C10 40 60 -40 70 0S140 9 80 60Q40 90 0 50ZM5 5H9V9H5Z";
+  const [small, whole] = [WITH_CURVES.core, complete].map(({ Curve, Spline, Path }) => {
+    const [curve, path] = [new Curve(ARCH), Path.fromSVG(d)];
+    const spline = new Spline([...ARCH, 3, -2, 6, -2, 6, 0]);
+    return [curve, spline, path].map((each) => [
+      each.length(),
+      each.timeAtLength(3),
+      each.pointAtLength(3),
+      each.equidistantTimes(5),
+      each.nearest([2, 1]),
+      each.bounds(),
+      each.area(),
+      each.extrema(),
+      each.timesAtCoordinate({ x: 2 }),
+      each.flatten(0.1),
+      each instanceof Path && each.contains([4, 4]),
+    ]);
+  });
+  assert.deepEqual(small, whole);
+  assert.throws(() => untyped(coreEntry.Path.circle([0, 0], 1)).area({ fillRule: "nonzero" }), TypeError);
+});
+
+test("entries: paths of casteljau/core", () => {
+  const { Path } = coreEntry;
   const ring = Path.circle([0, 0], 2);
-  assert.ok(
-    [ring, ring.reverse(), ring.simplify(0.01), Path.from(ring), Path.fromSVG("M0 0H1")].every(
-      (p) => p instanceof Path,
-    ),
-  );
+  assert.ok([ring, ring.reverse(), Path.from(ring), Path.fromSVG("M0 0H1")].every((p) => p instanceof Path));
   assert.ok(Path.builder().build() instanceof Path && [ring].map(/** @type {any} */ (Path.from))[0] instanceof Path);
-  assert.ok(!("union" in ring) && !("combine" in Path) && "union" in complete.Path.prototype);
   const whole = complete.Path.circle([0, 0], 2);
   assert.ok(ring.equals(whole) && whole.equals(ring) && complete.Path.from(ring).union(whole).area() > 12.5);
   assert.equal(whole.union(/** @type {any} */ (ring)).area(), whole.union(whole).area());
   assert.equal(ring.length(), whole.length());
-  assert.equal(paths.Curve, complete.Curve);
-  assert.equal(Spline, complete.Spline);
+  assert.ok(ring.subpaths[0] instanceof coreEntry.Spline && ring.subpaths[0].segments()[0] instanceof coreEntry.Curve);
   assert.deepEqual(Path.index([whole, ring]).nearest([3, 0]), complete.Path.index([ring, whole]).nearest([3, 0]));
   const { circle } = /** @type {any} */ (Path);
   assert.throws(() => circle([0, 0], 2), {
@@ -172,7 +216,7 @@ test("entries: casteljau/core gives the same numbers as casteljau, and refuses t
 });
 
 test("entries: a class that is called without new is refused by its name", () => {
-  for (const entry of [complete, coreEntry, paths, slim, surfaces].map(untyped)) {
+  for (const entry of [complete, coreEntry, slim, surfaces].map(untyped)) {
     for (const name of Object.keys(entry).filter((each) => /^[A-Z]/.test(each))) {
       assert.equal(entry[name].name, name);
       assert.throws(entry[name], { message: `Class constructor ${name} cannot be invoked without 'new'` });
@@ -226,7 +270,6 @@ test("entries: an error that nothing catches prints little", () => {
   const programs = {
     casteljau: 'import { Path } from "casteljau"; Path.circle(0, 0, 10);',
     "casteljau/core": 'import { Curve } from "casteljau/core"; new Curve(7);',
-    "casteljau/paths": 'import { Path } from "casteljau/paths"; Path.circle(0, 0, 10);',
     "./dist/index.js": 'import { Path } from "./dist/index.js"; Path.circle(0, 0, 10);',
     "casteljau/surfaces": 'import { Patch } from "casteljau/surfaces"; new Patch(7);',
     "casteljau/easing": 'import { easing } from "casteljau/easing"; easing(7);',

@@ -69,7 +69,7 @@ pub(crate) const PARTS: [Part; 6] = [
     // For casteljau/core.
     Part {
         name: "core",
-        own: &[CORE_CURVES, CORE_SPLINES],
+        own: &[CORE_CURVES, CORE_SPLINES, CORE_PATHS],
     },
     // For casteljau/surfaces, whose curves have the methods of casteljau/core.
     Part {
@@ -102,6 +102,9 @@ const CORE_CURVES: &[&str] = &[
     "basis_matrix",
     "bernstein_weights",
     "cubic_eval",
+    "cubic_length",
+    "cubic_nearest",
+    "curve_area",
     "curve_bounds",
     "curve_cubics",
     "curve_curvature",
@@ -109,17 +112,23 @@ const CORE_CURVES: &[&str] = &[
     "curve_derivative",
     "curve_derivative_at",
     "curve_elevate",
+    "curve_equidistant_times",
     "curve_eval",
     "curve_eval_at",
+    "curve_extrema",
     "curve_flatten",
     "curve_from_basis",
     "curve_hull",
+    "curve_length",
+    "curve_nearest",
     "curve_normal",
     "curve_sample",
     "curve_split",
     "curve_subdivide",
     "curve_subsegment",
     "curve_tangent",
+    "curve_time_at_length",
+    "curve_times_at_coordinate",
     "curve_to_basis",
     "path_check_tolerance",
 ];
@@ -127,17 +136,36 @@ const CORE_CURVES: &[&str] = &[
 /// The functions that js/geometry/spline/core-spline.ts and the classes that it extends call.
 const CORE_SPLINES: &[&str] = &[
     "spline_append",
+    "spline_area",
     "spline_bounds",
     "spline_continuity",
+    "spline_equidistant_times",
     "spline_eval_at",
     "spline_flatten",
     "spline_from_curves",
     "spline_insert",
+    "spline_length",
     "spline_move_point",
     "spline_remove",
     "spline_reverse",
     "spline_sample",
     "spline_set_joint",
+    "spline_time_at_length",
+];
+
+/// The functions that js/geometry/path/core-path.ts calls, besides those of splines.
+const CORE_PATHS: &[&str] = &[
+    "curve_crossings",
+    "path_area",
+    "path_bounds",
+    "path_equidistant_times",
+    "path_flatten",
+    "path_length",
+    "path_moments",
+    "path_nearest",
+    "path_segment_ends",
+    "path_time_at_length",
+    "path_winding_number",
 ];
 
 /// The exports of every module.

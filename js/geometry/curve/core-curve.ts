@@ -1,4 +1,6 @@
 import * as check from "../check.js";
+import * as queries from "../curve-queries.js";
+import { curveLength, curveTimeAtLength, pointAndDirections } from "../arc-length.js";
 import { curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, pointList, samePoints, requireList, boxAt } from "../points.js";
@@ -11,13 +13,15 @@ import {
   readPolyline,
 } from "../../wasm/transfer.js";
 import { core, cubicEval } from "../../wasm/init.js";
-import { basisNumbers, BASES } from "../basis.js";
+import { basisNumbers, BASES, pointsInBasis } from "../basis.js";
 import { affine } from "../affine.js";
 import { readTree } from "../subdivision.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { packedSpline } from "../../wasm/packed-path.js";
 import type { SplineData } from "../brand.js";
-import type { PointsLike, TransformLike, Complete } from "../check.js";
+import type { PointAtLength } from "../arc-length.js";
+import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
+import type { Extrema, Nearest } from "../curve-queries.js";
 import type { Point, PointArrays, Bounds } from "../points.js";
 import type { BasisLike, BasisName } from "../basis.js";
 import type { Subdivision } from "../subdivision.js";
@@ -30,8 +34,19 @@ let isShown = false;
 export type CurveJSON = { points: PointsLike; dimension?: 2 | 3 };
 
 /**
- * What the curves of all entry points have in common. Where a function takes a curve, it takes the curves of every entry
- * point.
+ * One Bézier curve of degree 1 to 64, in the plane or in space.
+ *
+ * B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ for t from 0 to 1; other values extrapolate. The end points are returned exactly.
+ * Curves are immutable: every change returns a new one. They need not be freed.
+ *
+ *     const curve = new Curve([[0, 0], [1, 2], [2, 0]]);
+ *     curve.eval(0.5); // { x: 1, y: 1 }
+ *
+ * In TypeScript, `Curve<2>` and `Curve<3>` have points `{x, y}` and `{x, y, z}`. The dimension is inferred from points
+ * that are arrays, and from the option `dimension`.
+
+ * This is `Curve` of casteljau/core. That of `casteljau` extends it; where a function takes a curve, it takes the curves of
+ * every entry point.
  */
 export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   #flat: Float64Array;
@@ -46,7 +61,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {TypeError} for a value that is not a point
    */
   constructor(points: PointArrays<D> | PointsLike, options?: { dimension?: D }) {
-    if (!isShown) isShown = showInNode(CoreCurve.prototype, "Curve", (value) => value.toJSON());
+    if (!isShown) show();
     const checked = points as unknown;
     if (checked instanceof CheckedPoints) {
       this.#flat = checked.flat;
@@ -126,12 +141,12 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * A curve of the same class and dimension. The class of each entry point implements it.
+   * A curve of the same class and dimension.
    *
    * @internal
    */
   _curveOf(flat: Float64Array): this {
-    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+    return coreCurveOf(new CheckedPoints(flat, this.dimension)) as this;
   }
 
   /**
@@ -437,6 +452,100 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     traceOn(packedSpline(this._flat, [this.degree], false), target, options);
   }
 
+  /**
+   * The arc length ∫ |B′(t)| dt with a relative error below 10⁻¹², also for cusps and curves that turn back.
+   *
+   * At most 4096 intervals are integrated, more than ten times as many as coordinates of moderate size need.
+   *
+   * @param tolerance the largest error, in the unit of the points, if it is to be smaller
+   * @returns 0 if all control points are equal
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  length(tolerance?: number, ...surplus: never[]): number {
+    check.noSurplus(surplus, "length", 1, "subsegment(t0, t1).length()");
+    return curveLength(this._flat, this.dimension, tolerance);
+  }
+
+  /**
+   * The t at which the arc length from the start is s. An s outside of [0, length] gives the nearer end.
+   *
+   * @param s the length, in the unit of the points
+   * @param tolerance the largest error, as a length; by default 10⁻¹² of the curve's length
+   * @returns 0 to 1
+   */
+  timeAtLength(s: number, tolerance?: number): number {
+    return curveTimeAtLength(this._flat, this.dimension, s, tolerance);
+  }
+
+  /**
+   * The point at the arc length s from the start, with its t, unit tangent and unit normal: what text along a curve or
+   * an object that moves at constant speed needs. An s outside of [0, length] gives the nearer end. If all control
+   * points are equal, t is 0 and both directions are zero.
+   *
+   * It costs as much as `timeAtLength`, `eval`, `tangent` and `normal` together.
+   *
+   * @param s in the unit of the points
+   * @throws {RangeError} for a NaN or an infinity
+   */
+  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
+    check.noSurplus(surplus, "pointAtLength", 1);
+    return pointAndDirections(this, this.timeAtLength(s));
+  }
+
+  /**
+   * The values of t that divide the curve into arcs of equal length.
+   *
+   *     curve.evalAt(curve.equidistantTimes(100)); // 101 points, evenly spaced along the curve
+   *
+   * @param segments how many parts, at least 1
+   * @returns `segments` + 1 values, the first 0, the last 1
+   */
+  equidistantTimes(segments: number): Float64Array {
+    check.segmentCount(segments);
+    return readLargeResult(core().curve_equidistant_times(this.dimension, this._write(), segments));
+  }
+
+  /**
+   * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
+   * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. 2D only.
+   */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    this._require2D("area");
+    return core().curve_area(this._write());
+  }
+
+  /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
+  extrema(...surplus: never[]): Extrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return queries.extrema(this._flat, this.dimension);
+  }
+
+  /**
+   * All parameters in [0, 1] at which a coordinate has the given value, end points and tangencies included, sorted. If
+   * the coordinate has that value everywhere: 0 and 1, the ends of the range.
+   *
+   * @param where one coordinate and its value
+   */
+  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
+    return queries.timesAtCoordinate(this._flat, this.dimension, where);
+  }
+
+  /**
+   * The point of the curve that is nearest to p: the global minimum of the distance for t in [0, 1], found by isolating
+   * the roots of (B(t) − p)·B′(t). Of several nearest points, it is the one with the smallest t.
+   *
+   * At most 256 pieces are examined up to degree 3, and 64 + 16 n at a higher degree n. Only distances that are
+   * constant but for rounding need more.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+    const found = queries.nearest(this._flat, this.dimension, p);
+    check.noSurplus(surplus, "nearest", 1);
+    return found;
+  }
+
   /** The curve as SVG path data without arcs, see `Path.toSVG`; 2D only. */
   toSVG(options?: SvgOptions): string {
     this._require2D("toSVG");
@@ -450,6 +559,45 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     core().curve_bounds(this.dimension, this._write(), exact);
     return boxAt(readResult(0, 6), this.dimension);
   }
+
+  /**
+   * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
+   *
+   * @param basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
+   * @param points four points
+   * @param options `dimension`: 2 or 3, how a flat array is read; 2 by default
+   */
+  static fromBasis<D extends 2 | 3 = 2 | 3>(
+    basis: BasisLike,
+    points: PointArrays<D> | PointsLike,
+    options?: { dimension?: D },
+  ): CoreCurve<D> {
+    return coreCurveOf(pointsInBasis(basis, points, options)) as CoreCurve<D>;
+  }
+
+  /**
+   * The curve that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: CurveJSON): CoreCurve {
+    return coreCurveOf(curvePointsOf(json));
+  }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(CoreCurve.prototype, "Curve", (value) => value.toJSON());
+}
+
+// Code that uses the class by its name is outside of the class: bundlers rename a class that refers to itself (to
+// _Curve).
+
+/**
+ * @internal
+ */
+export function coreCurveOf(points: CheckedPoints): CoreCurve {
+  return new CoreCurve(points as any);
 }
 
 function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {

@@ -1,20 +1,18 @@
 import * as check from "../check.js";
 import * as queries from "../curve-queries.js";
-import { curveLength, curveTimeAtLength, pointAndDirections } from "../arc-length.js";
 import { CoreCurve, curvePointsOf } from "./core-curve.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { core } from "../../wasm/init.js";
-import { readLargeResult, readResult, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
+import { readResult, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
 import { pointsInBasis } from "../basis.js";
 import { curveData, typeOf } from "../brand.js";
 import { intersectSplines, readIntersections, readSelfIntersections } from "../intersections.js";
 import { flatten } from "../points.js";
 import { readSpline } from "../spline/spline.js";
 import { curveToThree } from "../../io/three.js";
-import type { PointAtLength } from "../arc-length.js";
 import type { PointLike, PointsLike } from "../check.js";
-import type { CurveKind, Extrema, Distance, Nearest } from "../curve-queries.js";
+import type { CurveKind, Distance } from "../curve-queries.js";
 import type { FrameOptions, Frames } from "../frames.js";
 import type { BasisLike } from "../basis.js";
 import type { CurveJSON } from "./core-curve.js";
@@ -71,85 +69,6 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     const args = frameArguments(ts, options);
     const count = this._write(args);
     return readFrames(unwrapCount(core().curve_frames(count, ts.length, args.length > ts.length)));
-  }
-
-  /**
-   * The arc length ∫ |B′(t)| dt with a relative error below 10⁻¹², also for cusps and curves that turn back.
-   *
-   * At most 4096 intervals are integrated, more than ten times as many as coordinates of moderate size need.
-   *
-   * @param tolerance the largest error, in the unit of the points, if it is to be smaller
-   * @returns 0 if all control points are equal
-   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
-   */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1, "subsegment(t0, t1).length()");
-    return curveLength(this._flat, this.dimension, tolerance);
-  }
-
-  /**
-   * The t at which the arc length from the start is s. An s outside of [0, length] gives the nearer end.
-   *
-   * @param s the length, in the unit of the points
-   * @param tolerance the largest error, as a length; by default 10⁻¹² of the curve's length
-   * @returns 0 to 1
-   */
-  timeAtLength(s: number, tolerance?: number): number {
-    return curveTimeAtLength(this._flat, this.dimension, s, tolerance);
-  }
-
-  /**
-   * The point at the arc length s from the start, with its t, unit tangent and unit normal: what text along a curve or
-   * an object that moves at constant speed needs. An s outside of [0, length] gives the nearer end. If all control
-   * points are equal, t is 0 and both directions are zero.
-   *
-   * It costs as much as `timeAtLength`, `eval`, `tangent` and `normal` together.
-   *
-   * @param s in the unit of the points
-   * @throws {RangeError} for a NaN or an infinity
-   */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
-    return pointAndDirections(this, this.timeAtLength(s));
-  }
-
-  /**
-   * The values of t that divide the curve into arcs of equal length.
-   *
-   *     curve.evalAt(curve.equidistantTimes(100)); // 101 points, evenly spaced along the curve
-   *
-   * @param segments how many parts, at least 1
-   * @returns `segments` + 1 values, the first 0, the last 1
-   */
-  equidistantTimes(segments: number): Float64Array {
-    check.segmentCount(segments);
-    return readLargeResult(core().curve_equidistant_times(this.dimension, this._write(), segments));
-  }
-
-  /**
-   * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
-   * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. 2D only.
-   */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
-    this._require2D("area");
-    return core().curve_area(this._write());
-  }
-
-  /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
-    return queries.extrema(this._flat, this.dimension);
-  }
-
-  /**
-   * All parameters in [0, 1] at which a coordinate has the given value, end points and tangencies included, sorted. If
-   * the coordinate has that value everywhere: 0 and 1, the ends of the range.
-   *
-   * @param where one coordinate and its value
-   */
-  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
-    return queries.timesAtCoordinate(this._flat, this.dimension, where);
   }
 
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */
@@ -264,21 +183,6 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
     return readSpline(core().curve_offset(this._write(), distance, tolerance), 2) as Spline<2>;
-  }
-
-  /**
-   * The point of the curve that is nearest to p: the global minimum of the distance for t in [0, 1], found by isolating
-   * the roots of (B(t) − p)·B′(t). Of several nearest points, it is the one with the smallest t.
-   *
-   * At most 256 pieces are examined up to degree 3, and 64 + 16 n at a higher degree n. Only distances that are
-   * constant but for rounding need more.
-   *
-   * @param p the point, in the unit of the points
-   */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
-    const found = queries.nearest(this._flat, this.dimension, p);
-    check.noSurplus(surplus, "nearest", 1);
-    return found;
   }
 
   /**

@@ -1,6 +1,7 @@
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { basisNumbers } from "../basis.js";
+import { coreCurveOf } from "../curve/core-curve.js";
 import { patchData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
 import { degreeOfRows, netNumbers } from "../net.js";
@@ -13,8 +14,8 @@ import { tessellation } from "../tessellation.js";
 import type { BasisLike } from "../basis.js";
 import type { PatchData } from "../brand.js";
 import type { TransformLike, Complete, PointLike } from "../check.js";
-import type { NetLike } from "../net.js";
 import type { CoreCurve } from "../curve/core-curve.js";
+import type { NetLike } from "../net.js";
 import type { GridOptions, Mesh } from "../mesh.js";
 import type { Bounds, Point } from "../points.js";
 import type { Curvature, PatchPoint, PatchDeCasteljau } from "../surface-queries.js";
@@ -33,7 +34,13 @@ export interface PatchJSON {
 export type Partials = { u: Point<3>; v: Point<3>; uu: Point<3>; uv: Point<3>; vv: Point<3> };
 
 /**
- * What the patches of all entry points have in common: points, queries and meshes.
+ * One tensor-product Bézier patch of degrees 1 to 64 in u and in v, in 3D.
+ *
+ * S(u, v) = Σ Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the net index j·(degreeU + 1) + i: u runs along the fast index. The corners are
+ * returned exactly. Patches are immutable: every change returns a new one.
+ *
+ * This is `Patch` of casteljau/surfaces. That of `casteljau` extends it; where a function takes a patch, it takes the patches
+ * of every entry point.
  *
  * @template C the class of its curves
  */
@@ -188,12 +195,12 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   }
 
   /**
-   * A patch of the same class. The class of each entry point implements it.
+   * A patch of the same class.
    *
    * @internal
    */
   _patchOf(flat: Float64Array, degreeU: number, degreeV: number): this {
-    throw new TypeError(`expected a class that makes ${degreeU} × ${degreeV} patches of ${flat.length} numbers`);
+    return corePatchOf(flat, degreeU, degreeV) as this;
   }
 
   /**
@@ -378,12 +385,12 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   }
 
   /**
-   * A 3D curve. The class of each entry point implements it.
+   * A curve in space.
    *
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+    return coreCurveOf(new CheckedPoints(flat, 3)) as unknown as C;
   }
 
   #surfaceWriter() {
@@ -395,6 +402,42 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
     const length = core().patch_isocurve(this.degreeU, this.degreeV, constantU, at);
     return this._curveOf(readResult(0, length));
   }
+
+  /**
+   * The bicubic patch of sixteen geometry points in another basis: each row and then each column is converted to the
+   * Bézier basis.
+   *
+   *     const patch = Patch.fromBasis("b-spline", net);
+   *
+   * @param basis a name, or a 4×4 matrix, row-major
+   * @param net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the last two
+   *   rows are derivatives in v
+   */
+  static fromBasis(basis: BasisLike, net: NetLike): CorePatch {
+    return corePatchOf(netInBasis(basis, net), 3, 3);
+  }
+
+  /**
+   * The patch that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: PatchJSON): CorePatch {
+    return corePatchWith(...patchArguments(json));
+  }
+}
+
+// Outside of the class, see ../curve/core-curve.js.
+
+function corePatchWith(net: NetLike, options: { degreeU?: number; degreeV?: number }): CorePatch {
+  return new CorePatch(net, options);
+}
+
+/**
+ * @internal
+ */
+export function corePatchOf(flat: Float64Array, degreeU: number, degreeV: number): CorePatch {
+  return corePatchWith(new CheckedPoints(flat, 3) as any, { degreeU, degreeV });
 }
 
 /**

@@ -5,7 +5,6 @@ import { affine } from "../affine.js";
 import { showInNode } from "../inspected.js";
 import { samePoints, writePoint, boxAt, requireList } from "../points.js";
 import { checkedSplineData, packedShape, require2D } from "./packed-shape.js";
-import { splineOf } from "../spline/spline.js";
 import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
 import { findArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn, checkTolerance } from "../../io/svg-write.js";
@@ -21,22 +20,19 @@ import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
 import { core } from "../../wasm/init.js";
 import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
-import { intersectPathWith, selfIntersectPath } from "../intersections.js";
-import { splineDataOf } from "../spline/core-spline.js";
+import { coreSplineOf, splineDataOf } from "../spline/core-spline.js";
 import { readSvg } from "../../io/svg-read.js";
 import { PathBuilder } from "./path-builder.js";
 import type { TransformLike, Complete, PointLike, PointsLike } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
-import type { Curve } from "../curve/curve.js";
+import type { SplineData } from "../brand.js";
 import type { CoreSpline, SplineJSON } from "../spline/core-spline.js";
-import type { Spline, SimplifyOptions } from "../spline/spline.js";
 import type { CssOptions, PathSegment } from "../../io/path-data.js";
 import type { PathSvgOptions } from "../../io/svg-write.js";
 import type { RegionOptions } from "./fill-rule.js";
 import type { PathExtrema } from "./path-coordinates.js";
 import type { PathTime, PathPoint, PathPointAtLength } from "./path-queries.js";
 import type { Point, Bounds } from "../points.js";
-import type { Intersection, PathIntersection } from "../intersections.js";
 import type { ArcOptions, RectOptions } from "./path-shapes.js";
 
 /** Longer path data is cut off in Node's console, as Node does with long arrays. */
@@ -71,15 +67,23 @@ export type Shape = CorePath | CoreSpline | CoreCurve;
 export type PathClass<P> = new (splines: ArrayLike<CoreSpline | CoreCurve>) => P;
 
 /**
- * What the class `Path` has in every entry point: all but operations on regions. Static methods make paths of the class on
- * which they are called; `from` and `fromJSON`, which may be passed to `map`, are in the classes themselves.
+ * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
+ * empty.
+ *
+ *     const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
+ *     ring.contains([0.5, 2]); // true
+ *     ring.length(); // 24
+ *
+ * This is `Path` of casteljau/core. That of `casteljau` extends it; where a function takes a path, it takes the paths of every
+ * entry point. Static methods make paths of the class on which they are called; `from` and `fromJSON`, which may be passed to
+ * `map`, belong to one class.
  */
-export class CorePath {
+export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   /** See `packed-path.js` */
   #packed: Float64Array;
-  #subpaths: readonly Spline<2>[] | null = null;
+  #subpaths: readonly S[] | null = null;
   /** The segments of the subpaths that were asked for */
-  #segments: (readonly Curve<2>[])[] = [];
+  #segments: (readonly CoreCurve<2>[])[] = [];
 
   /**
    * The path with the given splines and curves as its subpaths, in their order.
@@ -88,7 +92,7 @@ export class CorePath {
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
   constructor(splines: ArrayLike<CoreSpline | CoreCurve>) {
-    if (!isShown) isShown = showInNode(CorePath.prototype, "Path", shownData);
+    if (!isShown) show();
     const checked = splines as unknown;
     if (checked instanceof CheckedPath) {
       this.#packed = checked.packed;
@@ -108,7 +112,7 @@ export class CorePath {
 
   /** The subpaths, a frozen array. */
   get subpaths() {
-    this.#subpaths ??= Object.freeze(unpack(this.#packed));
+    this.#subpaths ??= Object.freeze(Array.from(extents(this.#packed), (extent) => this.#subpath(extent)));
     return this.#subpaths;
   }
 
@@ -228,7 +232,7 @@ export class CorePath {
   }
 
   /** The path as an object for JSON, from which `Path.fromJSON` makes an equal path. */
-  toJSON(): { subpaths: ReturnType<Spline["toJSON"]>[] } {
+  toJSON(): { subpaths: ReturnType<CoreSpline["toJSON"]>[] } {
     return { subpaths: this.subpaths.map((spline) => spline.toJSON()) };
   }
 
@@ -264,18 +268,32 @@ export class CorePath {
    *
    * @internal
    */
-  _segments(subpath: number): readonly Curve<2>[] {
+  _segments(subpath: number): readonly CoreCurve<2>[] {
     this.#segments[subpath] ??= this.subpaths[subpath].segments();
     return this.#segments[subpath];
   }
 
   /**
-   * A path of the same class. The class `Path` implements it.
+   * A path of the same class.
    *
    * @internal
    */
   _pathOf(packed: Float64Array): this {
-    throw new TypeError(`expected a class that makes paths of ${packed.length} numbers`);
+    return corePathOf(packed) as this;
+  }
+
+  /**
+   * A subpath.
+   *
+   * @internal
+   */
+  _splineOf(data: SplineData): S {
+    return coreSplineOf(data) as unknown as S;
+  }
+
+  #subpath({ closed, degrees, points, end }: ReturnType<typeof extents> extends Iterable<infer E> ? E : never): S {
+    const flat = this.#packed.slice(points, end);
+    return this._splineOf({ flat, dimension: 2, degrees: [...this.#packed.subarray(degrees, points)], closed });
   }
 
   /**
@@ -531,7 +549,8 @@ export class CorePath {
    * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
    * line.
    */
-  area(): number {
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
     if (this.#area === undefined) {
       writeArguments(this._packed);
       this.#area = core().path_area();
@@ -543,7 +562,8 @@ export class CorePath {
    * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
    * area.
    */
-  moments(): Moments {
+  moments(...surplus: never[]): Moments {
+    check.noSurplus(surplus, "moments", 0);
     writeArguments(this._packed);
     const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
     return { area, x, y, xx, xy, yy };
@@ -807,49 +827,32 @@ export class CorePath {
   }
 
   /**
-   * A path of fewer lines and cubics: each subpath is simplified as by `Spline.simplify`, so the Hausdorff distance of a
-   * subpath from its original is at most the tolerance.
+   * The path that `toJSON` described.
    *
-   *     Path.fromSVG(traced).simplify(0.5, { precision: 1 }).toSVG({ precision: 1 });
-   *
-   * @param tolerance the largest distance, in the unit of the path
+   * @param json what `toJSON` returned
    */
-  simplify(tolerance: number, options?: SimplifyOptions): this {
-    check.positive(tolerance, "tolerance");
-    const splines = this.subpaths.map((spline) => spline.simplify(tolerance, options));
-    return this._pathOf(packedPaths(splines.map((spline) => packedShape(spline, "splines"))));
+  static fromJSON(json: { subpaths: SplineJSON[] }): CorePath {
+    return corePathOf(packedFromJSON(json));
   }
 
   /**
-   * All intersections with another path, a spline or a curve. `t` is a location {subpath, t} on this path; `u` is a
-   * location on another path, or the t of a spline or a curve. They are sorted by the subpath of this path, the subpath
-   * of the other one, t and u.
+   * The path of a curve, a spline, a path, or an array of these; the subpaths of paths are copied.
    *
-   * An intersection at a joint or at the start of a closed subpath is reported once, and so is an end point that both
-   * have in common. Subpaths are intersected separately: a point that lies on two of them is reported for each. The
-   * lines that would close open subpaths do not count.
-   *
-   * Pairs of segments are found with a tree of boxes, in about n log n time for n segments. In the worst case each pair
-   * of segments is compared, with the limits of `Curve.intersections`.
-   *
-   * @param other a curve, a spline or a path
+   * @param shapes curves, splines and paths in the plane
+   * @throws {TypeError} for other values, and for 3D ones
    */
-  intersections<S extends Shape>(
-    other: S,
-    ...surplus: never[]
-  ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
-    return intersectPathWith(this._packed, other) as any;
+  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): CorePath {
+    return corePathOf(packedFrom(shapes, surplus));
   }
+}
 
-  /**
-   * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
-   * Each pair is reported once.
-   */
-  selfIntersections(...surplus: never[]): PathIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
-    return selfIntersectPath(this._packed);
-  }
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(CorePath.prototype, "Path", shownData);
+}
+
+function corePathOf(packed: Float64Array): CorePath {
+  return pathFrom(CorePath, packed); // outside of the class, see ../curve/core-curve.js
 }
 
 /**
@@ -872,13 +875,6 @@ export function coordinatesOf(point: PointLike): Float64Array {
   const coordinates = new Float64Array(2);
   writePoint(coordinates, 0, point, 2, "point");
   return coordinates;
-}
-
-function unpack(packed: Float64Array): Spline<2>[] {
-  return Array.from(extents(packed), ({ closed, degrees: from, points, end }) => {
-    const degrees = [...packed.subarray(from, points)];
-    return splineOf({ flat: packed.slice(points, end), dimension: 2, degrees, closed }) as Spline<2>;
-  });
 }
 
 function shownData(path: CorePath): string {

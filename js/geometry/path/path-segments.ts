@@ -1,7 +1,7 @@
 // The segments of a path at a location, and parts of a path, for the queries of `CorePath`.
 import * as check from "../check.js";
 import type { SplineData } from "../brand.js";
-import type { Curve } from "../curve/curve.js";
+import type { CoreCurve } from "../curve/core-curve.js";
 import type { PathTime } from "./path-queries.js";
 import type { CorePath } from "./core-path.js";
 
@@ -40,7 +40,7 @@ function locate(count: number, t: number): [number, number] {
  *
  * @internal
  */
-export function segmentAt(path: CorePath, location: PathTime): [Curve<2>, number] {
+export function segmentAt(path: CorePath, location: PathTime): [CoreCurve<2>, number] {
   const { subpath, t } = checkedLocation(path, location);
   const segments = path._segments(subpath);
   const [segment, rest] = locate(segments.length, t);
@@ -48,7 +48,7 @@ export function segmentAt(path: CorePath, location: PathTime): [Curve<2>, number
 }
 
 /** The part of a chain of segments from t0 to t1, t0 <= t1, as a chain of segments. */
-function forwardPart(segments: readonly Curve[], t0: number, t1: number): Curve[] {
+function forwardPart(segments: readonly CoreCurve[], t0: number, t1: number): CoreCurve[] {
   const [first, from] = locate(segments.length, t0);
   let [last, to] = locate(segments.length, t1);
   if (to === 0 && last > first) [last, to] = [last - 1, 1];
@@ -59,7 +59,7 @@ function forwardPart(segments: readonly Curve[], t0: number, t1: number): Curve[
 }
 
 /** The open spline of consecutive curves. */
-function join(curves: Curve[]): SplineData {
+function join(curves: CoreCurve[]): SplineData {
   const degrees = curves.map(({ degree }) => degree);
   const flat = new Float64Array(2 * degrees.reduce((sum, degree) => sum + degree, 1));
   let at = 0;

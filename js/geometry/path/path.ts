@@ -3,6 +3,10 @@ import { contoursToThree } from "../../io/three.js";
 import { CorePath, packedFrom, packedFromJSON, pathFrom } from "./core-path.js";
 import * as regions from "./path-boolean.js";
 import * as strokes from "./path-stroke.js";
+import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import { packedShape } from "./packed-shape.js";
+import { splineOf } from "../spline/spline.js";
+import { packedPaths } from "../../wasm/packed-path.js";
 import type { PointLike } from "../check.js";
 import type { ThreeShapes } from "../../io/three.js";
 import type { Shape, Moments } from "./core-path.js";
@@ -13,6 +17,10 @@ import { svgOfArcs } from "../../io/svg-write.js";
 import type { ArcSvgOptions, PathSvgOptions } from "../../io/svg-write.js";
 import type { CircularArc } from "./path-arcs.js";
 import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape, WidthProfile } from "./path-stroke.js";
+import type { PathTime } from "./path-queries.js";
+import type { SplineData } from "../brand.js";
+import type { Intersection, PathIntersection } from "../intersections.js";
+import type { Spline, SimplifyOptions } from "../spline/spline.js";
 import type { SplineJSON } from "../spline/core-spline.js";
 
 /**
@@ -32,7 +40,7 @@ export type Face = { path: Path; inside: boolean[] };
  *     ring.contains([0.5, 2]); // true
  *     ring.contains([2, 2]); // false
  */
-export class Path extends CorePath {
+export class Path extends CorePath<Spline<2>> {
   /**
    * The path that `toJSON` described.
    *
@@ -283,10 +291,62 @@ export class Path extends CorePath {
   }
 
   /**
+   * A path of fewer lines and cubics: each subpath is simplified as by `Spline.simplify`, so the Hausdorff distance of a
+   * subpath from its original is at most the tolerance.
+   *
+   *     Path.fromSVG(traced).simplify(0.5, { precision: 1 }).toSVG({ precision: 1 });
+   *
+   * @param tolerance the largest distance, in the unit of the path
+   */
+  simplify(tolerance: number, options?: SimplifyOptions): this {
+    check.positive(tolerance, "tolerance");
+    const splines = this.subpaths.map((spline) => spline.simplify(tolerance, options));
+    return this._pathOf(packedPaths(splines.map((spline) => packedShape(spline, "splines"))));
+  }
+
+  /**
+   * All intersections with another path, a spline or a curve. `t` is a location {subpath, t} on this path; `u` is a
+   * location on another path, or the t of a spline or a curve. They are sorted by the subpath of this path, the subpath
+   * of the other one, t and u.
+   *
+   * An intersection at a joint or at the start of a closed subpath is reported once, and so is an end point that both
+   * have in common. Subpaths are intersected separately: a point that lies on two of them is reported for each. The
+   * lines that would close open subpaths do not count.
+   *
+   * Pairs of segments are found with a tree of boxes, in about n log n time for n segments. In the worst case each pair
+   * of segments is compared, with the limits of `Curve.intersections`.
+   *
+   * @param other a curve, a spline or a path
+   */
+  intersections<S extends Shape>(
+    other: S,
+    ...surplus: never[]
+  ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {
+    check.noSurplus(surplus, "intersections", 1);
+    return intersectPathWith(this._packed, other) as any;
+  }
+
+  /**
+   * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
+   * Each pair is reported once.
+   */
+  selfIntersections(...surplus: never[]): PathIntersection[] {
+    check.noSurplus(surplus, "selfIntersections", 0);
+    return selfIntersectPath(this._packed);
+  }
+
+  /**
    * @internal
    */
   override _pathOf(packed: Float64Array): this {
     return pathOf(packed) as this;
+  }
+
+  /**
+   * @internal
+   */
+  override _splineOf(data: SplineData): Spline<2> {
+    return splineOf(data) as Spline<2>;
   }
 }
 

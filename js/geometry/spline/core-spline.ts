@@ -1,17 +1,31 @@
 import * as check from "../check.js";
+import { pointAndDirections } from "../arc-length.js";
+import { arcLengthsOf, segmentAtLength } from "./arc-length-table.js";
+import { coreCurveOf } from "../curve/core-curve.js";
+import { SegmentTree } from "../segment-tree.js";
+import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { onlySplineData, curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList, boxAt } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
-import { writeArguments, readResult, readPolyline, readResultInto, releaseMemory } from "../../wasm/transfer.js";
+import {
+  CheckedPoints,
+  writeArguments,
+  readResult,
+  readPolyline,
+  readResultInto,
+  releaseMemory,
+} from "../../wasm/transfer.js";
 import { core } from "../../wasm/init.js";
 import { affine } from "../affine.js";
 import { modeCode, modeCodes } from "../joints.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { packedSpline } from "../../wasm/packed-path.js";
+import type { PointAtLength } from "../arc-length.js";
 import type { SplineData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
+import type { Extrema, Nearest } from "../curve-queries.js";
 import type { Point, PointArrays, Bounds } from "../points.js";
 import type { Continuity, JointMode } from "../joints.js";
 import type { SvgOptions } from "../../io/svg-write.js";
@@ -33,14 +47,26 @@ export interface SplineOptions {
 export type SplineJSON = { points: PointsLike; degrees: number[]; closed: boolean; dimension?: 2 | 3 };
 
 /**
- * What the splines of all entry points have in common. Where a function takes a spline, it takes the splines of every
- * entry point.
+ * Bézier curves joined end to end. Segment k covers t from k to k + 1 and has its own degree.
+ *
+ *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
+ *     spline.continuity(1).c1; // true
+ *
+ * What repeated queries need (segments, arc lengths, boxes) is computed once and kept. In TypeScript, `Spline<2>` and
+ * `Spline<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ *
+ * This is `Spline` of casteljau/core. That of `casteljau` extends it; where a function takes a spline, it takes the splines
+ * of every entry point.
  */
 export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCurve<D>> {
   #data: SplineData;
   /** The segments that were asked for so far. */
   #segments: C[] = [];
   #index: SegmentIndex | undefined;
+  #arcLengths: Float64Array | undefined;
+  #tree: SegmentTree | undefined;
+  /** The smallest tolerance that the core has accepted. */
+  #acceptedTolerance = Infinity;
 
   /**
    * The spline of the given control points, with segments of one degree that share their end points.
@@ -51,7 +77,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
    */
   constructor(points: PointArrays<D> | PointsLike, options?: { degree?: number; closed?: boolean; dimension?: D }) {
-    if (!isShown) isShown = showInNode(CoreSpline.prototype, "Spline", (value) => value.toJSON());
+    if (!isShown) show();
     const checked = points as unknown;
     if (checked instanceof CheckedSplineData) {
       this.#data = checked.data;
@@ -164,21 +190,21 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
-   * A segment. The class of each entry point implements it.
+   * A segment.
    *
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+    return coreCurveOf(new CheckedPoints(flat, this.dimension)) as unknown as C;
   }
 
   /**
-   * A spline of the same class. The class of each entry point implements it.
+   * A spline of the same class.
    *
    * @internal
    */
   _splineOf(data: SplineData): this {
-    throw new TypeError(`expected a class that makes splines of ${data.flat.length} numbers`);
+    return coreSplineOf(data) as this;
   }
 
   /**
@@ -528,6 +554,138 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     traceOn(packedSpline(flat, degrees, closed), target, options);
   }
 
+  /**
+   * The arc length with a relative error below 10⁻¹². Without a tolerance, further calls return the same number at once.
+   *
+   * @param tolerance the largest error, in the unit of the points, if it is to be smaller
+   */
+  length(tolerance?: number, ...surplus: never[]): number {
+    check.noSurplus(surplus, "length", 1);
+    if (tolerance === undefined) return this._arcLengths[this.segmentCount];
+    const maxError = check.optionalTolerance(tolerance);
+    return readResult(0, core().spline_length(this._write(), maxError))[0];
+  }
+
+  /**
+   * The t, from 0 to the number of segments, at which the arc length from the start is s. An s outside of [0, length]
+   * gives the nearer end. If all control points are equal, it is 0.
+   *
+   * The first call measures all segments. Further ones, unless they have a smaller tolerance than all before, search for
+   * the segment and then examine only this one.
+   *
+   * @param s in the unit of the points
+   * @param tolerance the largest error, as a length; by default 10⁻¹² of the spline's length
+   */
+  timeAtLength(s: number, tolerance?: number): number {
+    check.finite(s, "s");
+    const maxError = check.optionalTolerance(tolerance);
+    if (tolerance !== undefined && tolerance < this.#acceptedTolerance) {
+      const [t] = readResult(0, core().spline_time_at_length(this._write(), s, maxError));
+      this.#acceptedTolerance = tolerance;
+      return t;
+    }
+    if (s <= 0) return 0;
+    const k = segmentAtLength(this._arcLengths, s);
+    return k === this.segmentCount ? k : k + this._segment(k).timeAtLength(s - this._arcLengths[k], tolerance);
+  }
+
+  /**
+   * The point at the arc length s from the start, with its t (0 to the number of segments), unit tangent and unit
+   * normal. An s outside of [0, length] gives the nearer end. At a joint the segment that starts there counts.
+   *
+   * The first call measures all segments; further ones cost as much as those of `Curve.pointAtLength`.
+   *
+   * @param s in the unit of the points
+   * @throws {RangeError} for a NaN or an infinity
+   */
+  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
+    check.noSurplus(surplus, "pointAtLength", 1);
+    return pointAndDirections(this, this.timeAtLength(s));
+  }
+
+  /**
+   * The values of t that divide the whole spline into arcs of equal length, independent of the joints.
+   *
+   * @param segments how many parts, at least 1
+   * @returns `segments` + 1 values, the first 0, the last the number of the spline's segments
+   */
+  equidistantTimes(segments: number): Float64Array {
+    check.segmentCount(segments);
+    if (segments < this.segmentCount && this._arcLengths[this.segmentCount] > 0) return this.#fewTimes(segments);
+    const ts = readResult(0, core().spline_equidistant_times(this._write(), segments));
+    releaseMemory();
+    return ts;
+  }
+
+  /**
+   * The signed area swept by the line from the origin to the point of the spline, positive while that line turns
+   * counter-clockwise (x right, y up). For a closed spline it is the enclosed area. 2D only.
+   */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    this._require2D("area");
+    this._write();
+    return core().spline_area();
+  }
+
+  /**
+   * The point of the spline that is nearest to p; t runs from 0 to the number of segments. Of several nearest points,
+   * it is the one with the smallest t.
+   *
+   * The first call computes the boxes of all segments. Only segments whose box is not farther from p than the nearest
+   * point so far are examined.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+    const point = this._coordinates(p, "p");
+    check.noSurplus(surplus, "nearest", 1);
+    this.#tree ??= new SegmentTree(this._index);
+    const { k, found } = this.#tree.nearest(point) as { k: number; found: Nearest<D> };
+    return { ...found, t: k + found.t };
+  }
+
+  /**
+   * The parameters inside of (0, number of segments) where a coordinate has a local extremum, sorted. Joints at which
+   * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
+   * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
+   */
+  extrema(...surplus: never[]): Extrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return splineExtrema(this._index, this.segments());
+  }
+
+  /**
+   * All parameters in [0, number of segments] at which a coordinate has the given value, end points and tangencies
+   * included, sorted. Joints are reported once, the start of a closed spline as 0. If the coordinate has that value on a
+   * whole segment: both ends of the segment.
+   *
+   * @param where one coordinate and its value
+   * @throws {TypeError} unless `where` has exactly one coordinate of the spline's dimension
+   */
+  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
+    return splineTimesAtCoordinate(this.segments(), where, this.closed);
+  }
+
+  /**
+   * The arc length from the start to the start of each segment and to the end.
+   *
+   * @internal
+   */
+  get _arcLengths() {
+    this.#arcLengths ??= arcLengthsOf(this._index);
+    return this.#arcLengths;
+  }
+
+  /** `equidistantTimes` for fewer arcs than segments: it examines only the segments in which one of the times is. */
+  #fewTimes(segments: number): Float64Array {
+    const length = this._arcLengths[this.segmentCount];
+    const ts = new Float64Array(segments + 1);
+    for (let i = 1; i < segments; i++) ts[i] = Math.max(ts[i - 1], this.timeAtLength((i / segments) * length));
+    ts[segments] = this.segmentCount;
+    return ts;
+  }
+
   /** The spline as SVG path data without arcs, see `Path.toSVG`; 2D only. */
   toSVG(options?: SvgOptions): string {
     const { flat, dimension, degrees, closed } = this.casteljauData();
@@ -566,6 +724,42 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   _checkJoint(joint: unknown) {
     check.whole(joint, "joint", this.closed ? 0 : 1, this.segmentCount - 1);
   }
+
+  /**
+   * The spline of consecutive curves, whose degrees may differ.
+   *
+   * @param curves curves that each start where the one before ends
+   * @param options `closed`: whether the last curve ends where the first starts, false by default
+   * @throws {RangeError} if a curve does not start at the end of the previous one
+   */
+  static fromCurves<D extends 2 | 3 = 2 | 3>(
+    curves: readonly CoreCurve<D>[],
+    options?: { closed?: boolean },
+  ): CoreSpline<D> {
+    const { length, dimension } = joinCurves(curves, options);
+    return coreSplineOf(readSplineData(length, dimension)) as CoreSpline<D>;
+  }
+
+  /**
+   * The spline that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: SplineJSON): CoreSpline {
+    return coreSplineOf(splineDataOf(json));
+  }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(CoreSpline.prototype, "Spline", (value) => value.toJSON());
+}
+
+/**
+ * @internal
+ */
+export function coreSplineOf(data: SplineData): CoreSpline {
+  return new CoreSpline(new CheckedSplineData(data) as any); // outside of the class, see ../curve/core-curve.js
 }
 
 /**

@@ -1,9 +1,12 @@
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { affine } from "../affine.js";
-import { CheckedNetwork, joinedOf } from "./network.js";
+import { coreCurveOf } from "../curve/core-curve.js";
+import { corePatchOf } from "../patch/core-patch.js";
+import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
 import { flatten, writePoint } from "../points.js";
-import { networkJSON, vertexIndices } from "../surface-network.js";
+import { networkJSON, networkOfJSON, networkOfPatches, vertexIndices } from "../surface-network.js";
+import { CheckedPoints } from "../../wasm/transfer.js";
 import { surfaceText } from "../../io/surface-text.js";
 import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
 import { subdivide } from "../flat-pieces.js";
@@ -13,7 +16,8 @@ import { tessellation } from "../tessellation.js";
 import { readTopology } from "../topology.js";
 import { isocurves, wireframe } from "../wireframe.js";
 import type { TransformLike, Complete, PointLike, PointsLike, MatrixLike } from "../check.js";
-import type { Network } from "./network.js";
+import type { Network, TeapotOptions } from "./network.js";
+import type { SurfaceJSON } from "../surface-network.js";
 import type { CorePatch } from "../patch/core-patch.js";
 import type { CoreCurve } from "../curve/core-curve.js";
 import type { FlatPiece } from "../flat-pieces.js";
@@ -24,8 +28,17 @@ import type { TessellationOptions } from "../tessellation.js";
 import type { Topology } from "../topology.js";
 import type { WireframeOptions } from "../wireframe.js";
 
+/** A class of surfaces, on which static methods are called. */
+export type SurfaceClass<S> = new (data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> }) => S;
+
 /**
- * What the surfaces of all entry points have in common: queries and meshes.
+ * A network of Bézier patches that share control points.
+ *
+ *     const mesh = Surface.teapot().grid({ segments: 16 });
+ *
+ * This is `Surface` of casteljau/surfaces. That of `casteljau` extends it; where a function takes a surface, it takes the
+ * surfaces of every entry point. Static methods make surfaces of the class on which they are called; `parse` and `fromJSON`,
+ * which may be passed to `map`, belong to one class.
  *
  * @template P the class of its patches
  * @template C the class of its curves
@@ -152,21 +165,21 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   }
 
   /**
-   * A surface of the same class. The class of each entry point implements it.
+   * A surface of the same class.
    *
    * @internal
    */
   _surfaceOf(network: Network): this {
-    throw new TypeError(`expected a class that makes surfaces of ${network.degrees.length / 2} patches`);
+    return coreSurfaceOf(network) as this;
   }
 
   /**
-   * A patch. The class of each entry point implements it.
+   * A patch.
    *
    * @internal
    */
   _patchOf(flat: Float64Array, degreeU: number, degreeV: number): P {
-    throw new TypeError(`expected a class that makes ${degreeU} × ${degreeV} patches of ${flat.length} numbers`);
+    return corePatchOf(flat, degreeU, degreeV) as unknown as P;
   }
 
   /**
@@ -363,17 +376,99 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   }
 
   /**
-   * A 3D curve. The class of each entry point implements it.
+   * A curve in space.
    *
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+    return coreCurveOf(new CheckedPoints(flat, 3)) as unknown as C;
   }
 
   #writer(withJoined: boolean): (extra: number) => { view: Float64Array; at: number } {
     return (extra) => this._write(extra, withJoined);
   }
+
+  /** The Utah teapot: 32 patches; rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31. */
+  static teapot<S extends CoreSurface>(this: SurfaceClass<S>, options?: TeapotOptions): S {
+    return surfaceFrom(this, teapotNetwork(options));
+  }
+
+  /**
+   * Newell's teacup on its saucer: 26 patches; rim 0–3, outside 4–7, inside 8–11, handle 12–13, saucer 14–25. 46 pairs
+   * of its edges are shared and 12 edges are open: the bottoms of cup and saucer and the ends of the handle.
+   *
+   * @param options the axis that points up, "z" by default; "y" gives the axes of the original data
+   */
+  static teacup<S extends CoreSurface>(this: SurfaceClass<S>, options?: { up?: "z" | "y" }): S {
+    return surfaceFrom(this, teasetNetwork(false, options));
+  }
+
+  /**
+   * Newell's teaspoon: 16 patches, lying with its bowl open upwards and its handle along −y. As in the original data,
+   * the end of the bowl and the tip have small gaps: 28 pairs of edges are shared and 8 edges are open.
+   *
+   * @param options the axis that points up, "z" by default
+   */
+  static teaspoon<S extends CoreSurface>(this: SurfaceClass<S>, options?: { up?: "z" | "y" }): S {
+    return surfaceFrom(this, teasetNetwork(true, options));
+  }
+
+  /**
+   * The surface of patches, which may differ in their degrees. Control points at the same position become one vertex,
+   * so neighbours that have the same points along an edge are joined there. The order of the patches is kept.
+   *
+   * @param patches patches of any degrees
+   */
+  static fromPatches<S extends CoreSurface>(this: SurfaceClass<S>, patches: readonly CorePatch[]): S {
+    return surfaceFrom(this, networkOfPatches(patches, joinedOf));
+  }
+
+  /**
+   * Parses the text of a surface. There are four formats, which differ in their first rows:
+   *
+   * - the format of `toText`;
+   * - .bpt: the number of patches; for each patch a row with its degrees, followed by its points, one per row, u along
+   *   the fast index. Points with equal coordinates become one vertex;
+   * - the listing in which the teapot was published: the number of patches, for each a row of 16 vertex numbers from 1;
+   *   the number of vertices, for each a row x y z. Bicubic;
+   * - arrays of C source code, in which many programs carry the teapot: an array whose rows are 3 coordinates in braces,
+   *   and an array whose rows are 16 vertex numbers in braces, in either order. The numbers are from 0 if 0 occurs,
+   *   otherwise from 1. Declarations around the arrays and the comments of C are skipped. Bicubic; the vertices keep
+   *   their order.
+   *
+   * In the other three formats a row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
+   * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
+   * first.
+   *
+   * @param text the text in one of the four formats
+   * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
+   */
+  static parse(text: string): CoreSurface {
+    return coreSurfaceOf(parsedNetwork(text));
+  }
+
+  /**
+   * The surface that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: SurfaceJSON): CoreSurface {
+    return coreSurfaceOf(networkOfJSON(json, joinedOf));
+  }
+}
+
+function coreSurfaceOf(network: Network): CoreSurface {
+  return surfaceFrom(CoreSurface, network); // outside of the class, see ../curve/core-curve.js
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for a static method that was called without its class
+ */
+export function surfaceFrom<S>(Class: SurfaceClass<S>, network: Network): S {
+  if (typeof Class !== "function")
+    throw new TypeError("expected a call of a static method on its class, as Surface.teapot()");
+  return new Class(new CheckedNetwork(network) as any);
 }
 
 function checkedNetwork(

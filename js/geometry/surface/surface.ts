@@ -1,13 +1,12 @@
 import { curveOf } from "../curve/curve.js";
 import { patchOf } from "../patch/patch.js";
-import { CoreSurface } from "./core-surface.js";
-import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
-import { networkOfJSON, networkOfPatches } from "../surface-network.js";
+import { CoreSurface, surfaceFrom } from "./core-surface.js";
+import { joinedOf, parsedNetwork } from "./network.js";
+import { networkOfJSON } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "../curve/curve.js";
 import type { Patch } from "../patch/patch.js";
-import type { Network, TeapotOptions } from "./network.js";
-import type { CorePatch } from "../patch/core-patch.js";
+import type { Network } from "./network.js";
 import type { SurfaceJSON } from "../surface-network.js";
 
 /**
@@ -16,31 +15,6 @@ import type { SurfaceJSON } from "../surface-network.js";
  *     const mesh = Surface.teapot().grid({ segments: 16 });
  */
 export class Surface extends CoreSurface<Patch, Curve<3>> {
-  /** The Utah teapot: 32 patches; rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31. */
-  static teapot(options?: TeapotOptions): Surface {
-    return surfaceOf(teapotNetwork(options));
-  }
-
-  /**
-   * Newell's teacup on its saucer: 26 patches; rim 0–3, outside 4–7, inside 8–11, handle 12–13, saucer 14–25. 46 pairs
-   * of its edges are shared and 12 edges are open: the bottoms of cup and saucer and the ends of the handle.
-   *
-   * @param options the axis that points up, "z" by default; "y" gives the axes of the original data
-   */
-  static teacup(options?: { up?: "z" | "y" }): Surface {
-    return surfaceOf(teasetNetwork(false, options));
-  }
-
-  /**
-   * Newell's teaspoon: 16 patches, lying with its bowl open upwards and its handle along −y. As in the original data,
-   * the end of the bowl and the tip have small gaps: 28 pairs of edges are shared and 8 edges are open.
-   *
-   * @param options the axis that points up, "z" by default
-   */
-  static teaspoon(options?: { up?: "z" | "y" }): Surface {
-    return surfaceOf(teasetNetwork(true, options));
-  }
-
   /**
    * Parses the text of a surface. There are four formats, which differ in their first rows:
    *
@@ -63,16 +37,6 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
    */
   static parse(text: string): Surface {
     return surfaceOf(parsedNetwork(text));
-  }
-
-  /**
-   * The surface of patches, which may differ in their degrees. Control points at the same position become one vertex,
-   * so neighbours that have the same points along an edge are joined there. The order of the patches is kept.
-   *
-   * @param patches patches of any degrees
-   */
-  static fromPatches(patches: readonly CorePatch[]): Surface {
-    return surfaceOf(networkOfPatches(patches, joinedOf));
   }
 
   /**
@@ -107,5 +71,5 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
 }
 
 function surfaceOf(network: Network): Surface {
-  return new Surface(new CheckedNetwork(network) as any); // outside of the class, see curve.js
+  return surfaceFrom(Surface, network); // outside of the class, see curve.js
 }

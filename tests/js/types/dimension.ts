@@ -1,7 +1,6 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
 import { Curve, Path, Spline } from "casteljau";
 import * as core from "casteljau/core";
-import * as paths from "casteljau/paths";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -89,14 +88,14 @@ spline.tangent(0).z;
 const path = Path.fromSVG("M0 0H1");
 const [subpath] = path.subpaths;
 expectTrue<Same<typeof subpath, Spline<2>>>();
-export const moved: Spline<2> = paths.Path.fromSVG("M0 0H1").subpaths[0].movePoint(0, [0, 0]);
+export const moved: Spline<2> = path.subpaths[0].movePoint(0, [0, 0]);
 
 // Arcs in SVG text have a distance of their own.
 export const withArcs: string[] = [path.toSVG({ arcs: 0.1, precision: 2 }), path.toSVG({ arcs: true, tolerance: 0.1 })];
 // @ts-expect-error: contradictory options
 path.toSVG({ arcs: 0.1, tolerance: 0.01 });
-// @ts-expect-error: casteljau/paths cannot do this
-paths.Path.fromSVG("M0 0H1").toSVG({ arcs: 0.1 });
+// @ts-expect-error: casteljau/core cannot do this
+core.Path.fromSVG("M0 0H1").toSVG({ arcs: 0.1 });
 
 // The classes of casteljau/core have the same types, and are accepted by the other classes.
 const coreCurve = new core.Curve([
@@ -106,6 +105,10 @@ const coreCurve = new core.Curve([
 const coreSpline = core.Spline.fromCurves([new core.Curve(new Float64Array(6), { dimension: 3 })]);
 expectTrue<Same<typeof coreCurve, core.Curve<2>>>();
 expectTrue<Same<typeof coreSpline, core.Spline<3>>>();
+const [coreSubpath] = core.Path.fromSVG("M0 0H1").subpaths;
+expectTrue<Same<typeof coreSubpath, core.Spline<2>>>();
+// @ts-expect-error: casteljau/core cannot do this
+coreCurve.offset(1);
 export const corePart: core.Spline<3> = coreSpline.split(0.5)[0];
 export const corePoints: Plane[] = [coreCurve.eval(0), coreCurve.tangent(0)];
 export const meetings: number = inPlane.intersections(coreCurve).length;

@@ -1,0 +1,34 @@
+/**
+ * The methods that only the curves of `casteljau` have.
+ *
+ * @internal
+ */
+export const CURVE_METHODS =
+  "torsion frames inflections cusps classify tangentsFrom reduce offset intersections selfIntersections distanceTo hausdorff " +
+  "toThree";
+
+/**
+ * Gives a class of a small entry point the methods that only the class of `casteljau` has; they throw an error that says so.
+ *
+ * @internal
+ * @param name of the class
+ * @param entry the entry point that lacks them
+ * @param methods their names, separated by blanks
+ * @param statics the names of static methods
+ */
+export function explainMissing(
+  Class: { prototype: object },
+  name: string,
+  entry: string,
+  methods: string,
+  statics: string,
+) {
+  const explain = (target: object, method: string) => {
+    const value = () => {
+      throw new TypeError(`${name}.${method} is in "casteljau", not in "${entry}"`);
+    };
+    Object.defineProperty(target, method, { value, configurable: true });
+  };
+  for (const method of methods.split(" ")) explain(Class.prototype, method);
+  for (const method of statics.split(" ")) explain(Class, method);
+}
