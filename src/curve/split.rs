@@ -5,6 +5,7 @@ use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
 use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of_cubic;
+use crate::numeric::sort::sort_by;
 use std::ops::{Bound, RangeBounds};
 
 impl<P: Point> Curve<P> {
@@ -66,6 +67,24 @@ impl<P: Point> Curve<P> {
         Box::new((Self::from_points(left), Self::from_points(right)))
     }
 
+    /// Splits the curve at any number of parameters, in any order: the parts from 0 to the smallest, between neighbours,
+    /// and from the largest to 1.
+    ///
+    /// Each part ends at the point where the next one starts, up to the last bit. There is one part more than
+    /// parameters: equal ones, 0 and 1 give parts that are points. A part to or from a t outside [0, 1] is that of
+    /// [`subsegment`](Self::subsegment).
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let line = Curve::line(DVec2::ZERO, DVec2::new(4.0, 0.0));
+    /// let ends: Vec<f64> = line.split_at(&[0.75, 0.25]).iter().map(|part| part.end().x).collect();
+    /// assert_eq!(ends, [1.0, 3.0, 4.0]);
+    /// ```
+    pub fn split_at(&self, ts: &[f64]) -> Vec<Self> {
+        parts_at(ts, 1.0, |t0, t1| self.part(t0, t1))
+    }
+
     /// The two halves at t = ½.
     ///
     /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: only sums and
@@ -114,6 +133,17 @@ impl<P: Point> Curve<P> {
             piece.clamped()
         }
     }
+}
+
+/// The parts from 0 to `end` between the given parameters in ascending order.
+pub(crate) fn parts_at<T>(ts: &[f64], end: f64, part: impl Fn(f64, f64) -> T) -> Vec<T> {
+    let mut ends = ts.to_vec();
+    sort_by(&mut ends, f64::total_cmp);
+    let starts = [0.0].into_iter().chain(ends.iter().copied());
+    starts
+        .zip(ends.iter().copied().chain([end]))
+        .map(|(from, to)| part(from, to))
+        .collect()
 }
 
 /// The ends of a range of parameters, by default 0 and `end`.

@@ -1,10 +1,11 @@
 //! Points, derivatives and parts of a path at given positions.
 
-use super::{Path, PathTime};
+use super::{Path, PathTime, spline};
 use crate::curve::Curve;
 use crate::curve::arc_length::point_at_length::PointAtLength;
 use crate::curve::eval::check_segments;
 use crate::geometry::error::Error;
+use crate::numeric::sort::sort_by;
 use crate::spline::Spline;
 use glam::DVec2;
 use std::ops::{Bound, RangeBounds};
@@ -145,6 +146,37 @@ impl Path {
         Ok((self.subsegment(..time)?, self.subsegment(time..)?))
     }
 
+    /// The parts before, between and after any number of positions, in any order.
+    ///
+    /// Each part is what [`split`](Self::split) leaves between two neighbours, so there is one part more than positions;
+    /// parts between equal positions, and before the start or after the end of the path, are empty paths.
+    ///
+    /// ```
+    /// use casteljau::{Path, path::PathTime};
+    ///
+    /// let path = Path::from_svg("M0 0H4 M0 1H4").expect("path data");
+    /// let parts = path.split_at(&[PathTime::new(1, 0.25), PathTime::new(0, 0.5)])?;
+    /// assert_eq!(parts[1].to_string(), "M2,0 L4,0 M0,1 L1,1");
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`eval`](Self::eval).
+    pub fn split_at(&self, times: &[PathTime]) -> Result<Vec<Self>, Error> {
+        let mut ends = Vec::with_capacity(times.len() + 1);
+        for &time in times {
+            ends.push(self.checked(time)?);
+        }
+        let Some(last) = self.subpath_count().checked_sub(1) else {
+            return Ok(vec![Self::default()]);
+        };
+        sort_by(&mut ends, PathTime::total_cmp);
+        ends.push(self.end_of(last));
+        let mut start = PathTime::new(0, 0.0);
+        let part = |end| self.between(std::mem::replace(&mut start, end), end);
+        Ok(ends.into_iter().map(part).collect())
+    }
+
     /// The part of the path in a range of positions; if the start is after the end, the same part with the opposite
     /// direction and the subpaths in the opposite order.
     ///
@@ -189,11 +221,14 @@ impl Path {
                 .into_iter()
                 .collect());
         }
+        Ok(self.between(start, end))
+    }
+
+    /// The subpaths between two positions in order; parts whose ends have the same t are omitted.
+    fn between(&self, start: PathTime, end: PathTime) -> Self {
         let mut path = Self::default();
-        for (k, spline) in (start.subpath..).zip(self.subpaths().skip(start.subpath)) {
-            if k > end.subpath {
-                break;
-            }
+        for k in start.subpath..=end.subpath {
+            let spline = spline(self.part(k));
             let whole = self.end_of(k).t;
             let from = if k == start.subpath { start.t } else { 0.0 };
             let to = if k == end.subpath { end.t } else { whole };
@@ -203,7 +238,7 @@ impl Path {
                 path.push_spline(&spline.part(from, to));
             }
         }
-        Ok(path)
+        path
     }
 
     /// The positions where a coordinate (0 is x, 1 is y) has a local extremum, in the order of the path; see

@@ -49,6 +49,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::whole_and_rest;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// A position on a path; positions are ordered along the path.
@@ -69,6 +70,13 @@ impl PathTime {
     /// The position t on a subpath.
     pub const fn new(subpath: usize, t: f64) -> Self {
         Self { subpath, t }
+    }
+
+    /// The order along the path, in which NaN is the last t.
+    pub(crate) fn total_cmp(&self, other: &Self) -> Ordering {
+        self.subpath
+            .cmp(&other.subpath)
+            .then(self.t.total_cmp(&other.t))
     }
 }
 

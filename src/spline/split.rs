@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::curve::split::ends_of;
+use crate::curve::split::{ends_of, parts_at};
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use std::ops::RangeBounds;
@@ -39,6 +39,16 @@ impl<P: Point> Spline<P> {
             Self::from_joined(curves(0, segment).chain([left])),
             Self::from_joined([right].into_iter().chain(curves(segment + 1, count))),
         )
+    }
+
+    /// Splits the spline at any number of parameters, in any order: the parts from 0 to the smallest, between neighbours,
+    /// and from the largest to the number of segments, as [`subsegment`](Self::subsegment) gives them.
+    ///
+    /// Each part ends at the point where the next one starts, up to the last bit. There is one part more than
+    /// parameters: equal ones, and those at the ends, give parts that are points. The parts of a closed spline are open,
+    /// too, and the first one begins at its start.
+    pub fn split_at(&self, ts: &[f64]) -> Vec<Self> {
+        parts_at(ts, as_f64(self.segment_count()), |t0, t1| self.part(t0, t1))
     }
 
     /// The part in a range of parameters from t₀ to t₁, as an open spline; t₀ > t₁ reverses it.

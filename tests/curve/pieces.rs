@@ -23,6 +23,25 @@ fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64
 }
 
 #[test]
+fn several_splits_give_the_parts_between_the_sorted_parameters() {
+    adversarial_points(&ALL, |points| {
+        let whole = curve::<DVec3>(points);
+        let parts = whole.split_at(&[0.75, 0.25, 1.0, 0.25]);
+        let ends = [0.0, 0.25, 0.25, 0.75, 1.0, 1.0];
+        assert_eq!(parts.len(), 5);
+        for (part, pair) in parts.iter().zip(ends.windows(2)) {
+            assert_eq!(part, &whole.subsegment(pair[0]..pair[1]));
+        }
+        assert!(
+            parts
+                .windows(2)
+                .all(|pair| pair[0].end() == pair[1].start())
+        );
+        assert_eq!(whole.split_at(&[]), [whole]);
+    });
+}
+
+#[test]
 fn splits_and_subsegments_are_the_curve() {
     fn check<P: Space>(points: &[DVec3]) {
         let whole = curve::<P>(points);

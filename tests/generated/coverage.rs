@@ -20,7 +20,7 @@ const TYPES: [&str; 9] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 51] = [
+const WITHIN_OTHERS: [&str; 52] = [
     "InkStroke::new", // InkStroke::outline, and those that follow
     "InkStroke::append",
     "InkStroke::changes",
@@ -52,6 +52,7 @@ const WITHIN_OTHERS: [&str; 51] = [
     "Path::normal",
     "Path::curvature",
     "Path::split",
+    "Path::split_at",
     "Path::subsegment",
     "Path::sample",              // tests/path/evaluate.rs
     "Path::extrema",             // tests/path/evaluate.rs

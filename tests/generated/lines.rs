@@ -180,6 +180,22 @@ pub(crate) fn are_halves<L: Divided>(line: &L, pieces: &(L, L), t: f64) -> Check
     line.has_piece(right, [t, line.last()])
 }
 
+pub(crate) fn split_at<L: Divided>(line: L, ts: Vec<f64>) -> Checked {
+    let parts = value!(line.split_at(&ts));
+    same(parts.len(), ts.len() + 1, "the number of parts")?;
+    let mut ends = ts;
+    ends.sort_by(f64::total_cmp);
+    ends.insert(0, 0.0);
+    ends.push(line.last());
+    for (part, range) in parts.iter().zip(ends.windows(2)) {
+        line.has_piece(part, [range[0], range[1]])?;
+    }
+    for pair in parts.windows(2) {
+        same(pair[0].eval(pair[0].last()), pair[1].eval(0.0), "a gap")?;
+    }
+    Ok(())
+}
+
 pub(crate) fn subsegment<L: Divided>(line: L, t0: f64, t1: f64) -> Checked {
     let piece = value!(line.subsegment(t0..t1));
     line.has_piece(&piece, [t0, t1])

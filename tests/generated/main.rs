@@ -102,7 +102,7 @@ groups! {
         Curve each (lines): eval eval_at sample;
     }
     curves_editing {
-        Curve each (lines): split subsegment reverse transform flatten;
+        Curve each (lines): split split_at subsegment reverse transform flatten;
         Curve points (curves): halve elevate reduce flatten_with subdivide;
         Curve points (curves every_level): de_casteljau;
         Curve plane (drawing): trace to_svg;
@@ -127,7 +127,7 @@ groups! {
         Spline points (splines): from_bspline to_bspline interpolate fit simplify cumulative_lengths continuity;
         Spline points (splines): derivative_at tangent normal curvature;
         Spline one (splines): torsion;
-        Spline each (lines): eval eval_at sample split subsegment reverse transform flatten nearest;
+        Spline each (lines): eval eval_at sample split split_at subsegment reverse transform flatten nearest;
         Spline each (lines): length time_at_length equidistant_times bounds control_bounds;
         Spline plane (lines): area intersections self_intersections;
         Spline one (lines with_curve): intersections_with_curve;

@@ -118,6 +118,12 @@ fn is_evaluated(path: &Path, spline: &Spline<DVec2>, time: PathTime, s: f64) -> 
     )?;
     let (before, after) = path.split(time)?;
     same(&before, &path.subsegment(..time)?, "the part before")?;
+    let parts = path.split_at(&[time, time])?;
+    same(
+        parts,
+        vec![before.clone(), Path::default(), after.clone()],
+        "all parts",
+    )?;
     let whole = path.length();
     let slack = 1e-11 * whole + slack_of();
     near(before.length() + after.length(), whole, slack, "the parts")

@@ -125,6 +125,7 @@ shared! {
         reverse() -> Self;
         sample(segments: usize) -> Result<Vec<Self::P>, Error>;
         split(t: f64) -> (Self, Self);
+        split_at(ts: &[f64]) -> Vec<Self>;
         subsegment(range: Range<f64>) -> Self;
         time_at_length(s: f64) -> f64;
         time_at_length_within(s: f64, tolerance: f64) -> Result<f64, Error>;

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, CUBIC, deCasteljau, near, owned, pairs, pointsOf, SPACE, TWISTED } from "./reference.js";
+import { coordinates, CUBIC, deCasteljau, near, owned, pairs, pointsOf, refused, SPACE, TWISTED } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
 const space = new Curve(SPACE);
@@ -80,6 +80,29 @@ test("parts far outside of the curve keep within the limit of coordinates", () =
     [...before.controlPoints(), ...after.controlPoints()],
     [0, 0, ...Array(4).fill(2 ** 500), 1e100, 1e100],
   );
+});
+
+test("split: a list gives the parts between its parameters in ascending order", () => {
+  const curve = new Curve(CUBIC);
+  const parts = curve.split([0.75, 0.25, 0.25]);
+  const ends = [0, 0.25, 0.25, 0.75, 1];
+  assert.equal(parts.length, 4);
+  parts.forEach((part, k) => {
+    assert.ok(part.equals(curve.subsegment(ends[k], ends[k + 1])));
+    assert.deepEqual(part.eval(0), curve.eval(ends[k]));
+    assert.deepEqual(part.eval(1), curve.eval(ends[k + 1]));
+  });
+  assert.ok(curve.split([])[0].equals(curve));
+  const line = new Curve([0, 0, 4, 0]);
+  assert.deepEqual(
+    line.split([1.5, -1]).map((part) => [part.eval(0).x, part.eval(1).x]),
+    [
+      [0, -4],
+      [-4, 6],
+      [6, 4],
+    ],
+  );
+  refused(() => line.split([0, Infinity]), RangeError, /^ts\[1\]: expected a finite number/);
 });
 
 test("split, halve, subsegment, reverse, elevate keep the curve", () => {

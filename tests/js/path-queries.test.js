@@ -77,6 +77,33 @@ test("split: the parts before and after a location", () => {
   assert.ok(none.equals(empty) && whole.equals(path));
 });
 
+test("split: a list gives the parts between its locations in the order of the path", () => {
+  const parts = (locations) => path.split(locations).map((part) => part.toSVG({ precision: 3 }));
+  const [a, b] = [
+    { subpath: 0, t: 1.5 },
+    { subpath: 1, t: 0.25 },
+  ];
+  const rest = "M11 0H14M0 10C0 12 2 12 2 10Q3 8 4 10";
+  assert.deepEqual(parts([b, a]), ["M0 0H4V2", "M4 2V4H0V0M10 0H11", rest]);
+  assert.deepEqual(parts([a, a, b]), ["M0 0H4V2", "", "M4 2V4H0V0M10 0H11", rest]);
+  assert.deepEqual(
+    parts([a]),
+    path.split(a).map((part) => part.toSVG({ precision: 3 })),
+  );
+  const [whole, nothing] = path.split([]);
+  assert.ok(whole.equals(path) && nothing === undefined);
+  assert.deepEqual(
+    empty.split([]).map((part) => part.subpathCount),
+    [0],
+  );
+  refused(
+    () => path.split([a, { subpath: 9, t: 0 }]),
+    RangeError,
+    /^locations\[1\]\.subpath: expected a whole number from 0 to 2/,
+  );
+  refused(() => empty.split([a]), RangeError, /^locations\[0\]: expected a path with a subpath/);
+});
+
 test("split and subsegment keep the length and the points", () => {
   const total = path.length();
   for (const s of [0.1, 3, 8, 17.3, 19.99, 21, 25]) {

@@ -48,6 +48,26 @@ test("split: a closed spline is also divided at its start", () => {
   assert.deepEqual([left.closed, right.closed], [false, false]);
 });
 
+test("split: a list gives the parts between its parameters in ascending order", () => {
+  const parts = MIXED.split([2.5, 1, 1.25, 1]);
+  assert.deepEqual(
+    parts.map(({ degrees }) => degrees),
+    [[1], [2], [2], [2, 3], [3]],
+  );
+  assert.ok(parts[1].equals(MIXED.subsegment(1, 1)));
+  parts.slice(1).forEach((part, k) => assert.deepEqual(part.eval(0), parts[k].eval(parts[k].segmentCount)));
+  assert.deepEqual(parts[3].eval(0), MIXED.eval(1.25));
+  const closed = new Spline(CORNER, { degree: 1, closed: true });
+  assert.deepEqual(closed.split([]).map(points), [[...CORNER, CORNER[0]]]);
+  assert.deepEqual(closed.split([2.5, 1.5]).map(points), ["0,0 2,0 2,1", "2,1 2,2 1,1", "1,1 0,0"].map(pointsOf));
+  // Parameters outside: from the extrapolated point back to the end, as a single parameter gives it.
+  const line = new Spline(CORNER, { degree: 1 });
+  assert.deepEqual(line.split([3]).map(points), line.split(3).map(points));
+  assert.deepEqual(line.split(Float64Array.of(1, 3)).map(points), ["0,0 2,0", "2,0 2,4", "2,4 2,2"].map(pointsOf));
+  refused(() => line.split([0.5, NaN]), RangeError, /^ts\[1\]: expected a finite number, got NaN/);
+  refused(() => line.split(/** @type {any} */ (["0"])), TypeError, /^ts\[0\]: expected a number/);
+});
+
 test("subsegment: across joints, within a segment, reversed, of a single point", () => {
   const part = MIXED.subsegment(0.5, 2.5);
   assert.deepEqual(part.degrees, [1, 2, 3]);

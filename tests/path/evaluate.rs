@@ -94,6 +94,11 @@ fn the_parts_of_a_split_are_the_path() {
         two.split(PathTime::new(1, 0.0)),
         Ok((path("M0 0H4"), path("M0 1H4V3H0Z")))
     );
+    let [a, b] = [PathTime::new(0, 0.5), PathTime::new(1, 0.5)];
+    let parts = ["M0 0H2", "", "M2 0H4 M0 1H2", "M2 1H4V3H0L0 1"].map(path);
+    assert_eq!(two.split_at(&[b, a, a]), Ok(parts.to_vec()));
+    assert_eq!(two.split_at(&[]), Ok(vec![two.clone()]));
+    assert_eq!(Path::default().split_at(&[]), Ok(vec![Path::default()]));
     assert_eq!(two.subsegment(..), Ok(two.clone()));
     assert_eq!(two.subsegment(..PathTime::new(0, 0.0)), Ok(Path::default()));
     let (from, to) = (PathTime::new(1, 1.5), PathTime::new(0, 0.5));
@@ -108,6 +113,7 @@ fn missing_subpaths_are_refused() {
     let expected = "subpath: expected an index from 0 to 0, got 1";
     assert_refused(one.eval(PathTime::new(1, 0.0)), expected);
     assert_refused(one.subsegment(PathTime::new(1, 0.0)..), expected);
+    assert_refused(one.split_at(&[PathTime::new(1, 0.0)]), expected);
     let none = Path::default().tangent(PathTime::new(0, 0.0));
     assert!(matches!(
         none,

@@ -39,6 +39,12 @@ fn parts_of_a_spline_are_the_same_curve() {
             let at_joint = t > 0.0 && t < count && t.fract() == 0.0;
             assert_eq!(pieces, n + usize::from(!at_joint), "{t} of {count}");
         }
+        let parts = spline.split_at(&[count - 0.75, 0.2, count]);
+        let ends = [0.0, 0.2, count - 0.75, count, count];
+        for (part, pair) in parts.iter().zip(ends.windows(2)) {
+            assert_eq!(part, &spline.subsegment(pair[0]..pair[1]), "{degrees:?}");
+        }
+        assert_eq!(parts.len(), 4);
         // Segments that are not cut keep their points.
         let part = spline.subsegment(0.25..count - 0.25);
         assert_eq!(part.segment_count(), n);

@@ -3,6 +3,7 @@ import * as queries from "../curve-queries.js";
 import { curveLength, curveTimeAtLength, pointAndDirections } from "../arc-length.js";
 import { curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
+import { partsAt } from "../parts.js";
 import { flatten, nested, pointAt, pointList, samePoints, requireList, boxAt } from "../points.js";
 import {
   CheckedPoints,
@@ -320,12 +321,21 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * Splits the curve at t into two.
+   * Splits the curve at t into two, or at several parameters into one part more.
+   *
+   * With a list, in any order: the parts from 0 to the smallest parameter, between neighbours, and from the largest to 1,
+   * see `subsegment`. Equal parameters, 0 and 1 give parts that are points.
+   *
+   *     new Curve([0, 0, 4, 0]).split([0.75, 0.25]).length; // 3: to 1, from 1 to 3, and from 3 on the x-axis
    *
    * @param t the parameter, from 0 to 1; others extrapolate
    */
-  split(t: number, ...surplus: never[]): [this, this] {
+  split(t: number, ...surplus: never[]): [this, this];
+  /** @param ts any number of parameters */
+  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
+  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
     check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+    if (check.isList(t)) return partsAt(this, t, 1);
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     core().curve_split(this.dimension, this._write(), t);
     const n = this._flat.length;

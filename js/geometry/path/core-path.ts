@@ -393,15 +393,24 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *     before.toSVG(); // "M0,0 L4,0 M0,1 L2,1"
    *     after.toSVG(); // "M2,1 L4,1"
    *
+   * With a list of locations, in any order: the parts before the first one along the path, between neighbours, and after
+   * the last one, one part more than locations. Between equal locations the part is an empty path.
+   *
    * @param location a subpath and a parameter on it
    */
-  split(location: PathTime, ...surplus: never[]): [this, this] {
+  split(location: PathTime, ...surplus: never[]): [this, this];
+  /** @param locations any number of locations */
+  split(locations: readonly PathTime[], ...surplus: never[]): this[];
+  split(location: PathTime | readonly PathTime[], ...surplus: never[]): this[] {
     check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
-    const at = checkedLocation(this, location);
+    const ends = Array.isArray(location)
+      ? Array.from(location, (each, k) => checkedLocation(this, each, `locations[${k}]`))
+      : [checkedLocation(this, location)];
+    ends.sort((a, b) => a.subpath - b.subpath || a.t - b.t);
     const last = this.subpathCount - 1;
-    const end = { subpath: last, t: this._segments(last).length };
-    const parts = [partsBetween(this, { subpath: 0, t: 0 }, at), partsBetween(this, at, end)];
-    return parts.map((splines) => this._pathOf(packedSplines(splines))) as [this, this];
+    ends.push({ subpath: last, t: last < 0 ? 0 : this._segments(last).length });
+    const start = { subpath: 0, t: 0 };
+    return ends.map((end, k) => this._pathOf(packedSplines(partsBetween(this, k ? ends[k - 1] : start, end))));
   }
 
   /**

@@ -6,6 +6,7 @@ import { SegmentTree } from "../segment-tree.js";
 import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { onlySplineData, curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
+import { partsAt } from "../parts.js";
 import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList, boxAt } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
 import {
@@ -450,11 +451,18 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * segment is split. At the start and at the end one part is a single segment whose points are equal. A closed spline
    * is also divided at its start: the first part begins there, the second part ends there.
    *
+   * With a list of parameters, in any order: the parts from 0 to the smallest one, between neighbours, and from the
+   * largest one to the end, see `subsegment`. Equal parameters, and those at the ends, give parts that are points.
+   *
    * @param t 0 to the number of segments; values outside extrapolate the first and the last segment
    * @throws {RangeError} for a t that is not finite
    */
-  split(t: number, ...surplus: never[]): [this, this] {
+  split(t: number, ...surplus: never[]): [this, this];
+  /** @param ts any number of parameters */
+  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
+  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
     check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+    if (check.isList(t)) return partsAt(this, t, this.segmentCount);
     const { k, segment, rest } = this._locate(t);
     const count = this.segmentCount;
     if (rest === 0 && k > 0) return [this._part([], 0, k, []), this._part([], k, count, [])];

@@ -95,6 +95,7 @@ const CURVE = {
   `,
   ),
   "Curve.constructor": (a) => new Curve(a.points, dimensionOf(a.points)),
+  "Curve.splitAt": (a) => a.curve.split(a.ts),
   "Curve.fromBasis": (a) => Curve.fromBasis(a.basis, a.points, dimensionOf(a.points)),
   "Curve.fromJSON": (a) => Curve.fromJSON(a.curve.toJSON()),
   "Curve.bernstein": (a) => Curve.bernstein(a.degree, a.t),
@@ -120,6 +121,7 @@ const SPLINE = {
   `,
   ),
   "Spline.constructor": (a) => new Spline(a.points, { degree: a.degree, closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.splitAt": (a) => a.spline.split(a.ts),
   "Spline.fromCurves": (a) => Spline.fromCurves(a.spline.segments(), { closed: a.spline.closed }),
   "Spline.fromBSpline": (a) =>
     Spline.fromBSpline(a.points, { degree: a.degree, knots: a.knots, closed: a.closed, ...dimensionOf(a.points) }),
@@ -181,6 +183,7 @@ const PATH = {
   "Path.curvature": (a) => a.path.curvature(location(a)),
   "Path.split": (a) => a.path.split(location(a)),
   "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
+  "Path.splitAt": (a) => a.path.split([location(a), location(a, 0, 0.5)]),
   "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Path.toPath2D": (a) => withPath2D(recorder(), () => a.path.toPath2D({ tolerance: a.tolerance })).calls,
   "Path.toPathData": (a) => a.path.toPathData({ tolerance: a.tolerance }).map(({ values }) => values),

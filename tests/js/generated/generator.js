@@ -36,6 +36,7 @@ const SAME_CASES = {
   "Path.index": "Path.nearest",
   "Path.toThree": "Path.removeOverlaps",
   "Path.toCSS": "Path.toSVG",
+  "Path.splitAt": "Path.split",
   "Path.toPathData": "Path.toPath2D",
   "Path.fromPathData": "Path.toPath2D",
   "Path.builder": "Path.toPath2D",

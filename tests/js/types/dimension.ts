@@ -24,6 +24,7 @@ expectTrue<Same<ReturnType<typeof inSpace.eval>, Space>>();
 export const z: number =
   inSpace.pointAtLength(1).tangent.z + inSpace.nearest([0, 0, 0]).point.z + inSpace.bounds().max.z;
 export const parts: [Curve<3>, Curve<3>] = inSpace.split(0.5);
+export const several: Curve<3>[] = inSpace.split([0.2, 0.7]);
 export const derivative: Space = inSpace.derivative().derivativeAt(0, 1);
 export const offset: Spline<2> = inPlane.offset(1);
 export const plain: 2 = inPlane.dimension;
