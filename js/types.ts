@@ -27,6 +27,7 @@ export type {
   StrokeCap,
   RegionOffsetOptions,
   CornerOptions,
+  CornerRadius,
   WidthProfile,
 } from "./geometry/path/path-stroke.js";
 export type { CircularArc } from "./geometry/path/path-arcs.js";

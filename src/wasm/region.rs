@@ -252,21 +252,42 @@ pub fn region_arcs(tolerance: f64) -> isize {
     })
 }
 
-/// Writes a path with its corners rounded; a tolerance of 0 stands for the default. Arguments: `count` pairs of a subpath
-/// and a joint after the path; −1 stands for all corners.
+/// Writes the corners of a path that can be rounded, as pairs of a subpath and a joint.
+#[wasm_bindgen]
+pub fn region_corners() -> isize {
+    arena::answer(|a| {
+        let mut numbers = Vec::new();
+        let add = |corner: PathTime| {
+            numbers.extend([corner.subpath as f64, corner.t]);
+            0.0
+        };
+        let _ = path_at(a, 0)
+            .0
+            .round_corners_by(add, &CornerOptions::new())?;
+        Ok(a.write_numbers(0, &numbers))
+    })
+}
+
+/// Writes a path with its corners rounded; a tolerance of 0 stands for the default. Arguments: `count` triples of a
+/// subpath, a joint and a radius after the path; −1 stands for all corners with one radius.
 #[wasm_bindgen]
 pub fn region_round_corners(radius: f64, tolerance: f64, count: i32) -> isize {
     answer_path(|a| {
         let (path, end) = path_at(a, 0);
         let mut options = CornerOptions::new();
         options.tolerance = optional(tolerance);
-        if let Ok(count) = usize::try_from(count) {
-            let places = (0..count).map(|k| end + 2 * k);
-            let corners: Vec<PathTime> = places
-                .map(|at| PathTime::new(a.count(at), a.number(at + 1)))
-                .collect();
-            options = options.corners(&corners);
-        }
-        path.round_corners_with(radius, &options)
+        let Ok(count) = usize::try_from(count) else {
+            return path.round_corners_with(radius, &options);
+        };
+        let places = (0..count).map(|k| end + 3 * k);
+        let corners: Vec<PathTime> = places
+            .clone()
+            .map(|at| PathTime::new(a.count(at), a.number(at + 1)))
+            .collect();
+        let mut radii = places.map(|at| a.number(at + 2));
+        path.round_corners_by(
+            |_| radii.next().unwrap_or_default(),
+            &options.corners(&corners),
+        )
     })
 }

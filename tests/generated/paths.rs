@@ -448,6 +448,23 @@ pub(crate) fn to_arcs(path: Path, tolerance: f64) -> Checked {
 /// Checks that the points are in the box of a polygon's corners, or near that of curves.
 pub(crate) fn round_corners(path: Path, radius: f64) -> Checked {
     let rounded = answer!(path.round_corners(radius), REFUSALS);
+    is_rounded(&path, &rounded, radius)
+}
+
+/// Radii from 0 to the given one.
+pub(crate) fn round_corners_by(path: Path, radius: f64) -> Checked {
+    let mut corners = Vec::new();
+    let part = |corner: PathTime| {
+        corners.push(corner);
+        radius * (0.25 * corner.t).fract()
+    };
+    let rounded = answer!(path.round_corners_by(part, &CornerOptions::new()), REFUSALS);
+    let places = corners.iter().map(|corner| (corner.subpath, corner.t));
+    holds!(places.is_sorted(), "the corners are not in order")?;
+    is_rounded(&path, &rounded, radius)
+}
+
+fn is_rounded(path: &Path, rounded: &Path, radius: f64) -> Checked {
     same(rounded.subpath_count(), path.subpath_count(), "subpaths")?;
     let (Some(own), Some(bounds)) = (rounded.control_bounds(), path.control_bounds()) else {
         return Ok(());

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Path } from "#js/index.js";
-import { near, refusedAll, untyped } from "./reference.js";
+import { near, pointsOf, refusedAll, untyped } from "./reference.js";
 
 const circle = (x, y, radius) => Path.circle([x, y], radius, { tolerance: 3e-4 * radius });
 const STAR = Path.fromSVG("M0 -1L.59 .81L-.95 -.31H.95L-.59 .81Z");
@@ -200,6 +200,44 @@ test("offset and roundCorners: areas in closed form", () => {
   const coarse = SQUARE.roundCorners(0.5, { tolerance: 0.01 });
   assert.ok(count(coarse) === 8 && count(rounded) > 8, `${count(coarse)}`);
   assert.ok(SQUARE.roundCorners(0).equals(SQUARE) && CUSP.roundCorners(1).equals(CUSP));
+});
+
+test("roundCorners: a radius for each corner, as a list and by a function", () => {
+  const rect = Path.rect([0, 0], 20, 10);
+  const missing = (...radii) => radii.reduce((sum, r) => sum + (1 - Math.PI / 4) * r * r, 0);
+  const sameAsRect = Path.rect([0, 0], 20, 10, { radii: [1, 2, 3, 4] });
+  for (const radii of [[1, 2, 3, 4], Float64Array.of(1, 2, 3, 4), (_, k) => k + 1, ({ t }) => t + 1]) {
+    const rounded = rect.roundCorners(radii);
+    near([rounded.area()], [200 - missing(1, 2, 3, 4)], 1e-7);
+    assert.ok(Math.abs(sameAsRect.subtract(rounded).area()) + Math.abs(rounded.subtract(sameAsRect).area()) < 1e-3);
+  }
+  // What a corner leaves does not change the places of the others.
+  const both = new Path([...rect.subpaths, ...Path.polygon([40, 0, 50, 0, 50, 10], { closed: false }).subpaths]);
+  const seen = [];
+  both.roundCorners((corner, k) => {
+    seen.push([corner.subpath, corner.t, k]);
+    return 0;
+  });
+  assert.deepEqual(seen, pointsOf("0,0,0 0,1,1 0,2,2 0,3,3 1,1,4"));
+  assert.ok(both.roundCorners([0, 0, 0, 0, 0]).equals(both));
+  const corners = [
+    { subpath: 0, t: 2 },
+    { subpath: 0, t: 0 },
+  ];
+  near([rect.roundCorners([3, 1], { corners }).area()], [200 - missing(3, 1)], 1e-7);
+  near([rect.roundCorners(({ t }) => t, { corners }).area()], [200 - missing(2)], 1e-7);
+  refusedAll(RangeError, [
+    [() => rect.roundCorners([1, 2, 3]), /^radius: expected 4 radii, one for each corner, got 3$/],
+    [() => rect.roundCorners([1], { corners }), /^radius: expected 2 radii, one for each corner, got 1$/],
+    [() => rect.roundCorners([1, 2, -3, 4]), /^radius\[2\]: expected a finite number, at least 0, got -3$/],
+    [() => rect.roundCorners(() => NaN), /^radius\[0\]: expected a finite number, got NaN$/],
+  ]);
+  const wrong = untyped(rect);
+  refusedAll(TypeError, [
+    [() => wrong.roundCorners([1, "2", 3, 4]), /^radius\[1\]: expected a number/],
+    [() => wrong.roundCorners(() => undefined), /^radius\[0\]: expected a number, got undefined/],
+    [() => wrong.roundCorners({ stops: [] }), /^radius: expected a number/],
+  ]);
 });
 
 test("arcs: half circles, lines, tangents, and the text that they give", () => {

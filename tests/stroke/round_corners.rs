@@ -106,6 +106,92 @@ fn chosen_corners_are_rounded_and_others_stay() {
 }
 
 #[test]
+fn each_corner_has_its_radius_in_the_order_of_the_path() {
+    let options = CornerOptions::new();
+    let square = path("M0 0H10V10H0Z M20 0H30V10");
+    let mut corners = Vec::new();
+    let radius = |corner: PathTime| {
+        corners.push((corner.subpath, corner.t));
+        corner.t + 1.0
+    };
+    let result = square.round_corners_by(radius, &options).expect("radii");
+    let expected = [(0, 0.0), (0, 1.0), (0, 2.0), (0, 3.0), (1, 1.0)];
+    assert_eq!(corners, expected);
+    let missing = (1.0 - 0.25 * PI) * (1.0 + 4.0 + 9.0 + 16.0);
+    near(
+        result.subpath(0).expect("a square").area(),
+        100.0 - missing,
+        1e-7,
+    );
+    let starts: Vec<DVec2> = result.segments().map(|curve| curve.start()).collect();
+    for p in [
+        (1.0, 0.0),
+        (8.0, 0.0),
+        (10.0, 2.0),
+        (10.0, 7.0),
+        (7.0, 10.0),
+        (4.0, 10.0),
+    ] {
+        assert!(starts.contains(&DVec2::from(p)), "{p:?} in {result}");
+    }
+    // 0 leaves corners.
+    assert_eq!(
+        square.round_corners_by(|_| 0.0, &options),
+        Ok(square.clone())
+    );
+    // Segments that are points have one corner, at their last joint.
+    let repeated = path("M0 0H0H10L10 0L10 0V10H0Z");
+    let mut ts = Vec::new();
+    let radius = |corner: PathTime| {
+        ts.push(corner.t);
+        if corner.t == 4.0 { 2.0 } else { 0.0 }
+    };
+    let result = repeated.round_corners_by(radius, &options).expect("radii");
+    assert_eq!(ts, [1.0, 4.0, 5.0, 6.0]);
+    near(result.area(), 100.0 - (4.0 - PI), 1e-7);
+    // Radii belong to the chosen corners, and the largest one counts.
+    let chosen = [(1.0, 2.0), (0.0, 1.0), (4.0, 3.0), (1.0, 0.0)];
+    let places: Vec<PathTime> = chosen.iter().map(|&(t, _)| PathTime::new(0, t)).collect();
+    let mut radii = chosen.iter().map(|&(_, radius)| radius);
+    let result = path("M0 0H10V10H0Z")
+        .round_corners_by(
+            |_| radii.next().expect("a radius"),
+            &options.corners(&places),
+        )
+        .expect("radii");
+    near(result.area(), 100.0 - (1.0 - 0.25 * PI) * (4.0 + 9.0), 1e-7);
+    for wrong in [-1.0, f64::NAN, f64::INFINITY] {
+        let mut calls = 0;
+        let radius = |_| {
+            calls += 1;
+            if calls == 3 { wrong } else { 1.0 }
+        };
+        let refused = square.round_corners_by(radius, &CornerOptions::new());
+        assert_refused(refused, "radius[2]: expected a finite number, at least 0");
+    }
+}
+
+/// One side of 10 between the corners with radii a and b, and one at each other corner.
+#[test]
+fn a_short_arc_keeps_its_radius_beside_a_long_one() {
+    for (a, b, expected) in [
+        (8.0, 2.0, [8.0, 2.0]),
+        (9.0, 2.0, [8.0, 2.0]),
+        (2.0, 9.0, [2.0, 8.0]),
+        (9.0, 5.0, [5.0, 5.0]),
+        (9.0, 6.0, [5.0, 5.0]),
+        (9.0, 0.0, [9.0, 0.0]),
+    ] {
+        let corner = |corner: PathTime| [a, b, 0.0, 0.0][corner.t as usize];
+        let result = path("M0 0H10V10H0Z")
+            .round_corners_by(corner, &CornerOptions::new())
+            .expect("radii");
+        let missing = (1.0 - 0.25 * PI) * (expected[0] * expected[0] + expected[1] * expected[1]);
+        near(result.area(), 100.0 - missing, 1e-6);
+    }
+}
+
+#[test]
 fn a_tolerance_takes_fewer_cubics() {
     let square = path("M0 0H10V10H0Z");
     let mut count = usize::MAX;

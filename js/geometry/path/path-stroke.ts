@@ -58,6 +58,12 @@ export interface WidthProfile {
   interpolation?: "linear" | "smooth";
 }
 
+/**
+ * The radius of `roundCorners`: one for all corners, a list with one for each corner in the order of the path, or a function
+ * of the corner and its index in this order. 0 leaves a corner.
+ */
+export type CornerRadius = number | ArrayLike<number> | ((corner: PathTime, index: number) => number);
+
 /** The options of `roundCorners`. */
 export interface CornerOptions {
   /** The largest distance of the cubics from the arcs, 1e-9 of the radius by default */
@@ -196,22 +202,49 @@ export function offset(path: Float64Array, distance: number, options?: RegionOff
  * @internal
  * @returns a packed path
  */
-export function roundCorners(path: Float64Array, radius: number, options?: CornerOptions): Float64Array {
-  check.finite(radius, "radius");
+export function roundCorners(path: Float64Array, radius: CornerRadius, options?: CornerOptions): Float64Array {
   const { tolerance, corners } = check.options(options, ["tolerance", "corners"]);
   const maxError = check.optionalTolerance(tolerance);
-  const places = Float64Array.from(corners === undefined ? [] : cornerNumbers(corners));
-  writePaths([path, places]);
-  const count = corners === undefined ? -1 : places.length / 2;
-  return readPath(core(regionsModule).region_round_corners(radius, maxError, count));
+  if (typeof radius === "number" && corners === undefined) {
+    check.finite(radius, "radius");
+    writePaths([path]);
+    return readPath(core(regionsModule).region_round_corners(radius, maxError, -1));
+  }
+  const places = corners === undefined ? cornersOf(path) : checkedCorners(corners);
+  const radii = radiiAt(places, radius);
+  writePaths([path, Float64Array.from(places.flatMap(({ subpath, t }, k) => [subpath, t, radii[k]]))]);
+  return readPath(core(regionsModule).region_round_corners(0, maxError, places.length));
 }
 
-/** The locations of corners as pairs of numbers; the core checks whether they exist. */
-function cornerNumbers(corners: unknown): number[] {
+/** The corners of a path that can be rounded, in its order. */
+function cornersOf(path: Float64Array): PathTime[] {
+  writePaths([path]);
+  const numbers = readPath(core(regionsModule).region_corners());
+  return Array.from({ length: numbers.length / 2 }, (_, k) => ({ subpath: numbers[2 * k], t: numbers[2 * k + 1] }));
+}
+
+/** One radius for each corner; the core checks that they are not negative. */
+function radiiAt(places: PathTime[], radius: CornerRadius): ArrayLike<number> {
+  if (typeof radius === "function")
+    return places.map((place, k) => check.finite(radius({ ...place }, k), `radius[${k}]`));
+  if (!check.isList(radius)) {
+    const one = check.finite(radius, "radius");
+    return places.map(() => one);
+  }
+  const radii = check.numbers(radius, "radius");
+  if (radii.length === places.length) return radii;
+  throw new RangeError(`radius: expected ${places.length} radii, one for each corner, got ${radii.length}`);
+}
+
+/** Copies of the locations of corners; the core checks whether they exist. */
+function checkedCorners(corners: unknown): PathTime[] {
   if (!Array.isArray(corners))
     throw new TypeError(`corners: expected an array of locations {subpath, t}, got ${check.describe(corners)}`);
-  return corners.flatMap((corner, k) => {
+  return Array.from(corners, (corner, k) => {
     const { subpath, t } = Object(corner) as { subpath?: unknown; t?: unknown };
-    return [check.whole(subpath, `corners[${k}].subpath`, 0, MAX_INDEX), check.finite(t, `corners[${k}].t`)];
+    return {
+      subpath: check.whole(subpath, `corners[${k}].subpath`, 0, MAX_INDEX),
+      t: check.finite(t, `corners[${k}].t`),
+    };
   });
 }

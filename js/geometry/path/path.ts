@@ -16,7 +16,14 @@ import { arcsOf } from "./path-arcs.js";
 import { svgOfArcs } from "../../io/svg-write.js";
 import type { ArcSvgOptions, PathSvgOptions } from "../../io/svg-write.js";
 import type { CircularArc } from "./path-arcs.js";
-import type { CornerOptions, RegionOffsetOptions, StrokeOptions, StrokeShape, WidthProfile } from "./path-stroke.js";
+import type {
+  CornerOptions,
+  CornerRadius,
+  RegionOffsetOptions,
+  StrokeOptions,
+  StrokeShape,
+  WidthProfile,
+} from "./path-stroke.js";
 import type { PathTime } from "./path-queries.js";
 import type { SplineData } from "../brand.js";
 import type { Intersection, PathIntersection } from "../intersections.js";
@@ -210,13 +217,21 @@ export class Path extends CorePath<Spline<2>> {
    * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
    * subpaths. Arcs are cubics within 1e-9 of their radius, or within `tolerance`; segments that no arc replaces are returned bit for bit. An arc
    * replaces at most the 64 segments on each side that follow each other without a corner: where these are too short, or
-   * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, each ends in the
-   * middle between them (in the parameter) at the latest.
+   * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, one that needs at most
+   * half of the segments between them (in the parameter) keeps its radius, and the other one ends where it starts; if both
+   * need more, both end in the middle.
    *
-   * @param radius 0 gives the path
-   * @throws {RangeError} for a negative radius, and for a corner that is not at a joint
+   *     Path.rect([0, 0], 10, 10).roundCorners([4, 4, 0, 0]); // on a canvas: top left, top right, bottom right, bottom left
+   *     path.roundCorners(({ subpath }) => (subpath === 0 ? 2 : 0));
+   *
+   * The order of the corners is that of the path: by subpath, then by t; the corner at the start of a closed subpath is its
+   * first one. With `corners`, a list has one radius for each of these in their order, and a function is called for these;
+   * the largest radius for a joint counts.
+   *
+   * @param radius in the unit of the path, one for all or one for each corner; 0 leaves a corner
+   * @throws {RangeError} for a negative radius, a list of another length, and a corner that is not at a joint
    */
-  roundCorners(radius: number, options?: CornerOptions): this {
+  roundCorners(radius: CornerRadius, options?: CornerOptions): this {
     return this._pathOf(strokes.roundCorners(this._packed, radius, options));
   }
 

@@ -6,6 +6,7 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_tolerance, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::numeric::float::as_f64;
+use crate::numeric::order::larger;
 use crate::numeric::sort::sort_by;
 use crate::path::{Path, PathTime, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
@@ -14,6 +15,8 @@ use glam::DVec2;
 
 /// The largest distance of the cubics from an arc, as a part of its radius.
 const ARC_TOLERANCE: f64 = 1e-9;
+
+const RADIUS_RANGE: &str = "a finite number, at least 0";
 
 /// Two arcs meet if at most this part of the parameters of a segment is between them.
 const MEETS: f64 = 1e-12;
@@ -33,7 +36,8 @@ impl Path {
     ///
     /// An arc replaces at most the 64 segments on each side that follow each other without a corner or a turn by 180°. Where these are too
     /// short, or bend more tightly than the arc, the radius at this corner is the largest one that fits. Where arcs at
-    /// two corners overlap, each ends in the middle between them (in the parameter) at the latest. Segments of length 0
+    /// two corners overlap, one that needs at most half of the segments between them (in the parameter) keeps its radius, and
+    /// the other one ends where it starts; if both need more, both end in the middle. Segments of length 0
     /// in the place of an arc are omitted. A corner stays if its radius is below 10⁻⁹ of the size of its segments. A
     /// radius of 0 returns the path.
     ///
@@ -61,39 +65,86 @@ impl Path {
     /// [`Error::Range`] for one that is not at a joint, and for a tolerance that is not finite, not above 0 or below 4
     /// ulps of the largest coordinate.
     pub fn round_corners_with(&self, radius: f64, options: &CornerOptions) -> Result<Self, Error> {
-        if !(radius >= 0.0 && radius.is_finite()) {
+        if !is_radius(radius) {
             return Err(Error::Range {
                 what: "radius",
-                expected: "a finite number, at least 0",
+                expected: RADIUS_RANGE,
                 got: radius,
             });
         }
+        self.rounded(&mut |_| Ok(radius), options)
+    }
+
+    /// [`round_corners`](Self::round_corners) with a radius for each corner; 0 leaves a corner.
+    ///
+    /// The function is called once for each corner, in the order of the path: by subpath, then by t. The corner at the
+    /// start of a closed subpath is its first one. With the option `corners`, it is called for each of these in their
+    /// order, and the largest radius for a joint counts.
+    ///
+    /// ```
+    /// use casteljau::{Path, path::CornerOptions};
+    ///
+    /// let square: Path = "M0 0H10V10H0Z".parse().expect("path data");
+    /// let mut radii = [4.0, 4.0, 0.0, 0.0].into_iter();
+    /// let arch = square.round_corners_by(|_| radii.next().unwrap_or(0.0), &CornerOptions::new())?;
+    /// assert!((arch.area() - (100.0 - 0.5 * (4.0 - std::f64::consts::PI) * 16.0)).abs() < 1e-7);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Item`] for a radius that is negative or not finite, with the number of calls before it; otherwise as
+    /// [`round_corners_with`](Self::round_corners_with).
+    pub fn round_corners_by(
+        &self,
+        mut radius: impl FnMut(PathTime) -> f64,
+        options: &CornerOptions,
+    ) -> Result<Self, Error> {
+        let mut calls = 0..;
+        let mut checked = |corner| {
+            let (got, index) = (radius(corner), calls.next().unwrap_or_default());
+            if is_radius(got) {
+                return Ok(got);
+            }
+            Err(Error::Item {
+                what: "radius",
+                index,
+                expected: RADIUS_RANGE,
+                got,
+            })
+        };
+        self.rounded(&mut checked, options)
+    }
+
+    fn rounded(
+        &self,
+        radius_at: &mut dyn FnMut(PathTime) -> Result<f64, Error>,
+        options: &CornerOptions,
+    ) -> Result<Self, Error> {
         if let Some(tolerance) = options.tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        let corners = options.corners.as_deref();
-        for &corner in corners.unwrap_or_default() {
+        let mut chosen = Vec::new();
+        for &corner in options.corners.as_deref().unwrap_or_default() {
             self.check_joint(corner)?;
+            chosen.push((corner, radius_at(corner)?));
         }
-        if radius == 0.0 {
-            return Ok(self.clone());
-        }
-        let sorted = corners.map(|all| {
-            let mut sorted = all.to_vec();
-            sort_by(&mut sorted, |a, b| {
-                a.subpath.cmp(&b.subpath).then(a.t.total_cmp(&b.t))
-            });
-            sorted
-        });
-        let mut rest = sorted.as_deref();
+        sort_by(&mut chosen, |a, b| a.0.total_cmp(&b.0));
+        let mut rest = chosen.as_slice();
         let mut path = Self::default();
         for (subpath, part) in self.parts().enumerate() {
-            let chosen = rest.map(|all| {
-                let (own, others) = all.split_at(all.partition_point(|c| c.subpath <= subpath));
-                rest = Some(others);
-                own
-            });
-            RoundedSubpath::new(part, radius, chosen).push_to(&mut path, options.tolerance);
+            let (own, others) =
+                rest.split_at(rest.partition_point(|(corner, _)| corner.subpath <= subpath));
+            rest = others;
+            let mut rounded = RoundedSubpath::new(part);
+            for corner in rounded.corners_in_order() {
+                rounded.radii[corner] = if options.corners.is_some() {
+                    rounded.chosen_radius(corner, own)
+                } else {
+                    radius_at(PathTime::new(subpath, rounded.joint_after(corner)))?
+                };
+            }
+            rounded.fit_arcs();
+            rounded.push_to(&mut path, options.tolerance);
         }
         Ok(path)
     }
@@ -111,15 +162,20 @@ impl Path {
     }
 }
 
+fn is_radius(radius: f64) -> bool {
+    radius >= 0.0 && radius.is_finite()
+}
+
 /// A subpath and the arcs at its corners.
 struct RoundedSubpath<'a> {
     part: Subpath<'a>,
-    /// The segments that are not points.
+    /// The segments that are not points, and their indices in the subpath.
     curves: Vec<Curve<DVec2>>,
+    places: Vec<usize>,
     /// Whether there is a corner at the end of each of these segments.
     corners: Vec<bool>,
-    /// Whether it is rounded.
-    rounded: Vec<bool>,
+    /// Its radius; 0 where it stays, and where there is none.
+    radii: Vec<f64>,
     /// Whether the path turns back there.
     reversals: Vec<bool>,
     arcs: Vec<Option<CornerArc>>,
@@ -135,28 +191,12 @@ struct Cut {
 }
 
 impl<'a> RoundedSubpath<'a> {
-    /// `chosen`: the joints at which corners are rounded, in order, if not all are.
-    fn new(part: Subpath<'a>, radius: f64, chosen: Option<&[PathTime]>) -> Self {
+    /// All radii are 0 at first.
+    fn new(part: Subpath<'a>) -> Self {
         let segments = part.segments().map(Curve::from_slice).enumerate();
         let (places, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
             segments.filter(|(_, curve)| curve.has_size()).unzip();
         let count = curves.len();
-        let total = part.segment_count();
-        // Segments that are points may follow segment k: the joints at both of their ends are those of the corner.
-        let is_chosen_after = |k: usize| {
-            chosen.is_none_or(|joints| {
-                let next = places[(k + 1) % count];
-                let last = if next > places[k] { next } else { next + total };
-                let (first, last) = (as_f64(places[k] + 1), as_f64(last));
-                // In this round of a closed subpath or in the next one.
-                [0.0, as_f64(total)].iter().any(|turn| {
-                    let after = joints.partition_point(|joint| joint.t + turn < first);
-                    joints
-                        .get(after)
-                        .is_some_and(|joint| joint.t + turn <= last)
-                })
-            })
-        };
         let tangents = |k: usize| {
             let next = &curves[(k + 1) % count];
             [end_tangent(&curves[k]), start_tangent(next)]
@@ -166,24 +206,53 @@ impl<'a> RoundedSubpath<'a> {
             let [before, after] = tangents(k);
             before.dot(after) < 0.0
         };
-        let corners: Vec<bool> = (0..count).map(is_corner_after).collect();
-        let mut rounded = Self {
+        Self {
             part,
-            rounded: (0..count)
-                .map(|k| corners[k] && is_chosen_after(k))
-                .collect(),
-            corners,
+            radii: vec![0.0; count],
+            corners: (0..count).map(is_corner_after).collect(),
             reversals: (0..count).map(turns_back_after).collect(),
             arcs: vec![None; count],
             cuts: vec![[None; 2]; count],
             curves,
-        };
-        rounded.fit_arcs(radius);
-        rounded
+            places,
+        }
     }
 
-    /// Finds the arcs; where two overlap, both end in the middle between their corners at the latest.
-    fn fit_arcs(&mut self, radius: f64) {
+    /// The segments that end at a corner, in the order of these corners: that at the start of a closed subpath is first.
+    fn corners_in_order(&self) -> Vec<usize> {
+        let last = self.curves.len().checked_sub(1);
+        let all = last.into_iter().chain(0..last.unwrap_or(0));
+        all.filter(|&k| self.corners[k]).collect()
+    }
+
+    /// The joint at the start of the segment after segment k.
+    fn joint_after(&self, k: usize) -> f64 {
+        as_f64(self.places[(k + 1) % self.curves.len()])
+    }
+
+    /// The radius of the corner at the end of segment k: the largest one for a chosen joint there, otherwise 0.
+    ///
+    /// `chosen`: joints of the subpath in order. Segments that are points may follow segment k: the joints at both of
+    /// their ends are those of the corner.
+    fn chosen_radius(&self, k: usize, chosen: &[(PathTime, f64)]) -> f64 {
+        let total = self.part.segment_count();
+        let next = self.places[(k + 1) % self.curves.len()];
+        let first = self.places[k] + 1;
+        let last = if next >= first { next } else { next + total };
+        // In this round of a closed subpath or in the next one.
+        let rounds = [0.0, as_f64(total)].map(|turn| {
+            let after = chosen.partition_point(|(joint, _)| joint.t + turn < as_f64(first));
+            let at_corner = chosen[after..].iter();
+            at_corner
+                .take_while(|(joint, _)| joint.t + turn <= as_f64(last))
+                .fold(0.0, |max, &(_, radius)| larger(max, radius))
+        });
+        larger(rounds[0], rounds[1])
+    }
+
+    /// Finds the arcs. Where two overlap, one that reaches at most half of the way keeps its length, and the other one ends
+    /// there; otherwise both end in the middle.
+    fn fit_arcs(&mut self) {
         let count = self.curves.len();
         let runs: Vec<[usize; 2]> = (0..count)
             .map(|k| [0, 1].map(|side| self.run(k, side)))
@@ -193,20 +262,24 @@ impl<'a> RoundedSubpath<'a> {
             .map(|run| run.map(|n| n.min(MAX_RUN) as f64))
             .collect();
         for (k, &limit) in limits.iter().enumerate() {
-            self.arcs[k] = self.arc(k, radius, limit);
+            self.arcs[k] = self.arc(k, limit);
         }
         self.cut();
         let mut overlapping = Vec::new();
         for k in (0..count).filter(|&k| self.used(k) > 1.0 + MEETS) {
             if let [Some(start), Some(end)] = self.cuts[k] {
-                limits[start.corner][1] = 0.5 * runs[start.corner][1] as f64;
-                limits[end.corner][0] = 0.5 * runs[end.corner][0] as f64;
+                let room = runs[start.corner][1] as f64;
+                let rest = |corner: usize, side: usize| {
+                    room - self.arcs[corner].map_or(0.0, |arc| arc.from_corner[side])
+                };
+                limits[start.corner][1] = larger(0.5 * room, rest(end.corner, 0));
+                limits[end.corner][0] = larger(0.5 * room, rest(start.corner, 1));
                 overlapping.extend([start.corner, end.corner]);
             }
         }
         overlapping.dedup();
         for &k in &overlapping {
-            self.arcs[k] = self.arc(k, radius, limits[k]);
+            self.arcs[k] = self.arc(k, limits[k]);
         }
         self.cut();
     }
@@ -247,8 +320,8 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// The arc at the end of segment k.
-    fn arc(&self, k: usize, radius: f64, limits: [f64; 2]) -> Option<CornerArc> {
-        if !self.rounded[k] {
+    fn arc(&self, k: usize, limits: [f64; 2]) -> Option<CornerArc> {
+        if self.radii[k] == 0.0 {
             return None;
         }
         let side = |side: usize| -> Vec<Curve<DVec2>> {
@@ -264,7 +337,7 @@ impl<'a> RoundedSubpath<'a> {
                 })
                 .collect()
         };
-        corner_arc(&[side(0), side(1)], radius, limits)
+        corner_arc(&[side(0), side(1)], self.radii[k], limits)
     }
 
     /// Finds the segments that the arcs replace.

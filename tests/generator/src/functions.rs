@@ -88,7 +88,7 @@ const TABLE: &[&str] = &[
     "Path: stroke_contains (self, p: point, width: length, join)",
     "Path: dash (self, s: length, width: length, offset: coordinate)",
     "Path: offset (self, distance: length, join, tolerance: optional tolerance)",
-    "Path: round_corners (self, radius: length)",
+    "Path: round_corners round_corners_by (self, radius: length)",
     "Path: to_arcs (self, tolerance: coarse tolerance)",
     "Path: to_svg (self, precision: optional precision, tolerance: optional tolerance)",
     "Path: eval tangent normal curvature split (self, k: index, t)",

@@ -170,6 +170,7 @@ const PATH = {
   // The radius of a line is infinite.
   "Path.toArcs": (a) => a.path.toArcs(a.tolerance).map((list) => list.map((arc) => ({ ...arc, radius: 0 }))),
   "Path.roundCorners": (a) => a.path.roundCorners(Math.abs(a.radius)),
+  "Path.roundCornersBy": (a) => a.path.roundCorners((_, k) => (k % 3) * Math.abs(a.radius)),
   "Path.filledArea": (a) => a.path.area({ fillRule: a.rule }),
   "Path.filledMoments": (a) => a.path.moments({ fillRule: a.rule }),
   "Path.transform": (a) => a.path.transform(matrix(a)),
@@ -182,8 +183,8 @@ const PATH = {
   "Path.normal": (a) => a.path.normal(location(a)),
   "Path.curvature": (a) => a.path.curvature(location(a)),
   "Path.split": (a) => a.path.split(location(a)),
-  "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
   "Path.splitAt": (a) => a.path.split([location(a), location(a, 0, 0.5)]),
+  "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
   "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Path.toPath2D": (a) => withPath2D(recorder(), () => a.path.toPath2D({ tolerance: a.tolerance })).calls,
   "Path.toPathData": (a) => a.path.toPathData({ tolerance: a.tolerance }).map(({ values }) => values),
