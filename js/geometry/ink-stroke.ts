@@ -5,6 +5,7 @@ import { readResult, writeArguments } from "../wasm/transfer.js";
 import { regionsModule } from "../wasm/regions-module.js";
 import { endOfPath, readPath } from "./path/path-boolean.js";
 import { pathOf } from "./path/path.js";
+import { showInNode } from "./inspected.js";
 import { flatten } from "./points.js";
 import type { PointsLike } from "./check.js";
 import type { Path } from "./path/path.js";
@@ -55,6 +56,9 @@ export interface InkSample {
 const OPTIONS = ["size", "thinning", "taper", "smoothing", "streamline", "tolerance", "pressure"] as const;
 const PRESSURES = ["simulated", "device"] as const;
 
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
 /** Frees what a stroke has in the module of regions; made with the first stroke, so that bundlers can drop an unused class. */
 let strokes: FinalizationRegistry<number> | undefined;
 
@@ -79,6 +83,7 @@ export class InkStroke {
    * @throws {RangeError} for an option outside of its range
    */
   constructor(options: InkOptions) {
+    if (!isShown) show();
     const checked = check.options(options, OPTIONS);
     const { thinning = 0.5, taper, smoothing = 0.5, streamline = 0.5, tolerance, pressure = "simulated" } = checked;
     const { start = 0, end = 0 } = check.object(taper, "taper");
@@ -157,4 +162,9 @@ export class InkStroke {
     const stops = Array.from({ length: numbers.length / 2 }, (_, k) => [numbers[2 * k], numbers[2 * k + 1]]);
     return { stops, at: "length", interpolation: "smooth" };
   }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(InkStroke.prototype, "InkStroke", (value) => ({ spline: value.spline() }));
 }

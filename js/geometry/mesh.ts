@@ -1,4 +1,5 @@
 import * as check from "./check.js";
+import { showInNode } from "./inspected.js";
 import { meshToOBJ } from "../io/obj.js";
 import { meshToSTL } from "../io/stl.js";
 import { meshToGLB } from "../io/glb.js";
@@ -63,6 +64,9 @@ const PATCH_RANGES = 6;
 const F64_POSITIONS = 7;
 const F64_NORMALS = 8;
 
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
 /**
  * A triangle mesh as plain arrays, ready for a GPU. Triangles are counter-clockwise as seen from the side to which ∂u ×
  * ∂v points.
@@ -101,6 +105,7 @@ export class Mesh {
     quads?: Uint16Array | Uint32Array;
     patchRanges: PatchRange[];
   }) {
+    if (!isShown) show();
     this.positions = positions;
     this.normals = normals;
     this.uvs = uvs;
@@ -276,6 +281,16 @@ export function copyBuffer<T extends Float32Array | Float64Array | Uint16Array |
 ): T {
   core().mesh_copy(buffer, array);
   return array;
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(Mesh.prototype, "Mesh", counts);
+}
+
+/** What Node's console shows of a mesh. */
+function counts({ positions, indices, patchRanges }: Mesh) {
+  return { vertices: positions.length / 3, triangles: indices.length / 3, patches: patchRanges.length };
 }
 
 function readPatchRanges(into: PatchRange[]): PatchRange[] {

@@ -562,6 +562,11 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     return svgOf(packedSpline(this._flat, [this.degree], false), options);
   }
 
+  /** The curve as `toSVG` writes it, or in space as JSON: `String(curve)` and `${curve}` give this text. */
+  toString(): string {
+    return this.dimension === 2 ? this.toSVG() : JSON.stringify(this);
+  }
+
   /**
    * @internal
    */

@@ -4,6 +4,7 @@ import { basisNumbers } from "../basis.js";
 import { coreCurveOf } from "../curve/core-curve.js";
 import { patchData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
+import { showInNode } from "../inspected.js";
 import { degreeOfRows, netNumbers } from "../net.js";
 import { nested, samePoints, writePoint, pointAt } from "../points.js";
 import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
@@ -20,6 +21,9 @@ import type { GridOptions, Mesh } from "../mesh.js";
 import type { Bounds, Point } from "../points.js";
 import type { Curvature, PatchPoint, PatchDeCasteljau } from "../surface-queries.js";
 import type { TessellationOptions } from "../tessellation.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
 
 /** What `Patch.toJSON` returns; `Patch.fromJSON` also reads other forms of nets. */
 export interface PatchJSON {
@@ -58,6 +62,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net: NetLike, options?: { degreeU?: number; degreeV?: number }) {
+    if (!isShown) isShown = showInNode(CorePatch.prototype, "Patch", (value) => value.toJSON());
     const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
       "degreeU",
       "degreeV",

@@ -128,6 +128,11 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     return svgOf(this.#packed, options, findArcs);
   }
 
+  /** The path as `toSVG` writes it: `String(path)` and `${path}` give this text. */
+  toString(): string {
+    return this.toSVG();
+  }
+
   /**
    * The path as segments of path data, as `getPathData` of SVG elements gives them, with absolute commands M, L, Q, C
    * and Z; segments of higher degree become cubics.

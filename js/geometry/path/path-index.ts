@@ -1,5 +1,6 @@
 import * as check from "../check.js";
 import { BoxTree } from "../box-tree.js";
+import { showInNode } from "../inspected.js";
 import { writePoint } from "../points.js";
 import { isEvenOdd } from "./fill-rule.js";
 import type { PointLike } from "../check.js";
@@ -7,6 +8,9 @@ import type { Bounds } from "../points.js";
 import type { CorePath } from "./core-path.js";
 import type { RegionOptions } from "./fill-rule.js";
 import type { PathPoint } from "./path-queries.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
 
 /** What `PathIndex.nearest` finds: the index of the path, and the nearest point on it. */
 export type NearestPath = PathPoint & { index: number };
@@ -25,6 +29,7 @@ export class PathIndex {
    * @internal
    */
   constructor(paths: readonly CorePath[]) {
+    if (!isShown) isShown = showInNode(PathIndex.prototype, "PathIndex", (value) => ({ paths: value.#paths.length }));
     const boxes = paths.map((path) => path.controlBounds());
     this.#paths = paths;
     this.#items = boxes.flatMap((box, index) => (box ? [index] : []));

@@ -701,6 +701,11 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     return svgOf(packedSpline(flat, degrees, closed), options);
   }
 
+  /** The spline as `toSVG` writes it, or in space as JSON: `String(spline)` and `${spline}` give this text. */
+  toString(): string {
+    return this.dimension === 2 ? this.toSVG() : JSON.stringify(this);
+  }
+
   /**
    * The open spline of some curves, the segments from one index to the one before another, and some more curves, each
    * of which starts at the end of the one before.

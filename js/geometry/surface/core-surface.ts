@@ -4,6 +4,7 @@ import { affine } from "../affine.js";
 import { coreCurveOf } from "../curve/core-curve.js";
 import { corePatchOf } from "../patch/core-patch.js";
 import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
+import { showInNode } from "../inspected.js";
 import { flatten, writePoint } from "../points.js";
 import { networkJSON, networkOfJSON, networkOfPatches, vertexIndices } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
@@ -30,6 +31,9 @@ import type { WireframeOptions } from "../wireframe.js";
 
 /** A class of surfaces, on which static methods are called. */
 export type SurfaceClass<S> = new (data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> }) => S;
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
 
 /**
  * A network of Bézier patches that share control points.
@@ -59,6 +63,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> },
     options?: { degreeU?: number; degreeV?: number },
   ) {
+    if (!isShown) isShown = showInNode(CoreSurface.prototype, "Surface", summary);
     const checked = data as unknown;
     if (checked instanceof CheckedNetwork) {
       this.#network = checked.network;
@@ -469,6 +474,14 @@ export function surfaceFrom<S>(Class: SurfaceClass<S>, network: Network): S {
   if (typeof Class !== "function")
     throw new TypeError("expected a call of a static method on its class, as Surface.teapot()");
   return new Class(new CheckedNetwork(network) as any);
+}
+
+/** What Node's console shows of a surface. */
+function summary(surface: CoreSurface) {
+  const { degrees, vertices } = surface.casteljauData();
+  const nets = new Set(degrees.flatMap((degree, k) => (k % 2 ? [`${degrees[k - 1]} × ${degree}`] : [])));
+  const bounds = surface.bounds();
+  return { patches: surface.patchCount, degrees: [...nets], vertices: vertices.length / 3, bounds };
 }
 
 function checkedNetwork(

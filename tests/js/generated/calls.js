@@ -86,7 +86,7 @@ const CURVE = {
   ...methods(
     "Curve",
     `
-    toJSON; degree; dimension; controlPoints; points; equals other tolerance; eval t; evalAt ts; sample segments; derivative;
+    toJSON; toString; degree; dimension; controlPoints; points; equals other tolerance; eval t; evalAt ts; sample segments; derivative;
     derivativeAt t k; tangent t; normal t; curvature t; torsion t; frames segments; length tolerance;
     timeAtLength s tolerance; pointAtLength s; equidistantTimes segments; area; split t; halve; subsegment t0 t1;
     reverse; elevate; reduce; deCasteljau t; toBasis basis; flatten tolerance; subdivide tolerance; bounds;
@@ -113,7 +113,7 @@ const SPLINE = {
   ...methods(
     "Spline",
     `
-    toJSON; controlPoints; points; dimension; closed; segmentCount; degrees; segments; eval t; evalAt ts; sample segments;
+    toJSON; toString; controlPoints; points; dimension; closed; segmentCount; degrees; segments; eval t; evalAt ts; sample segments;
     derivativeAt t k; tangent t; normal t; curvature t; torsion t; split t; subsegment t0 t1; hull; extrema;
     frames segments; length tolerance; timeAtLength s tolerance; pointAtLength s; equidistantTimes segments; area;
     bounds; controlBounds; continuity joint tolerance; append p; insert t; remove joint; setJoint joint mode; reverse;
@@ -143,7 +143,7 @@ const PATH = {
   ...methods(
     "Path",
     `
-    toJSON; subpathCount; bounds; controlBounds; length tolerance; timeAtLength s tolerance; equidistantTimes segments;
+    toJSON; toString; subpathCount; bounds; controlBounds; length tolerance; timeAtLength s tolerance; equidistantTimes segments;
     area; moments; nearest p; windingNumber p; flatten tolerance; simplify tolerance; intersections other; selfIntersections; reverse;
     sample segments; pointAtLength s tolerance; extrema
   `,
