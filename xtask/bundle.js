@@ -265,6 +265,8 @@ await Promise.all([
   bundle("core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
   bundle("surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
   bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
+  // What casteljau/react, casteljau/vue and casteljau/svelte are when a program runs: nothing.
+  bundle("elements/react.ts", "types-only.js"),
   bundle("index.ts", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau", plugins: modules() }),
   bundle("applet/classic.ts", "bezier-app.js", { ...CLASSIC, plugins: modules(useModules({ curves: "applet" })) }),
 ]);

@@ -1,4 +1,4 @@
-// The elements in JSX of React 19: `import type {} from "casteljau/react"`. Only programs that import this need @types/react.
+// The elements in JSX of React 19: `import "casteljau/react"`. Only programs that import this need @types/react.
 import type { DetailedHTMLProps, HTMLAttributes } from "react";
 import type { BezierElementTagNameMap } from "./tag-names.js";
 import type { BezierElementProps } from "./template-props.js";

@@ -1,4 +1,4 @@
-// The elements in Svelte's templates: `import type {} from "casteljau/svelte"`. Only programs that import this need Svelte.
+// The elements in Svelte's templates: `import "casteljau/svelte"`. Only programs that import this need Svelte.
 import type { HTMLAttributes } from "svelte/elements";
 import type { BezierElementTagNameMap } from "./tag-names.js";
 import type { BezierElementProps } from "./template-props.js";

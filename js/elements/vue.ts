@@ -1,4 +1,4 @@
-// The elements in Vue's templates: `import type {} from "casteljau/vue"`. Only programs that import this need Vue.
+// The elements in Vue's templates: `import "casteljau/vue"`. Only programs that import this need Vue.
 import type { EmitFn, HTMLAttributes } from "vue";
 import type { BezierElementTagNameMap } from "./tag-names.js";
 import type { BezierElementProps } from "./template-props.js";

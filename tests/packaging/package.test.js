@@ -17,7 +17,7 @@ after(fixture.remove);
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
   const expected = [
-    /^dist\/(index|paths|core|surfaces|easing|slim|casteljau\.global|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
+    /^dist\/(index|paths|core|surfaces|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
     /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface|applet|bernstein|coordinates|easing|equation))?\.js(\.map)?$/,
     /^dist\/elements\/(applet|bernstein|coordinates|easing|equation|surface)\.js(\.map)?$/,
     /^dist\/node\/(index|paths|shared-[a-z-]+)\.js$/,

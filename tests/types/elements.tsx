@@ -6,7 +6,7 @@ import {
   type BezierAppletElement,
   type BezierEasingElement,
 } from "casteljau/elements";
-import type {} from "casteljau/react";
+import "casteljau/react";
 import { Surface } from "casteljau/surfaces";
 import { useRef } from "react";
 

@@ -62,7 +62,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net: NetLike, options?: { degreeU?: number; degreeV?: number }) {
-    if (!isShown) isShown = showInNode(CorePatch.prototype, "Patch", (value) => value.toJSON());
+    if (!isShown) show();
     const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
       "degreeU",
       "degreeV",
@@ -430,6 +430,11 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   static fromJSON(json: PatchJSON): CorePatch {
     return corePatchWith(...patchArguments(json));
   }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(CorePatch.prototype, "Patch", (value) => value.toJSON());
 }
 
 // Outside of the class, see ../curve/core-curve.js.

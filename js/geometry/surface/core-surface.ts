@@ -63,7 +63,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> },
     options?: { degreeU?: number; degreeV?: number },
   ) {
-    if (!isShown) isShown = showInNode(CoreSurface.prototype, "Surface", summary);
+    if (!isShown) show();
     const checked = data as unknown;
     if (checked instanceof CheckedNetwork) {
       this.#network = checked.network;
@@ -460,6 +460,11 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   static fromJSON(json: SurfaceJSON): CoreSurface {
     return coreSurfaceOf(networkOfJSON(json, joinedOf));
   }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(CoreSurface.prototype, "Surface", summary);
 }
 
 function coreSurfaceOf(network: Network): CoreSurface {
