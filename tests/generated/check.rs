@@ -6,7 +6,7 @@ use crate::limits;
 use crate::numbers::Numbers;
 use casteljau::Error;
 use casteljau_generator::{Case, Mode};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::env;
 use std::ffi::OsString;
 use std::fmt::{Debug, Display};
@@ -137,8 +137,25 @@ struct Running {
     steps: usize,
 }
 
+/// The numbers of a call; `None` for a refusal.
+pub(crate) type Outcome = Option<Vec<f64>>;
+
 thread_local! {
     static RUNNING: Cell<Option<Running>> = const { Cell::new(None) };
+    /// The results of the calls of a case, while `first_outcome` runs it.
+    static OUTCOMES: RefCell<Option<Vec<Outcome>>> = const { RefCell::new(None) };
+}
+
+/// Runs a check and gives the result of the first call that it makes.
+pub(crate) fn first_outcome(check: fn(&Case) -> Checked, case: &Case) -> Option<Outcome> {
+    start(case);
+    OUTCOMES.set(Some(Vec::new()));
+    let checked = check(case);
+    let outcomes = OUTCOMES.take().unwrap_or_default();
+    if let Err(Failure(reason)) = checked {
+        panic!("{} {}: {reason}", case.function, case.number);
+    }
+    outcomes.into_iter().next()
 }
 
 fn running() -> Running {
@@ -179,6 +196,13 @@ pub(crate) fn start(case: &Case) {
 /// Appends the numbers of a result to the file of its function in the folder `CASTELJAU_RECORD`, for `cargo xtask compare`:
 /// how many there are, the number of the case, and the numbers.
 fn record(case: Running, answer: &impl Numbers) {
+    OUTCOMES.with_borrow_mut(|outcomes| {
+        if let Some(outcomes) = outcomes {
+            let mut numbers = Vec::new();
+            answer.visit(&mut |x| numbers.push(x));
+            outcomes.push(Some(numbers));
+        }
+    });
     static FOLDER: LazyLock<Option<OsString>> = LazyLock::new(|| env::var_os("CASTELJAU_RECORD"));
     let Some(folder) = FOLDER.as_ref() else {
         return;
@@ -226,6 +250,11 @@ pub(crate) fn call_unbounded<T: Numbers>(act: impl FnOnce() -> T) -> Checked<T> 
 
 /// Checks that an error is one that the documentation states, for the argument that it names.
 pub(crate) fn refused(error: &Error, allowed: &str) -> Checked {
+    OUTCOMES.with_borrow_mut(|outcomes| {
+        if let Some(last) = outcomes.iter_mut().flatten().last() {
+            *last = None;
+        }
+    });
     let allows = |what: &str| allowed.split('|').any(|known| known == what);
     let fits = match *error {
         Error::Tolerance { min, got } => allows("tolerance") && got < min && min.is_finite(),

@@ -19,6 +19,7 @@ mod numbers;
 mod parsers;
 mod patches;
 mod paths;
+mod recorded;
 mod recorder;
 mod runner;
 mod shared;

@@ -65,10 +65,7 @@ numbers! {
     [] String, text, see => see(hash(text));
     [] CurveKind, kind, see => see(hash(kind));
     [] Topology, topology, see => see(hash(topology));
-    [T: Numbers] [T], items, see => {
-        items.len().visit(see);
-        items.iter().for_each(|item| item.visit(see));
-    };
+    [T: Numbers] [T], items, see => items.iter().for_each(|item| item.visit(see));
     [T: Numbers] Option<T>, item, see => item.as_slice().visit(see);
     [T: Numbers, E: Debug] Result<T, E>, item, see => match item {
         Ok(item) => item.visit(see),
@@ -77,6 +74,11 @@ numbers! {
     [] Path, path, see => path.subpaths().for_each(|spline| spline.visit(see));
     [] IntersectionKind, kind, see => if let IntersectionKind::Overlap { t_end, u_end } = kind {
         [*t_end, *u_end].visit(see);
+    };
+    [T: Numbers] Mesh<T>, mesh, see => {
+        [&mesh.positions, &mesh.normals].into_iter().for_each(|numbers| numbers.visit(see));
+        mesh.uvs.visit(see);
+        mesh.indices.iter().for_each(|index| index.visit(see));
     };
     [] PathElement, element, see => match *element {
         PathElement::MoveTo(p) | PathElement::LineTo(p) => p.visit(see),
@@ -107,25 +109,24 @@ by_fields! {
     [P: Point + Numbers] Reduced<P> {curve error};
     [P: Point + Numbers] Subdivision<P> {curve t0 t1 polygon_length chord_length};
     [P: Point + Numbers] BSpline<P> {points knots};
-    [] Distance {distance t u};
+    [] Distance {t u distance};
     [] Frame {t point tangent normal binormal};
     [] Intersection {t u point kind};
     [] SelfIntersection {t u point};
     [] Moments {area x y xx xy yy};
-    [] Continuity {gap angle};
-    [] Face {path};
-    [] Found {1};
+    [] Continuity {c0 g1 c1 g2 c2 gap angle};
+    [] Face {path inside};
+    [] Found {0 1};
     [] InkStroke {};
     [] InkChanges {settled open};
-    [] PathTime {t};
-    [] PathPoint {t point distance};
+    [] PathTime {subpath t};
+    [] PathPoint {subpath t point distance};
     [] CircularArc {start end center start_angle end_angle}; // the radius of a line is infinite
-    [] PathIntersection {t u point kind};
+    [] PathIntersection {subpath t other_subpath u point kind};
     [] PatchPoint {u v point distance};
     [] SurfacePoint {u v point distance};
     [] Partials {u v uu uv vv};
     [] Curvature {gaussian mean k1 k2};
     [] PatchDeCasteljau {rows column point};
-    [] FlatPiece {u0 u1 v0 v1 corners};
-    [T: Numbers] Mesh<T> {positions normals uvs};
+    [] FlatPiece {patch u0 u1 v0 v1 corners};
 }

@@ -49,6 +49,8 @@ const coordinatesOf = (curve, s) => {
   const u = curve.getUtoTmapping(0, s);
   return [...curve.getPoint(u).toArray(), ...curve.getTangent(u).toArray()];
 };
+/** Joints from the start on, and that of the end of an open spline. */
+const jointsOf = ({ segmentCount, closed }) => segmentCount + (closed ? 0 : 1);
 const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
@@ -58,6 +60,8 @@ const wire = (a) =>
 const mesh = (a) => a.surface.grid({ segments: a.segments_u, quads: a.quads });
 const parts = (a) =>
   Object.fromEntries(["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, a.parts.includes(part)]));
+/** The join and the cap of a stroke. */
+const ends = ({ join }) => ({ join, cap: { round: "round", miter: "square", bevel: "butt" }[join] });
 const fitting = (a) => ({ tolerance: a.tolerance, cornerAngle: a.corner_angle });
 const svg = (a) => ({ precision: a.precision, tolerance: a.tolerance });
 
@@ -101,6 +105,7 @@ const CURVE = {
   "Curve.bernstein": (a) => Curve.bernstein(a.degree, a.t),
   "Curve.basisMatrix": (a) => Curve.basisMatrix(a.basis),
   "Curve.interpolate": (a) => Curve.interpolate(a.points, a.ts, dimensionOf(a.points)),
+  "Curve.framesAt": (a) => a.curve.frames(a.ts, { normal: a.normal }),
   "Curve.transform": (a) => a.curve.transform(matrix(a)),
   "Curve.timesAtCoordinate": (a) => a.curve.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Curve.offset": (a) => a.curve.offset(a.distance, { tolerance: a.tolerance }),
@@ -127,11 +132,17 @@ const SPLINE = {
     Spline.fromBSpline(a.points, { degree: a.degree, knots: a.knots, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.fromJSON": (a) => Spline.fromJSON(a.spline.toJSON()),
   "Spline.interpolate": (a) =>
-    Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
+    Spline.interpolate(a.points, {
+      kind: a.kind,
+      alpha: a.kind === "natural" ? undefined : a.alpha,
+      closed: a.closed,
+      ...dimensionOf(a.points),
+    }),
   "Spline.fit": (a) => Spline.fit(a.points, { ...fitting(a), closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.equals": (a) => a.spline.equals(a.spline.reverse(), a.tolerance),
   "Spline.timesAtCoordinate": (a) => a.spline.timesAtCoordinate({ [axes[a.axis]]: a.value }),
-  "Spline.movePoint": (a) => a.spline.movePoint(a.index, a.to, { joints: a.modes }),
+  "Spline.movePoint": (a) => a.spline.movePoint(a.index, a.to, { joints: a.modes.slice(0, jointsOf(a.spline)) }),
+  "Spline.framesAt": (a) => a.spline.frames(a.ts, { normal: a.normal }),
   "Spline.transform": (a) => a.spline.transform(matrix(a)),
   "Spline.offset": (a) => a.spline.offset(a.distance, { tolerance: a.tolerance, join: a.join }),
   "Spline.trace": (a) => traced((target) => a.spline.trace(target, { tolerance: a.tolerance })),
@@ -158,18 +169,18 @@ const PATH = {
   "Path.intersect": (a) => a.path.intersect(a.other, { fillRule: a.rule }),
   "Path.subtract": (a) => a.path.subtract(a.other, { fillRule: a.rule }),
   "Path.exclude": (a) => a.path.exclude(a.other, { fillRule: a.rule }),
-  "Path.combine": (a) => Path.combine([a.path, a.other], "exclude", { fillRule: a.rule }),
+  "Path.combine": (a) => Path.combine([a.path, a.other, a.path], "exclude", { fillRule: a.rule }),
   "Path.removeOverlaps": (a) => a.path.removeOverlaps({ fillRule: a.rule }),
   "Path.faces": (a) => Path.faces([a.path, a.other], { fillRule: a.rule }),
   "Path.divide": (a) => a.path.divide(a.other, { fillRule: a.rule }),
   "Path.clip": (a) => a.path.clip(a.other, { fillRule: a.rule }),
-  "Path.stroke": (a) => a.path.stroke(Math.abs(a.width), { join: a.join, tolerance: a.tolerance }),
-  "Path.strokeContains": (a) => a.path.strokeContains(a.p, Math.abs(a.width), { join: a.join }),
-  "Path.dash": (a) => a.path.dash([Math.abs(a.s), Math.abs(a.width)], a.offset),
+  "Path.stroke": (a) => a.path.stroke(a.width, { ...ends(a), tolerance: a.tolerance }),
+  "Path.strokeContains": (a) => a.path.strokeContains(a.p, a.width, ends(a)),
+  "Path.dash": (a) => a.path.dash([a.s, a.width], a.offset),
   "Path.offset": (a) => a.path.offset(a.distance, { join: a.join, tolerance: a.tolerance }),
   // The radius of a line is infinite.
   "Path.toArcs": (a) => a.path.toArcs(a.tolerance).map((list) => list.map((arc) => ({ ...arc, radius: 0 }))),
-  "Path.roundCorners": (a) => a.path.roundCorners(Math.abs(a.radius)),
+  "Path.roundCorners": (a) => a.path.roundCorners(a.radius),
   "Path.roundCornersBy": (a) => a.path.roundCorners((_, k) => (k % 3) * Math.abs(a.radius)),
   "Path.filledArea": (a) => a.path.area({ fillRule: a.rule }),
   "Path.filledMoments": (a) => a.path.moments({ fillRule: a.rule }),
@@ -245,7 +256,8 @@ const SURFACE = {
   "Surface.transform": (a) => a.surface.transform(matrix(a)),
   "Surface.grid": (a) => a.surface.grid(grid(a)),
   "Surface.tessellate": (a) => a.surface.tessellate({ ...fineness(a), weld: a.weld }),
-  "Surface.tessellateView": (a) => a.surface.tessellate({ ...view(a), weld: a.weld, precision: "f64" }),
+  "Surface.tessellateF64": (a) => a.surface.tessellate({ ...fineness(a), weld: a.weld, precision: "f64" }),
+  "Surface.tessellateView": (a) => a.surface.tessellate({ ...view(a), weld: a.weld }),
   "Surface.isocurves": (a) => a.surface.isocurves({ lines: a.lines }),
   "Surface.wireframe": (a) => a.surface.wireframe(wire(a)),
   "Surface.trace": (a) =>
