@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { CUBIC, near, pointsOf, refusedAll, SPACE, untyped } from "./reference.js";
+import { CUBIC, near, pointsOf } from "./reference.js";
 
 const arch = new Curve(CUBIC); // (24t² − 16t³, 24t − 24t²)
 
@@ -78,24 +78,4 @@ test("distanceTo and hausdorff", () => {
   const [low, high] = [0, 3].map((z) => new Curve(CUBIC.map(([x, y]) => [x, y, z])));
   assert.equal(low.distanceTo(high).distance, 3);
   near([low.hausdorff(high)], [3]);
-});
-
-test("refusals name what came", () => {
-  const space = new Curve(SPACE);
-  for (const bad of [null, undefined, 5, "x", {}, [1], [1, 2, 3], { x: "1", y: 2 }])
-    assert.throws(() => arch.nearest(untyped(bad)), /^(Range|Type)Error: p/);
-  refusedAll(RangeError, [
-    [() => arch.nearest([1, NaN]), /^p\[1\]: expected a finite number, got NaN/],
-    [() => arch.nearest({ x: 1, y: Infinity }), /^p\.y/],
-    [() => Spline.fromCurves([arch]).nearest([1, NaN]), /^p\[1\]/],
-    [() => arch.tangentsFrom([NaN, 0]), /^p\[0\]/],
-    [() => arch.timesAtCoordinate({ x: Infinity }), /^x: /],
-  ]);
-  refusedAll(TypeError, [
-    [() => arch.timesAtCoordinate({ z: 1 }), /^where: expected exactly one of x, y/],
-    [() => space.inflections(), /^inflections: expected a 2D curve/],
-    [() => space.tangentsFrom([0, 0, 0]), /^tangentsFrom: expected a 2D/],
-    [() => arch.distanceTo(space), /^curve: expected a 2D curve, got a 3D/],
-    [() => arch.hausdorff(untyped(CUBIC)), /^curve: /],
-  ]);
 });

@@ -210,3 +210,9 @@ test("equals compares point by point, toJSON and fromJSON are each other's inver
   }
   assert.deepEqual(cubic.toJSON(), { points: CUBIC });
 });
+
+test("a matrix of three.js", () => {
+  const elements = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
+  assert.deepEqual(space.transform({ elements }).eval(0), space.transform(elements).eval(0));
+  assert.deepEqual(new Curve([0, 0, 1, 1]).transform({ elements }).eval(0), { x: 5, y: 6 });
+});

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Path, Spline } from "#js/index.js";
-import { near, pointsOf, refusedAll, SPACE, untyped } from "./reference.js";
+import { near, pointsOf } from "./reference.js";
 
 const ARCH = new Curve([0, 0, 0, 100, 200, 100, 200, 0]);
 
@@ -107,35 +107,4 @@ test("simplified: joints at the extrema, rounded control points, the closest fit
   const line = new Spline(points.flat(), { degree: 1 });
   const [plain, closest] = efforts.map((effort) => line.simplify(0.01, { effort }));
   assert.ok(closest.segmentCount <= plain.segmentCount && farthest(closest) < farthest(plain));
-});
-
-test("refusals", () => {
-  const line = new Spline([0, 0, 1, 0], { degree: 1 });
-  const points = pointsOf("0,0 1,2 3,1 4,4");
-  refusedAll(RangeError, [
-    [() => ARCH.offset(NaN), /^distance: expected a finite number, got NaN/],
-    [() => ARCH.offset(1, { tolerance: 0 }), /^tolerance: /],
-    [() => ARCH.offset(1, { tolerance: 1e-20 }), /^tolerance: expected at least /],
-    [() => ARCH.offset(1e308), /^distance: /],
-    [() => line.offset(1, { join: untyped("sharp") }), /^join: /],
-    [() => line.offset(1, { tolerance: 0 }), /^tolerance: /],
-    [() => Curve.interpolate(points, [0, 1, 1, 2]), /^ts: expected parameters that differ/],
-    [() => Curve.interpolate(points, [0, 1]), /^ts: expected 4 numbers, one for each point, got 2$/],
-    [() => Curve.interpolate([[0, 0]]), /^points: /],
-    [() => Spline.fit([[0, 0]], { tolerance: 1 }), /^points: /],
-    [() => Spline.fit(points, { tolerance: 0 }), /^tolerance: /],
-    [() => Spline.fit(points, { tolerance: 1, effort: untyped("most") }), /^effort: /],
-    [() => line.simplify(-1), /^tolerance: /],
-    [() => line.simplify(1, { precision: 16 }), /^precision: expected a whole number from 0 to 15, got 16/],
-    [
-      () => line.simplify(0.1, { precision: 0 }),
-      /^precision: expected decimals that round a point by at most 0.96 of the/,
-    ],
-  ]);
-  refusedAll(TypeError, [
-    [() => ARCH.offset(untyped("1")), /^distance: /],
-    [() => line.simplify(1, { extrema: untyped("yes") }), /^extrema: /],
-    [() => new Curve(SPACE).offset(1), /^offset: expected a 2D curve/],
-    [() => new Spline(SPACE).offset(1), /^offset: expected a 2D spline/],
-  ]);
 });

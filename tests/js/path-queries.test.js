@@ -175,20 +175,3 @@ test("degenerate: one point, closed and open", () => {
   assert.deepEqual([before.length(), after.length()], [0, 0]);
   assert.deepEqual(point.subsegment({ subpath: 0, t: 0 }, { subpath: 0, t: 1 }).toSVG(), "M3,4 Z");
 });
-
-test("locations that do not exist are refused", () => {
-  const calls = ["eval", "tangent", "normal", "curvature", "derivativeAt", "split"];
-  for (const name of calls) {
-    for (const bad of [undefined, null, 0.5, "0"])
-      refused(() => path[name](bad), TypeError, /^location: expected an object \{subpath, t\}, got/);
-    refused(() => path[name]({ t: 0 }), TypeError, /^location\.subpath: /);
-    refused(() => path[name]({ subpath: 0 }), TypeError, /^location\.t: /);
-    const noSubpath = /^location\.subpath: expected a whole number from 0 to 2/;
-    for (const subpath of [-1, 3, 0.5]) refused(() => path[name]({ subpath, t: 0 }), RangeError, noSubpath);
-    refused(() => path[name]({ subpath: 0, t: NaN }), RangeError, /^location\.t: /);
-    refused(() => empty[name]({ subpath: 0, t: 0 }), RangeError, /^location: expected a path with a subpath/);
-  }
-  refused(() => path.subsegment({ subpath: 0, t: 0 }, { subpath: 9, t: 0 }), RangeError, /^to\.subpath: /);
-  refused(() => path.evalAt([{ subpath: 9, t: 0 }]), RangeError, /^locations\[0\]\.subpath: /);
-  refused(() => path.evalAt(/** @type {any} */ (5)), TypeError, /^locations: /);
-});

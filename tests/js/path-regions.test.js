@@ -121,7 +121,7 @@ test("a stroke with round joins and caps is what is nearer than half its width",
     }
 });
 
-test("widths along a stroke: a cone, a leaf, and what is refused", () => {
+test("widths along a stroke: a cone, positions by length and by t", () => {
   const line = Path.polygon([0, 0, 10, 0], { closed: false });
   const cone = {
     stops: [
@@ -149,15 +149,6 @@ test("widths along a stroke: a cone, a leaf, and what is refused", () => {
   }
   const wide = (/** @type {"length" | "t"} */ at) => bent.strokeContains([4, 0.6], { stops: late, at });
   assert.deepEqual([wide("t"), wide("length")], [true, false]);
-  const refused = (/** @type {any} */ profile, /** @type {string} */ message) =>
-    assert.throws(() => line.stroke(profile), { message });
-  refused({ stops: [] }, "stops: expected at least 1, got 0");
-  refused({}, "stops: expected a list of [position, width], got undefined");
-  refused({ stops: [[0, 1], 2] }, "stops[1]: expected [position, width], got 2");
-  refused({ stops: [[0, NaN]] }, "stops[0][1]: expected a finite number, got NaN");
-  refused({ stops: [[0, -1]] }, "widths[0]: expected a finite number, at least 0, got -1");
-  refused({ stops: [[0, 1]], at: "x" }, 'at: expected one of "length", "t", got "x"');
-  refused({ widths: [1] }, "widths: unknown option; expected stops, at, interpolation");
 });
 
 test("caps and joins of strokes: areas in closed form", () => {
@@ -258,50 +249,4 @@ test("arcs: half circles, lines, tangents, and the text that they give", () => {
   for (const curve of approximated.subpaths.flatMap((spline) => spline.segments()))
     for (const t of [0, 0.5]) assert.ok((WAVE.nearest(curve.eval(t))?.distance ?? 1) <= 0.01 + 1e-6);
   assert.deepEqual(new Path([]).toArcs(1), []);
-});
-
-test("wrong arguments", () => {
-  const [a, path, Untyped] = [circle(0, 0, 1), WAVE, Path].map(untyped);
-  refusedAll(TypeError, [
-    [() => a.union(), /^other: expected a Path, got undefined/],
-    [() => a.union("M0 0"), /^other: expected a Path/],
-    [() => Untyped.combine(a, "union"), /^paths: expected an array/],
-    [() => Untyped.combine([a, 1], "union"), /^paths\[1\]: expected a Path, got 1/],
-    [() => path.stroke("1"), /^width: expected/],
-    [() => path.roundCorners("1"), /^radius: /],
-    [() => path.dash(3), /^pattern: expected an array/],
-  ]);
-  for (const [act, message] of /** @type {[() => unknown, RegExp][]} */ ([
-    [() => a.area({ rule: "nonzero" }), /fillRule/],
-    [() => a.union(a, { rule: "evenodd" }), /^rule: .*fillRule/],
-    [() => path.stroke(1, { joins: "round" }), /^joins: .*join/],
-    [() => path.strokeContains([0, 0], 1, { simple: false }), /^simple: /],
-  ]))
-    assert.throws(act, { name: "TypeError", message });
-  refusedAll(RangeError, [
-    [() => a.union(a, { fillRule: "odd" }), /^fillRule: expected/],
-    [() => Untyped.combine([a], "subtract"), /^operation: expected/],
-    [() => path.stroke(-1), /^width: expected/],
-    [() => path.stroke(1, { cap: "flat" }), /^cap: expected/],
-    [() => path.stroke(1, { miterLimit: 0 }), /^miterLimit: expected/],
-    [() => path.stroke(1, { tolerance: 0 }), /^tolerance: expected/],
-    [() => path.dash([1, -1]), /-1/],
-    [() => path.dash([0, 0]), /^sum of the pattern: /],
-    [() => path.dash([NaN]), /^pattern\[0\]: /],
-    [() => path.offset(Infinity), /^distance: /],
-    [() => path.toArcs(0), /^tolerance: /],
-    [() => path.toSVG({ arcs: -1 }), /^tolerance: /],
-    [() => path.roundCorners(-1), /^radius: .*-1$/],
-    [
-      () => path.roundCorners(1, { corners: [{ subpath: 0, t: 0.5 }] }),
-      /^corners: expected the t of a joint, got 0.5$/,
-    ],
-    [
-      () => path.roundCorners(1, { corners: [{ subpath: -1, t: 0 }] }),
-      /^corners\[0\].subpath: expected a whole number/,
-    ],
-    [() => path.roundCorners(1, { corners: [{ subpath: 9, t: 0 }] }), /^subpath: expected an index/],
-    [() => path.roundCorners(1, { tolerance: 0 }), /^tolerance: /],
-    [() => path.roundCorners(NaN), /^radius: /],
-  ]);
 });

@@ -52,13 +52,17 @@ export function owned(array) {
 export const untyped = (value) => value;
 
 /** Expects a refusal whose message starts with the argument and names what was expected and what came. */
-export function refused(act, type, message) {
-  assert.throws(act, (/** @type {any} */ error) => {
-    assert.equal(error.constructor, type, `${error}`);
-    assert.match(error.message, message);
-    assert.match(error.message, /expected .*got |expected .*needs /);
-    return true;
-  });
+export function refused(act, type, message, what = `${act}`) {
+  assert.throws(
+    act,
+    (/** @type {any} */ error) => {
+      assert.equal(error.constructor, type, `${what}: ${error}`);
+      assert.match(error.message, message, `${what}: ${error}`);
+      assert.match(error.message, /expected .*got |expected .*needs /s, what);
+      return true;
+    },
+    what,
+  );
 }
 
 /** Expects all refusals of a table whose rows are calls and messages. */

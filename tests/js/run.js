@@ -9,7 +9,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chooseTests, runTests } from "../node-tests.js";
 
 /** Files that need a process of their own: they measure memory, load or break the core in other ways, or keep several threads busy. */
-const ALONE = ["errors", "generated", "init", "kept-tables", "large-drawings", "memory", "workers"];
+const ALONE = ["generated", "init", "kept-tables", "large-drawings", "memory", "parity", "refusals", "workers"];
 
 const args = process.argv.slice(2);
 const without = args.filter((arg) => arg.startsWith("--without=")).map((arg) => arg.slice("--without=".length));

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, near, pointsOf, refusedAll, SEVEN, TWISTED } from "./reference.js";
+import { coordinates, near, pointsOf, SEVEN, TWISTED } from "./reference.js";
 
 /** Lines between points. */
 const polyline = (points, closed = false) => new Spline(pointsOf(points), { degree: 1, closed });
@@ -86,16 +86,4 @@ test("timesAtCoordinate: each time once, joints too, the start of a closed splin
     [polyline("0,0 1,1 2,1 3,0"), { y: 1 }, [1, 2]],
   ];
   for (const [spline, where, ts] of cases) assert.deepEqual([...spline.timesAtCoordinate(where)], ts);
-});
-
-test("refusals", () => {
-  refusedAll(TypeError, [
-    [() => CIRCLE.timesAtCoordinate({ z: 1 }), /^where: /],
-    [() => CIRCLE.timesAtCoordinate({ x: 1, y: 1 }), /^where: /],
-  ]);
-  refusedAll(RangeError, [
-    [() => CIRCLE.timesAtCoordinate({ x: NaN }), /^x: /],
-    [() => CIRCLE.derivativeAt(0.5, -1), /^k: /],
-    [() => CIRCLE.derivativeAt(0.5, 1.5), /^k: /],
-  ]);
 });

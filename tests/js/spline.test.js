@@ -84,6 +84,8 @@ test("joints as an array, with holes, and at the seam of a closed spline", () =>
   assert.deepEqual(netOf(seven.movePoint(2, [5, 0], { joints }))[4], [-2, 0]);
   const moved = ring.movePoint(1, [2, 1], { joints: ["c1", "c1", "c1", "c1"] });
   assert.deepEqual([netOf(moved)[1], netOf(moved)[7], netOf(moved)[3]], pointsOf("2,1 0,-1 -2,1"));
+  const ends = seven.movePoint(2, [1, 2], { joints: ["free", "c1", undefined, undefined] });
+  assert.ok(ends.equals(seven.movePoint(2, [1, 2], { joints: { 1: "c1" } })));
 });
 
 test("setJoint keeps the handle before the joint", () => {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve, Patch, Surface } from "casteljau";
-import { near, pointsOf, refusedAll, untyped } from "./reference.js";
+import { near, pointsOf } from "./reference.js";
 
 /** The square [0, 3] × [0, 3] at z = 2: control points on a lattice. */
 const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 2]));
@@ -87,29 +87,4 @@ test("a patch from another basis goes through the curves of that basis", () => {
     near(patch.eval(0.3, 0.6), Object.values(Curve.fromBasis(basis, ends).eval(0.6)));
     assert.ok(Patch.fromBasis(Curve.basisMatrix(basis), new Float64Array(net.flat())).equals(patch));
   }
-});
-
-test("refusals", () => {
-  const net = plane.controlPoints();
-  const high = new Patch(new Float64Array(3 * 65 * 2), { degreeU: 64, degreeV: 1 });
-  refusedAll(RangeError, [
-    [() => high.elevate(), /^degree: expected a degree below 64, got 64/],
-    [() => plane.intersectRay([0, 0, 0], [0, 0, 0]), /^direction: expected a vector of a length above 0, got 0$/],
-    [() => cube.intersectRay([0, NaN, 0], [0, 0, 1]), /^origin\[1\]: expected a finite number, got NaN$/],
-    [() => plane.intersectRay([0, 0, 0], [0, 1]), /^direction: expected 3 coordinates, got 2$/],
-    [() => cube.nearest([0, 0, Infinity]), /^point\[2\]: expected a finite number, got Infinity$/],
-    [() => plane.deCasteljau(0, NaN), /^v: expected a finite number, got NaN$/],
-    [() => Patch.fromBasis(untyped("spline"), net), /^basis: expected one of "bezier"/],
-    [() => Patch.fromBasis(new Float64Array(9), net), /^basis: expected 16 numbers \(4×4\), got 9$/],
-    [
-      () => Patch.fromBasis("b-spline", bowl.controlPoints()),
-      /^net: expected 16 control points in rows of 4 along u \(degrees 3 × 3\), got 9$/,
-    ],
-  ]);
-  refusedAll(TypeError, [
-    [() => plane.nearest({ x: 0, y: 1 }), /^point\.z: expected a number, got undefined$/],
-    [() => cube.nearest(untyped(7)), /^point: expected a point/],
-    [() => plane.curvature(untyped("0"), 0), /^u: expected a number, got "0"$/],
-  ]);
-  near(plane.eval(0, 0), [0, 0, 2]);
 });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Mesh, Patch, Surface } from "casteljau";
-import { near, recorder, refusedAll, untyped } from "./reference.js";
+import { near, recorder } from "./reference.js";
 
 /** The plane z = 2 over [0, 3] × [0, 3]: control points on a lattice. */
 const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 2]));
@@ -111,20 +111,13 @@ test("one call draws the whole network", () => {
   assert.deepEqual([target.calls[0], target.calls.length], [["moveTo", 100, 0], 8]);
 });
 
-test("refusals", () => {
-  const beyond = { vertices: [[0, 0, 0]], patches: [new Array(16).fill(1)] };
-  refusedAll(RangeError, [
-    [() => plane.grid({ segments: 0 }), /segments: expected a whole number from 1.*got 0/],
-    [() => plane.grid({ segments: 1e6 }), /segments: expected at most \d+, this needs 1000000/],
-    [
-      () => plane.grid({ segments: 2, method: untyped("horner") }),
-      /method: expected one of "bernstein", .*got "horner"/,
-    ],
-    [() => new Patch(new Float64Array(45)), /net: expected 16 control points.*got 15/],
-    [() => new Surface(beyond), /patches\[0\]\[0\]/],
-    [() => new Patch(new Float64Array(48).fill(NaN)), /net\[0\]: expected a finite number, got NaN/],
-    [() => Surface.teapot().patch(32), /patch: expected a whole number from 0 to 31, got 32/],
-  ]);
-  refusedAll(TypeError, [[() => plane.grid(untyped({})), /segments: expected a whole number, got undefined/]]);
-  near(plane.eval(0, 0), [0, 0, 2]);
+test("nets as rows of points", () => {
+  const flat = Array.from({ length: 6 }, (_, k) => [k % 3, k, k * k]);
+  const rows = [flat.slice(0, 3), flat.slice(3)];
+  const degrees = { degreeU: 2, degreeV: 1 };
+  assert.ok(new Patch(rows, degrees).equals(new Patch(flat, degrees)));
+  const objects = rows.map((row) => row.map(([x, y, z]) => ({ x, y, z })));
+  assert.ok(new Patch(objects, degrees).equals(new Patch(flat, degrees)));
+  assert.ok(new Patch(rows).equals(new Patch(flat, degrees)));
+  assert.deepEqual([new Patch(objects).degreeU, new Patch(objects).degreeV], [2, 1]);
 });

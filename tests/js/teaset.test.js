@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { pointsOf, refused } from "./reference.js";
+import { pointsOf } from "./reference.js";
 
 /** The listing's control points of each patch with v reversed. */
 function listed(name, turn) {
@@ -28,12 +28,4 @@ for (const [name, make, turn] of CASES) {
 test("coincident points are one vertex", () => {
   const counts = [Surface.teacup(), Surface.teaspoon()].map((s) => [s.patchCount, s.vertices.length / 3]);
   assert.deepEqual(counts, pointsOf("26,251 16,148"));
-});
-
-test("refused", () => {
-  for (const make of [(o) => Surface.teacup(o), (o) => Surface.teaspoon(o)]) {
-    refused(() => make({ up: "x" }), RangeError, /^up: expected one of "z", "y", got "x"$/);
-    refused(() => make({ up: 1 }), TypeError, /^up: expected one of "z", "y", got 1$/);
-    refused(() => make("y"), TypeError, /^options: expected an object, got "y"$/);
-  }
 });

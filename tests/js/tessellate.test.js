@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Mesh, Patch, Surface } from "casteljau";
-import { near, pointsOf, refused, refusedAll } from "./reference.js";
+import { near, pointsOf } from "./reference.js";
 
 const teapot = Surface.teapot();
 /** @type {any} any arguments, also wrong ones */
@@ -160,53 +160,6 @@ test("what was joined stays joined, and nothing else becomes so", () => {
     for (const each of [moved, back, moved.transform([1, 0, 0, 1, 5, 0])]) assert.deepEqual(each.topology(), before);
     assert.deepEqual(back.tessellate({ segments: 2 }), teapot.tessellate({ segments: 2 }));
   }
-});
-
-const view = { pixels: 1, viewProjection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], viewport: [640, 480] };
-
-test("refusals", () => {
-  /** @type {[any, RegExp][]} */
-  const wrongTypes = [
-    [undefined, /options: expected .*segments.*tolerance.*pixels/],
-    [null, /options: expected /],
-    [8, /options: expected an object, got 8/],
-    [{}, /options: expected .*segments.*tolerance.*pixels/],
-    [{ segments: "4" }, /segments.*"?4"?/],
-    [{ segments: { u: 3 } }, /segments\.v.*undefined/],
-    [{ tolerance: "0.1" }, /tolerance.*0\.1/],
-    [{ ...view, viewProjection: undefined }, /viewProjection/],
-    [{ ...view, viewport: undefined }, /viewport.*undefined/],
-    [{ segments: 2, into: new Float32Array(9) }, /into: expected .*Mesh/],
-    [{ segments: 2, into: {} }, /into: expected .*Mesh/],
-  ];
-  /** @type {[any, RegExp][]} */
-  const wrongValues = [
-    [{ segments: 0 }, /segments: expected a whole number from 1.*got 0/],
-    [{ segments: 2.5 }, /segments.*got 2.5/],
-    [{ segments: 1e6 }, /segments: expected at most \d+, this needs 1000000/],
-    [{ tolerance: 0 }, /tolerance.*got 0/],
-    [{ tolerance: -1 }, /tolerance.*got -1/],
-    [{ tolerance: NaN }, /tolerance.*got NaN/],
-    [{ tolerance: Infinity }, /tolerance.*got Infinity/],
-    [{ ...view, pixels: 0 }, /pixels.*got 0/],
-    [{ ...view, viewProjection: [1, 0, 0, 1, 0, 0] }, /viewProjection: expected 16 numbers, got 6/],
-    [{ ...view, viewProjection: view.viewProjection.with(6, NaN) }, /viewProjection.*6.*NaN/],
-    [{ ...view, viewport: [640] }, /viewport: expected 2 numbers, got 1/],
-    [{ ...view, viewport: [640, 0] }, /viewport\[1\].*got 0/],
-    [{ segments: 2, weld: "all" }, /weld.*"position".*"normal".*"none".*all/],
-    [{ segments: 2, precision: "f16" }, /precision.*f32.*f64.*f16/],
-  ];
-  for (const shape of /** @type {any[]} */ ([teapot, teapot.patch(0)])) {
-    for (const [options, message] of wrongTypes) refused(() => shape.tessellate(options), TypeError, message);
-    for (const [options, message] of wrongValues) refused(() => shape.tessellate(options), RangeError, message);
-  }
-  const tooFine = { tolerance: 1e-16, precision: "f64" };
-  refusedAll(RangeError, [
-    [() => tessellate({ tolerance: 1e-7 }), /^tolerance: expected at least 0\.0000016\d+ .*got 1e-7/],
-    [() => tessellate(tooFine), /^tolerance: expected at least 3\.1\d+e-15 .*got 1e-16/],
-    [() => tessellate({ ...tooFine, tolerance: 1e-12 }), /^triangles: expected at most \d+, this needs \d+/],
-  ]);
-  assert.equal(tessellate({ segments: 1, weld: "position" }).positions.length, 3 * 37);
 });
 
 test("nothing gives an empty mesh", () => {

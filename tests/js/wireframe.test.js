@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Mesh, Surface } from "casteljau";
-import { near, pointsOf, refused, refusedAll, untyped } from "./reference.js";
+import { near, pointsOf } from "./reference.js";
 
 const teapot = Surface.teapot();
 const empty = new Surface({ vertices: [], patches: [] });
@@ -73,39 +73,6 @@ test("flat pieces cover the patches", () => {
   assert.equal(square.subdivide(1e-9).length, 1);
   assert.deepEqual([...square.subdivide(1)[0].corners], [0, 0, 1, 3, 0, 1, 3, 2, 1, 0, 2, 1]);
   assert.deepEqual(empty.subdivide(1), []);
-});
-
-test("refused", () => {
-  const wire = (options) => () => teapot.wireframe(options);
-  for (const lines of [0, -1, 1.5, NaN])
-    for (const act of [() => teapot.isocurves({ lines }), wire({ lines, width: 1 })])
-      refused(act, RangeError, /^lines: expected a whole number from 1 .*got /);
-  for (const bad of [0, -1])
-    refusedAll(RangeError, [
-      [wire({ radius: bad }), /^radius: expected a number above 0, got /],
-      [wire({ width: bad }), /^width: expected a number above 0, got /],
-      [() => teapot.subdivide(bad), /^tolerance: expected a number above 0, got /],
-    ]);
-  for (const sides of [2, 0, 3.5, Infinity])
-    refused(wire({ radius: 1, sides }), RangeError, /^sides: expected a whole number from 3 .*got /);
-  refusedAll(TypeError, [
-    [wire(undefined), /^options: expected either radius \(tubes\) or width \(ribbons\), got none of them$/],
-    [wire({ radius: 1, width: 1 }), /^options: expected either .*got both$/],
-    [wire(5), /^options: expected an object, got 5$/],
-    [wire({ width: "1" }), /^width: expected a number, got "1"$/],
-    [wire({ radius: 0.1, into: {} }), /^into: expected a Mesh, got /],
-    [() => teapot.subdivide(untyped(undefined)), /^tolerance: expected a number, got undefined$/],
-  ]);
-  refusedAll(RangeError, [
-    [wire({ radius: NaN }), /^radius: expected a finite number, got NaN$/],
-    [wire({ radius: 1e-9 }), /^radius: expected at least \S+ \(f32 shows nothing smaller here\), got 1e-9$/],
-    [wire({ width: 1e39 }), /^vertices: expected coordinates that f32 can hold, got 1e\+39$/],
-    [wire({ lines: 1e6, width: 0.1 }), /^vertices: expected at most \d+, this needs \d+$/],
-    [wire({ radius: 0.1, sides: 2 ** 32 - 1 }), /^vertices: expected at most \d+, this needs 4294967295$/],
-    [() => teapot.subdivide(1e-20), /^tolerance: expected at least \S+ .*got 1e-20$/],
-    [() => teapot.subdivide(1e-9), /^leaves: expected at most 264192, this needs 264193$/],
-  ]);
-  assert.equal(teapot.patchCount, 32);
 });
 
 test("a grid after a wireframe has its own layout", () => {

@@ -181,7 +181,7 @@ const PATH = {
   // The radius of a line is infinite.
   "Path.toArcs": (a) => a.path.toArcs(a.tolerance).map((list) => list.map((arc) => ({ ...arc, radius: 0 }))),
   "Path.roundCorners": (a) => a.path.roundCorners(a.radius),
-  "Path.roundCornersBy": (a) => a.path.roundCorners((_, k) => (k % 3) * Math.abs(a.radius)),
+  "Path.roundCornersBy": (a) => a.path.roundCorners(({ t }) => a.radius * ((0.25 * t) % 1)),
   "Path.filledArea": (a) => a.path.area({ fillRule: a.rule }),
   "Path.filledMoments": (a) => a.path.moments({ fillRule: a.rule }),
   "Path.transform": (a) => a.path.transform(matrix(a)),
