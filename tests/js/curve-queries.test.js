@@ -1,7 +1,7 @@
-// Queries of curves and splines (nearest, extrema, timesAtCoordinate …) by closed forms; the search itself is tested in Rust.
+// Queries of curves: forms of points, keys, names of kinds. Their numbers are those of Rust (parity.test.js).
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "casteljau";
+import { Curve } from "casteljau";
 import { CUBIC, near, pointsOf } from "./reference.js";
 
 const arch = new Curve(CUBIC); // (24t² − 16t³, 24t − 24t²)
@@ -20,29 +20,11 @@ test("nearest: parameter, point and distance, ends included, in the plane and in
   }
 });
 
-test("nearest on a spline: t over all segments", () => {
-  const square = new Spline([0, 0, 2, 0, 2, 2, 0, 2], { degree: 1, closed: true });
-  assert.deepEqual(square.nearest([3, 1]), { t: 1.5, point: { x: 2, y: 1 }, distance: 1 });
-  assert.deepEqual(square.nearest([-1, 1]), { t: 3.5, point: { x: 0, y: 1 }, distance: 1 });
-  assert.deepEqual(square.nearest([1, 1]), { t: 0.5, point: { x: 1, y: 0 }, distance: 1 }, "the first of four");
-  const parts = ["0,0,0 0,0,4", "0,0,4 1,2,4 4,4,4"];
-  const space = Spline.fromCurves(parts.map((points) => new Curve(pointsOf(points))));
-  assert.deepEqual(space.nearest([-3, -4, 2]), { t: 0.5, point: { x: 0, y: 0, z: 2 }, distance: 5 });
-});
-
 test("extrema: inside only, where the derivative changes its sign", () => {
   assert.deepEqual(arch.extrema(), { x: new Float64Array(0), y: Float64Array.of(0.5) });
   const space = new Curve(pointsOf("0,0,0 1,2,-1 2,-2,3 3,0,0")).extrema();
   assert.deepEqual(Object.keys(space), ["x", "y", "z"]);
   near(space.y, [0.5 - Math.sqrt(1 / 12), 0.5 + Math.sqrt(1 / 12)]);
-});
-
-test("timesAtCoordinate: crossings, ends, touches", () => {
-  near(arch.timesAtCoordinate({ x: 4 }), [0.5]);
-  near(arch.timesAtCoordinate({ y: 0 }), [0, 1]);
-  near(arch.timesAtCoordinate({ y: 6 }), [0.5], 1e-7);
-  assert.equal(arch.timesAtCoordinate({ y: 6.001 }).length, 0);
-  near(new Curve(pointsOf("0,0,5 1,1,5")).timesAtCoordinate({ z: 5 }), [0, 1]);
 });
 
 test("inflections, cusps, classify, tangentsFrom", () => {
@@ -66,16 +48,4 @@ test("inflections, cusps, classify, tangentsFrom", () => {
   }
   near(arch.tangentsFrom([10, 6]), [0.5]);
   near(new Curve([0, 0, 1, 1]).tangentsFrom({ x: 3, y: 3 }), [0, 1]);
-});
-
-test("distanceTo and hausdorff", () => {
-  const line = new Curve([0, 8, 8, 8]);
-  near(Object.values(arch.distanceTo(line)), [2, 0.5, 0.5], 1e-7);
-  const distances = [arch, new Curve([4, 0, 4, 9])].map((other) => arch.distanceTo(other).distance);
-  assert.deepEqual(distances, [0, 0]);
-  const apart = [arch.reverse(), new Curve([0, 0, 8, 0])].map((other) => arch.hausdorff(other));
-  assert.deepEqual(apart, [0, 6]);
-  const [low, high] = [0, 3].map((z) => new Curve(CUBIC.map(([x, y]) => [x, y, z])));
-  assert.equal(low.distanceTo(high).distance, 3);
-  near([low.hausdorff(high)], [3]);
 });

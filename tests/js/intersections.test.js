@@ -4,21 +4,10 @@ import { test } from "node:test";
 import { Curve, Path, Spline } from "casteljau";
 import { near, pointsOf, untyped } from "./reference.js";
 
-const line = new Curve([0, 0, 4, 0]);
 const arch = new Curve([0, 0, 0, 4, 4, 4, 4, 0]);
 /** Two lines, the second one of two segments; both cross the arch. */
 const lines = Path.fromSVG("M0 1H4 M0 0.5H2H4");
 const square = new Spline([0, 0, 2, 0, 2, 2, 0, 2], { degree: 1, closed: true });
-
-test("curves: sorted, with a kind, and with both ends of a shared piece", () => {
-  const places = new Curve([0, -1, 0, 3, 4, -3, 4, 1]).intersections(line);
-  assert.equal(places.length, 3);
-  assert.deepEqual(places[1], { t: 0.5, u: 0.5, point: { x: 2, y: 0 }, kind: "cross" });
-  const touching = new Curve([0, 1, 2, -1, 4, 1]).intersections(line);
-  assert.deepEqual(touching, [{ t: 0.5, u: 0.5, point: { x: 2, y: 0 }, kind: "tangent" }]);
-  const shared = line.intersections(line.subsegment(0.75, 0.25));
-  assert.deepEqual(shared, [{ t: 0.25, u: 1, point: { x: 1, y: 0 }, kind: "overlap", tEnd: 0.75, uEnd: 0 }]);
-});
 
 test("splines: t and u count segments, a joint is one intersection, a shared piece across joints is one", () => {
   const diagonal = new Curve([-1, -1, 3, 3]);
@@ -30,13 +19,6 @@ test("splines: t and u count segments, a joint is one intersection, a shared pie
   assert.deepEqual(opposite, pointsOf("0.25,0 0.75,2"));
   const overlaps = square.intersections(new Spline([-1, 0, 1, 0, 1.5, 0, 3, 0], { degree: 1 }));
   assert.deepEqual(overlaps, [{ t: 0, u: 0.5, point: { x: 0, y: 0 }, kind: "overlap", tEnd: 1, uEnd: 2 + 1 / 3 }]);
-});
-
-test("self-intersections of curves and splines", () => {
-  const [place] = new Curve([0, 0, 3, 2, -2, 2, 1, 0]).selfIntersections();
-  assert.ok(place.t < place.u && Math.abs(place.point.x - 0.5) < 1e-15);
-  const bow = new Spline([0, 0, 2, 2, 2, 0, 0, 2], { degree: 1, closed: true });
-  assert.deepEqual(bow.selfIntersections(), [{ t: 0.5, u: 2.5, point: { x: 1, y: 1 } }]);
 });
 
 test("each of curve, spline and path with a path: numbers and locations", () => {
@@ -82,12 +64,6 @@ test("overlaps with a path have an end in the same form as their start", () => {
   const [opposite] = /** @type {any[]} */ (path.intersections(piece));
   assert.deepEqual([opposite.point, opposite.t.subpath, opposite.tEnd.subpath], [{ x: 3, y: 4 }, 1, 1]);
   near([opposite.t.t, opposite.tEnd.t, opposite.u, opposite.uEnd], [2.25, 2.75, 1, 0]);
-});
-
-test("self-intersections of a path, within and between its subpaths", () => {
-  const found = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3").selfIntersections();
-  const numbers = found.flatMap(({ t, u, point }) => [t.subpath, t.t, u.subpath, u.t, point.x, point.y]);
-  near(numbers, [0, 0.5, 0, 2.5, 1, 1, 0, 0.5, 1, 1 / 3, 1, 1, 0, 1.5, 1, 2 / 3, 1, 2, 0, 2.5, 1, 1 / 3, 1, 1]);
 });
 
 test("long paths: 4,000 segments each cross where they should", () => {

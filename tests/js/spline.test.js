@@ -1,13 +1,15 @@
-// Every public method of Spline.
+// Splines as JavaScript sees them: parts, forms of joints, options of fits, JSON. Their numbers are those of Rust (parity.test.js).
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "casteljau";
-import { coordinates, deCasteljau, near, owned, pairs, pointsOf, refusedAll, SEVEN } from "./reference.js";
+import { Curve, Path, Spline } from "casteljau";
+import { near, owned, pairs, pointsOf, SEVEN } from "./reference.js";
 
 const seven = new Spline(SEVEN);
 const RING = pointsOf("1,0 1,1 0,1 -1,1 -1,0 -1,-1 0,-1 1,-1");
 const ring = new Spline(RING, { degree: 2, closed: true });
 const mixed = Spline.fromCurves([new Curve(pointsOf("0,0,0 1,0,0")), new Curve(pointsOf("1,0,0 2,0,1 2,1,1"))]);
+/** In the plane and in space. */
+const [FOUR, FIVE] = [pointsOf("0,0 1,1 3,1 4,0"), pointsOf("0,0,0 1,2,3 3,3,-1 4,0,2 5,5,5")];
 const netOf = (spline) => pairs(spline.controlPoints(), spline.dimension);
 
 test("seven points are two cubics; a closed spline has n · degree points", () => {
@@ -27,19 +29,6 @@ test("fromCurves keeps degrees and closes", () => {
   assert.deepEqual([open.closed, open.controlPoints().length], [false, 18]);
 });
 
-test("eval, evalAt and sample: segment k covers t from k to k + 1", () => {
-  for (const t of [0, 0.25, 0.9, 1, 1.5, 2]) {
-    const k = Math.min(1, Math.floor(t));
-    near(seven.eval(t), deCasteljau(SEVEN.slice(3 * k, 3 * k + 4), t - k));
-  }
-  assert.deepEqual(seven.eval(1), { x: 2, y: 0 });
-  assert.deepEqual(ring.eval(4), { x: 1, y: 0 });
-  assert.deepEqual(mixed.eval(0.5), { x: 0.5, y: 0, z: 0 });
-  const all = (spline, ts) => ts.flatMap((t) => coordinates(spline.eval(t)));
-  near(seven.evalAt([0.5, 1.5]), all(seven, [0.5, 1.5]));
-  near(ring.sample(2), all(ring, [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4]));
-});
-
 test("flatten has a vertex at each joint", () => {
   const { points, ts } = ring.flatten(0.01);
   [points, ts].forEach(owned);
@@ -47,24 +36,6 @@ test("flatten has a vertex at each joint", () => {
   near(points, ring.evalAt(ts));
   // The ring is no farther than 1/√2 … 1 from the middle; so are its chords, but for the tolerance.
   for (const [x, y] of pairs(points)) assert.ok(Math.hypot(x, y) <= 1.0607 && Math.hypot(x, y) >= 0.99);
-});
-
-test("bounds and controlBounds", () => {
-  assert.deepEqual(ring.bounds(), { min: { x: -1, y: -1 }, max: { x: 1, y: 1 } });
-  assert.deepEqual(seven.controlBounds(), { min: { x: 0, y: -4 }, max: { x: 4, y: 2 } });
-  assert.deepEqual(mixed.bounds().max, { x: 2, y: 1, z: 1 });
-});
-
-test("continuity of known joints", () => {
-  const { angle, ...flags } = seven.continuity(1);
-  assert.deepEqual(flags, { c0: true, g1: true, c1: false, g2: false, c2: false, gap: 0 });
-  assert.equal(angle, 0);
-  assert.ok(ring.continuity(0).c1 && ring.continuity(0).g2 && !ring.continuity(0).c2);
-  const corner = new Spline([0, 0, 1, 0, 1, 1], { degree: 1 });
-  near([corner.continuity(1).angle], [Math.PI / 2]);
-  assert.ok(corner.continuity(1, 10).c1);
-  const [left, right] = new Curve(SEVEN.slice(0, 4)).split(0.5);
-  assert.ok(Spline.fromCurves([left, right]).continuity(1).c2);
 });
 
 test("movePoint puts the point at the given position and keeps the joint", () => {
@@ -88,63 +59,12 @@ test("joints as an array, with holes, and at the seam of a closed spline", () =>
   assert.ok(ends.equals(seven.movePoint(2, [1, 2], { joints: { 1: "c1" } })));
 });
 
-test("setJoint keeps the handle before the joint", () => {
-  assert.deepEqual(netOf(seven.setJoint(1, "c1"))[4], [2, -2]);
-  const broken = seven.movePoint(4, [5, 4]);
-  assert.deepEqual(netOf(broken.setJoint(1, "g1"))[4], [2, -5]);
-  assert.ok(broken.setJoint(1, "free").equals(broken));
-});
-
-test("joints of second order and automatic ones", () => {
-  const moved = netOf(seven.movePoint(2, [3, 1], { joints: { 1: "c2" } }));
-  assert.deepEqual([moved[4], moved[5]], pointsOf("1,-1 -4,-2"));
-  const bent = seven.movePoint(5, [-6, -2]).movePoint(2, [2, 1], { joints: { 1: "g2" } });
-  assert.ok(bent.continuity(1).g2);
-  assert.deepEqual(netOf(bent)[4], [2, -2]);
-  // Joints on a line: so are the handles; at the free ends a third of the way.
-  const straight = netOf(seven.movePoint(3, [3, 0], { joints: { 1: "auto" } }));
-  near([straight[1], straight[5], straight[2].slice(1), straight[4].slice(1)].flat(), [1, 0, 11 / 3, 0, 0, 0]);
-  assert.ok(seven.setJoint(1, "c2").continuity(1).c2);
-  near(netOf(seven.setJoint(1, "auto")).slice(2, 5).flat(), [4 / 3, 0, 2, 0, 8 / 3, 0]);
-  const space = new Spline(SEVEN.map(([x, y]) => [x, y, 1]));
-  assert.ok(space.movePoint(2, [1, 1, 5], { joints: { 1: "c2" } }).continuity(1).c2);
-  refusedAll(RangeError, [
-    [() => space.setJoint(1, "g2"), /^mode: expected a 2D spline for "g2", got a 3D one$/],
-    [() => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }), /^joints\[1\]: expected a 2D spline for "g2"/],
-  ]);
-});
-
-test("insert keeps the curve, remove undoes it", () => {
-  [1.25, 3.5, 0.5, 1.75].forEach((t, i) => {
-    const spline = [seven, ring, mixed, mixed][i];
-    const more = spline.insert(t);
-    const k = Math.floor(t);
-    assert.equal(more.segmentCount, spline.segmentCount + 1);
-    near(more.eval(k + 1), spline.eval(t));
-    near(more.eval(k + 0.5), spline.eval(k + (t - k) / 2));
-    assert.ok(more.remove(k + 1).equals(spline, 1e-12));
-  });
-  assert.ok(seven.insert(1).equals(seven));
-});
-
-test("append goes on in the direction of arrival", () => {
-  const longer = seven.append([7, 3]);
-  assert.deepEqual([longer.segmentCount, longer.degrees], [3, [3, 3, 3]]);
-  assert.deepEqual(longer.eval(3), { x: 7, y: 3 });
-  assert.ok(longer.continuity(2).g1);
-  assert.deepEqual(netOf(longer).slice(0, 7), SEVEN);
-  assert.deepEqual(mixed.append({ x: 0, y: 5, z: 0 }).degrees, [1, 2, 2]);
-});
-
-test("reverse and transform", () => {
-  for (const spline of [seven, ring, mixed]) {
-    const back = spline.reverse();
-    for (const t of [0, 0.3, 1, 1.6]) near(back.eval(spline.segmentCount - t), spline.eval(t));
-    assert.ok(back.reverse().equals(spline));
-  }
-  const image = SEVEN.map(([x, y]) => [2 * x + 10, 5 - y]);
-  assert.deepEqual(netOf(seven.transform([2, 0, 0, -1, 10, 5])), image);
-  assert.deepEqual(mixed.transform([0, 1, -1, 0, 0, 0]).eval(2), { x: -1, y: 2, z: 1 });
+test("default values of options", () => {
+  assert.ok(Spline.interpolate(FOUR).equals(Spline.interpolate(FOUR, { kind: "natural" })));
+  const rounded = Spline.interpolate(FIVE, { kind: "catmull-rom" });
+  assert.ok(rounded.equals(Spline.interpolate(FIVE, { kind: "catmull-rom", alpha: 0.5 })));
+  assert.ok(Spline.fromBSpline(FIVE).equals(Spline.fromBSpline(FIVE, { degree: 3, closed: false })));
+  assert.ok(seven.offset(1).equals(seven.offset(1, { join: "round" })));
 });
 
 test("equals, toJSON, fromJSON", () => {
@@ -167,4 +87,54 @@ test("long chains go through in one piece", () => {
   assert.ok(Spline.fromCurves(spline.segments()).equals(spline));
   assert.ok(Spline.fromJSON(spline.toJSON()).equals(spline));
   assert.equal(spline.sample(4).length, 2 * 1_200_001);
+});
+
+test("simplified: joints at the extrema, rounded control points, the closest fit", () => {
+  const circle = Path.circle([3.1, 7.3], 50).transform("rotate(30)");
+  const four = circle.simplify(0.05, { extrema: true });
+  assert.equal(four.subpaths[0].segmentCount, 4);
+  assert.ok(
+    four.subpaths[0].segments().every((curve) => Object.values(curve.extrema()).every(({ length }) => length === 0)),
+  );
+  const whole = circle.simplify(0.75, { precision: 0, extrema: true });
+  assert.ok(whole.subpaths[0].controlPoints().every(Number.isInteger));
+  const points = Array.from({ length: 200 }, (_, k) => [k / 20, Math.sin(k / 20)]);
+  /** @param {Spline} spline */
+  const farthest = (spline) => Math.max(...points.map((point) => spline.nearest(point).distance));
+  /** @type {("fast" | "best")[]} */
+  const efforts = ["fast", "best"];
+  const [fast, best] = efforts.map((effort) => Spline.fit(points, { tolerance: 0.01, effort }));
+  assert.ok(best.segmentCount <= fast.segmentCount && farthest(best) < farthest(fast));
+  const line = new Spline(points.flat(), { degree: 1 });
+  const [plain, closest] = efforts.map((effort) => line.simplify(0.01, { effort }));
+  assert.ok(closest.segmentCount <= plain.segmentCount && farthest(closest) < farthest(plain));
+});
+
+test("toBSpline and back gives the same spline", () => {
+  const several = [
+    Spline.interpolate(FOUR),
+    Spline.interpolate(FIVE, { closed: true }),
+    new Spline(FOUR, { degree: 1 }),
+    new Spline(FOUR, { degree: 2, closed: true }),
+    Spline.fromBSpline(FIVE, { degree: 4, closed: true }),
+  ];
+  for (const spline of several) {
+    const { points, ...options } = spline.toBSpline();
+    [points, options.knots].forEach(owned);
+    assert.ok(Spline.fromBSpline(points, options).equals(spline));
+  }
+  const { knots, degree, closed } = Spline.interpolate(FOUR.slice(1)).toBSpline();
+  assert.deepEqual([[...knots], degree, closed], [[0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], 3, false]);
+});
+
+test("a million points", () => {
+  const numbers = Float64Array.from({ length: 2e6 }, (_, i) => (i * 7919) % 1009);
+  for (const spline of [
+    Spline.interpolate(numbers),
+    Spline.interpolate(numbers, { kind: "catmull-rom", closed: true }),
+    Spline.fromBSpline(numbers),
+  ]) {
+    assert.ok(spline.segmentCount > 999_990);
+    assert.ok(spline.controlPoints().every(Number.isFinite));
+  }
 });

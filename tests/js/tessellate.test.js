@@ -49,29 +49,6 @@ test("vertices are shared by normals by default, and weld decides how many there
   assert.ok(none > normal && normal > position, `${[none, normal, position]}`);
 });
 
-test("an inner edge belongs to two triangles: by position always, by index with weld: position", () => {
-  const roof = new Surface(
-    { vertices: pointsOf("0,0,0 1,0,2 0,2,0 1,2,2 2,0,0 2,2,0"), patches: pointsOf("0,1,2,3 1,4,3,5") },
-    { degreeU: 1, degreeV: 1 },
-  );
-  /** How many edges belong to so many triangles. */
-  const uses = (mesh, keyOf) => {
-    const counts = new Map();
-    for (let k = 0; k < mesh.indices.length; k++) {
-      const ends = [mesh.indices[k], mesh.indices[k % 3 === 2 ? k - 2 : k + 1]];
-      const edge = ends.map(keyOf).sort().join(" | ");
-      counts.set(edge, (counts.get(edge) ?? 0) + 1);
-    }
-    return [1, 2, 3].map((count) => [...counts.values()].filter((each) => each === count).length);
-  };
-  for (const weld of /** @type {const} */ (["position", "normal", "none"])) {
-    const mesh = roof.tessellate({ segments: 4, weld });
-    const byPosition = uses(mesh, (i) => [...mesh.positions.subarray(3 * i, 3 * i + 3)].join());
-    assert.deepEqual(byPosition, [24, 84, 0], weld); // an outline of 24 edges round 64 triangles
-    assert.deepEqual(uses(mesh, String), weld === "position" ? byPosition : [32, 80, 0], weld);
-  }
-});
-
 test("f64 on demand", () => {
   const precise = tessellate({ segments: 8, weld: "position", precision: "f64" });
   const plain = tessellate({ segments: 8, weld: "position" });
@@ -83,16 +60,6 @@ test("f64 on demand", () => {
   const least = 2 ** -21;
   assert.throws(() => square.tessellate({ tolerance: least * 0.9 }), RangeError);
   assert.ok(square.tessellate({ tolerance: least * 0.9, precision: "f64" }).indices.length > 0);
-});
-
-test("by pixels: what is nearer is finer", () => {
-  const looking = (/** @type {number} */ distance) => {
-    // From (0, −distance, 1.5) along +y: X = x, Y = z − 1.5, W = y + distance.
-    const viewProjection = [1, 0, 0, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, -1.5, 0, distance];
-    return tessellate({ pixels: 1, viewProjection, viewport: [800, 800] }).indices.length;
-  };
-  assert.ok(looking(5) > 1.5 * looking(20));
-  assert.ok(looking(20) > 1.5 * looking(200));
 });
 
 test("an earlier mesh is filled again", () => {
