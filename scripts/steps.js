@@ -150,7 +150,6 @@ const LONG = [
   "decode",
   "easing-fit",
   "entries",
-  "imports",
   "init",
   "inspected",
   "large-drawings",

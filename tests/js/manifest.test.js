@@ -13,29 +13,18 @@ const manifest = JSON.parse(await read("dist/custom-elements.json"));
 const declarations = manifest.modules.flatMap((module) => module.declarations);
 const declared = (tagName) => declarations.find((each) => each.tagName === tagName);
 
-/** All text of some files and folders. */
-async function sources(...paths) {
-  const texts = await Promise.all(
-    paths.map(async (path) => {
-      if (path.endsWith(".ts")) return read(path);
-      const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".ts"));
-      return (await Promise.all(names.map((name) => read(`${path}/${name}`)))).join("\n");
-    }),
+/** The code of what draws the elements, without comments: JSDoc says what there is, and here it is looked for. */
+const FOLDERS = ["elements", "layers", "ui"];
+const texts = FOLDERS.map(async (folder) => {
+  const names = (await readdir(new URL(`js/${folder}`, root), { recursive: true })).filter((name) =>
+    /\.ts$/.test(name),
   );
-  // JSDoc says what there is; here it is looked for in the code.
-  return texts.join("\n").replace(/\/\*\*[\s\S]*?\*\//g, "");
-}
-
-const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.ts`);
-const FIELDS = "js/ui/number-fields.ts";
-const SOURCES = {
-  "bezier-applet": ["js/elements/applet", "js/layers", "js/ui/handles.ts", "js/ui/tokens.ts", "js/applet/style.ts"],
-  "bezier-surface": ["js/elements/surface"],
-  "bezier-bernstein": companion("bernstein", "bernstein-view"),
-  "bezier-equation": [...companion("equation", "equation-view"), FIELDS],
-  "bezier-coordinates": [...companion("coordinates", "coordinates-view"), FIELDS],
-  "bezier-easing": [...companion("easing", "easing-view", "easing-handles", "easing-picture"), FIELDS],
-};
+  return Promise.all(names.map((name) => read(`js/${folder}/${name}`)));
+});
+const code = (await Promise.all(texts))
+  .flat(2)
+  .join("\n")
+  .replace(/\/\*\*[\s\S]*?\*\//g, "");
 /** Inside of the style sheets: what stands in where a property is not set, and what a script sets. */
 const INSIDE = ["--bz-broken-ink", "--bz-smooth-ink", "--bz-box"];
 
@@ -49,7 +38,6 @@ test("every element that is defined", async () => {
   const defined = texts.flatMap((text) => all(text, /define\("([\w-]+)"/g)).sort();
   assert.ok(defined.length >= 6);
   assert.deepEqual(declarations.map(({ tagName }) => tagName).sort(), defined);
-  assert.deepEqual(Object.keys(SOURCES).sort(), defined, "this test knows them all");
   for (const { name, tagName } of declarations) {
     assert.equal(typeof classes[name], "function");
     const { exports } = manifest.modules[0];
@@ -58,26 +46,28 @@ test("every element that is defined", async () => {
   }
 });
 
-for (const [tagName, paths] of Object.entries(SOURCES)) {
-  test(`${tagName}: attributes, properties, methods, events, parts, slots and custom properties`, async () => {
-    const { name, attributes, members, events, cssParts, cssProperties, slots } = declared(tagName);
-    const text = await sources(...paths);
+test("attributes, properties and methods are those of the classes, each once", () => {
+  for (const { name, tagName, attributes, members, ...rest } of declarations) {
     const Class = classes[name];
-    assert.deepEqual(names(attributes), [...Class.observedAttributes].sort());
-    for (const { name: each } of members)
-      assert.ok(each in Class.prototype || Class.elementProperties.has(each), `${each} is there`);
-    const methods = members.filter(({ kind }) => kind === "method");
-    for (const { name: each } of methods) assert.equal(typeof Class.prototype[each], "function", each);
-    const told = ["change", "input", ...all(text, /new Event\("(\w+)"/g)].sort();
-    assert.deepEqual(names(events), [...new Set(told)]);
-    assert.deepEqual(names(cssParts), all(text, /\bpart(?:=|: )"([\w-]+)"/g));
-    const expected = [...(/<slot>/.test(text) ? [""] : []), ...all(text, /<slot name="([\w-]+)"/g)].sort();
-    assert.deepEqual(names(slots), expected);
-    assert.deepEqual(without(without(all(text, /(--bz-[\w-]+)/g), INSIDE), names(cssProperties)), []);
-    for (const list of [attributes, members, events, cssParts, cssProperties, slots])
-      assert.equal(new Set(names(list)).size, list?.length ?? 0, "nothing twice");
-  });
-}
+    assert.deepEqual(names(attributes), [...Class.observedAttributes].sort(), tagName);
+    for (const { name: each, kind } of members) {
+      assert.ok(each in Class.prototype || Class.elementProperties.has(each), `${tagName}: ${each}`);
+      if (kind === "method") assert.equal(typeof Class.prototype[each], "function", `${tagName}: ${each}`);
+    }
+    for (const list of [attributes, members, rest.events, rest.cssParts, rest.cssProperties, rest.slots])
+      assert.equal(new Set(names(list)).size, list?.length ?? 0, `${tagName}: nothing twice`);
+  }
+});
+
+test("events, parts, slots and custom properties are those of the code", () => {
+  const declaredNames = (list) => [...new Set(declarations.flatMap((each) => names(each[list])))].sort();
+  assert.deepEqual(declaredNames("cssParts"), all(code, /\bpart(?:=|: )"([\w-]+)"/g));
+  const slots = [...(/<slot>/.test(code) ? [""] : []), ...all(code, /<slot name="([\w-]+)"/g)];
+  assert.deepEqual(declaredNames("slots"), slots.sort());
+  const events = ["change", "input", ...all(code, /new Event\("(\w+)"/g)];
+  assert.deepEqual(without(declaredNames("events"), events), []);
+  assert.deepEqual(without(all(code, /(--bz-[\w-]+)/g), [...INSIDE, ...declaredNames("cssProperties")]), []);
+});
 
 test("each is described, and the attributes name their properties", () => {
   for (const { tagName, description, attributes, members, events, cssParts, cssProperties, slots } of declarations) {
