@@ -1,8 +1,6 @@
 // What <bezier-applet> does with its points, without a page: joints that are held, bases and degrees, points that are removed.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as small from "#js/applet/state.js";
-import { DEFAULT_BOX } from "#js/editor/plane.js";
 import * as commands from "#js/editor/commands.js";
 import { FIELDS } from "#js/editor/schema.js";
 import { continuityOf, figureOf } from "#js/editor/figure.js";
@@ -13,47 +11,7 @@ import { near, pointsOf } from "./reference.js";
 const stateWith = (points, changes = {}) => ({ ...withPoints(firstState(), points), ...changes });
 const flat = (curve) => [...curve.controlPoints()];
 
-/** Equal curvatures on both sides need points that turn one way. */
-const ROUND = pointsOf("60,300 60,150 150,60 300,60 450,60 540,150 540,300 540,420 430,440 300,440");
 const THREE = pointsOf("60,300 100,100 200,100 250,250 300,380 380,400 430,240 470,100 560,120 610,300");
-/** Each point with a move in pixels. */
-const MOVES = pointsOf("2,30,20 4,-20,35 3,25,25 0,10,10 9,-20,15");
-
-for (const mode of /** @type {const} */ (["g1", "c1", "c2", "g2"])) {
-  test(`${mode} holds at every joint after each move`, () => {
-    let state = commands.withJoints(stateWith(ROUND), [mode]);
-    for (const [index, dx, dy] of MOVES) {
-      const [x, y] = state.points[index];
-      for (const part of [0.5, 1]) {
-        const moved = commands.withPointAt(state, index, [x + part * dx, y + part * dy]);
-        near(moved.points[index], [x + part * dx, y + part * dy], 0, `P${index}`);
-        for (const continuity of continuityOf(figureOf(moved)))
-          assert.ok(continuity[mode], `${mode} with P${index} moved`);
-        if (part === 1) state = moved;
-      }
-    }
-  });
-}
-
-for (const mode of ["g1", "c1"]) {
-  test(`the small applet: ${mode} moves the partner of a handle and nothing beyond it`, () => {
-    const first = small.withJoint(small.firstState(DEFAULT_BOX), mode);
-    const before = small.pointsOf(first);
-    for (const [index, dx, dy] of pointsOf("2,30,-70 3,45,25 4,-60,40")) {
-      const [x, y] = before[index];
-      const after = small.pointsOf(small.withPointAt(first, index, [x + dx, y + dy]));
-      near(after[index], [x + dx, y + dy]);
-      const [a, b] = [[0, 1].map((k) => after[3][k] - after[2][k]), [0, 1].map((k) => after[4][k] - after[3][k])];
-      const lengths = [Math.hypot(...a), Math.hypot(...b)];
-      const directions = [a, b].map((leg, k) => leg.map((x) => x / lengths[k]));
-      near(directions[0], directions[1], 1e-9, `P${index}: aligned`);
-      if (mode === "c1") near(lengths[0], lengths[1]);
-      for (const far of [0, 1, 5, 6]) assert.deepEqual(after[far], before[far], `P${far} stays`);
-      if (index !== 3) assert.deepEqual(after[3], before[3], "P3 stays");
-    }
-  });
-}
-
 test("automatic handles follow their neighbours", () => {
   const state = commands.withJoints(stateWith(THREE), ["auto"]);
   const moved = commands.withPointAt(state, 6, [state.points[6][0], state.points[6][1] - 60]);

@@ -44,6 +44,20 @@ test("G1 keeps the lengths of both tangents when P3 moves, and that of the other
   near(joint(pointsOf(withPointAt(held, 2, [275, 130]))).after, lengths.after);
 });
 
+test("a joint mode moves the partner of a handle and nothing beyond it", () => {
+  for (const mode of ["g1", "c1"]) {
+    const held = withJoint(first, mode);
+    const before = pointsOf(held);
+    for (const index of [2, 3, 4]) {
+      const after = pointsOf(withPointAt(held, index, [before[index][0] + 30, before[index][1] - 40]));
+      aligned(after);
+      if (mode === "c1") near(joint(after).before, joint(after).after);
+      for (const far of index === 3 ? [0, 1, 5, 6] : [0, 1, 3, 5, 6])
+        assert.deepEqual(after[far], before[far], `${mode}: P${far} stays`);
+    }
+  }
+});
+
 test("free: each point moves alone", () => {
   const before = pointsOf(first);
   for (const [index, [x, y]] of before.entries())

@@ -1,8 +1,9 @@
-// What all pictures with controls share: a pointer from press to release, and the arrow keys.
+// What all pictures with controls share: a pointer from press to release, points that are dragged, the arrow keys.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { arrowDirection, arrowStep } from "#js/ui/keys.js";
 import { capture } from "#js/ui/capture.js";
+import { Drags } from "#js/ui/drag.js";
 
 /** An element that knows only about captures. */
 class Target extends EventTarget {
@@ -70,6 +71,78 @@ test("a capture that was stopped reports nothing more", () => {
   target.send("pointermove");
   target.send("pointerup");
   assert.deepEqual([reports, target.hasPointerCapture(1)], [[], false]);
+});
+
+/** Handles of 24 pixels about their points, which follow their pointers; each call is noted. */
+function draggable(/** @type {[number, number][]} */ ...points) {
+  /** @type {any} */
+  const overlay = new EventTarget();
+  const boxes = points.map((_, i) =>
+    Object.assign(new Target(), {
+      getBoundingClientRect: () => ({ left: points[i][0] - 12, top: points[i][1] - 12, width: 24, height: 24 }),
+    }),
+  );
+  /** @type {any[]} */
+  const calls = [];
+  const note =
+    (/** @type {string} */ name) =>
+    (/** @type {unknown[]} */ ...rest) =>
+      void calls.push([name, ...rest]);
+  const drags = new Drags(overlay, {
+    placeOf: (index) => points[index],
+    toBox: ({ clientX, clientY }) => [clientX, clientY],
+    boxOf: (index) => /** @type {any} */ (boxes[index]),
+    count: () => points.length,
+    move: (index, to) => void calls.push(["move", index, ...to]),
+    ...{
+      grabbed: note("grabbed"),
+      schedule() {},
+      begun: note("begun"),
+      restored: note("restored"),
+      ended: note("ended"),
+    },
+  });
+  const event = (type, pointerId, clientX, clientY) =>
+    Object.assign(new Event(type), { pointerId, clientX, clientY, button: 0 });
+  const press = (id, x, y) => overlay.dispatchEvent(event("pointerdown", id, x, y));
+  const send = (index, type, id, x = 0, y = 0) => boxes[index].dispatchEvent(event(type, id, x, y));
+  return { drags, calls, press, send };
+}
+
+test("drags: many moves of a pointer are one move a frame, and the grip stays", () => {
+  const { drags, calls, press, send } = draggable([50, 50], [200, 50]);
+  press(1, 57, 44);
+  for (let x = 0; x < 20; x++) send(0, "pointermove", 1, 60 + x, 54);
+  assert.deepEqual([drags.apply(), drags.apply()], [true, false]);
+  send(0, "pointermove", 1, 90, 64);
+  send(0, "pointerup", 1);
+  assert.deepEqual(calls, [["begun"], ["grabbed", 0], ["move", 0, 72, 60], ["move", 0, 83, 70], ["ended", [0]]]);
+});
+
+test("drags: of two overlapping handles the nearer is taken, by a second press the other", () => {
+  const { calls, press, send } = draggable([50, 50], [58, 56]);
+  const taken = (x, y) => {
+    press(1, x, y);
+    const [, index] = calls.findLast(([name]) => name === "grabbed");
+    send(index, "pointerup", 1, x, y);
+    return index;
+  };
+  assert.deepEqual([taken(52, 51), taken(52, 51), taken(52, 51), taken(58, 56)], [0, 1, 0, 1]);
+});
+
+test("drags: a pointer that is taken away gives its point back; the last one restores all", () => {
+  const { drags, calls, press, send } = draggable([50, 50], [200, 50]);
+  press(1, 50, 50);
+  press(2, 200, 50);
+  send(0, "pointermove", 1, 70, 50);
+  drags.apply();
+  send(0, "pointercancel", 1);
+  assert.deepEqual(calls.slice(-2), [
+    ["move", 0, 70, 50],
+    ["move", 0, 50, 50],
+  ]);
+  send(1, "pointercancel", 2);
+  assert.deepEqual([calls.at(-1), drags.active], [["restored"], false]);
 });
 
 test("arrow keys: ten steps with Shift, a tenth with Alt, none with Ctrl", () => {

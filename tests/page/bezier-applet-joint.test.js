@@ -4,7 +4,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   ask,
-  button,
   centre,
   drag,
   FIRST,
@@ -120,12 +119,6 @@ test("a matrix of one's own begins with the basis before, and can be edited", as
     await settled(page);
     assert.deepEqual([(await matrix())[12], words.test(await message(page))], [1, true]);
   }
-});
-
-test("of degree n a point added by the button changes the degree", async (t) => {
-  const page = await openApplet(t, 'controls degree="n"');
-  await button(page, "Add a point").click();
-  assert.deepEqual(await ask(page, () => [a.figure.degree, a.points.length]), [7, 8]);
 });
 
 test("two fingers on points move both, in one step; on the picture they enlarge it", async (t) => {
