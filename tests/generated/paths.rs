@@ -461,7 +461,8 @@ pub(crate) fn round_corners_by(path: Path, radius: f64) -> Checked {
     let rounded = answer!(path.round_corners_by(part, &CornerOptions::new()), REFUSALS);
     let places = corners.iter().map(|corner| (corner.subpath, corner.t));
     holds!(places.is_sorted(), "the corners are not in order")?;
-    is_rounded(&path, &rounded, radius)
+    // A negative radius is refused where there is a corner.
+    is_rounded(&path, &rounded, radius.abs())
 }
 
 fn is_rounded(path: &Path, rounded: &Path, radius: f64) -> Checked {

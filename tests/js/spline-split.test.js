@@ -1,8 +1,8 @@
-// Splits, subsegments and hulls of splines.
+// Splits of splines at a list of parameters.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { near, pairs, pointsOf, refused, SEVEN } from "./reference.js";
+import { pairs, pointsOf, refused } from "./reference.js";
 
 const CORNER = pointsOf("0,0 2,0 2,2");
 /** A line, a quadratic, a cubic. */
@@ -12,14 +12,6 @@ const MIXED = Spline.fromCurves([
   new Curve([3, 4, 4, 4, 5, 0, 8, -1]),
 ]);
 const points = (spline) => pairs(spline.controlPoints(), spline.dimension);
-
-/** Whether part(u) = whole(t) where u runs over the part as t over [from, to]; both are piecewise linear in each other. */
-function sameCurve(part, whole, from, to, toPart) {
-  for (let i = 0; i <= 40; i++) {
-    const t = from + ((to - from) * i) / 40;
-    near(part.eval(toPart(t)), whole.eval(t), 1e-12);
-  }
-}
 
 test("split: a list gives the parts between its parameters in ascending order", () => {
   const parts = MIXED.split([2.5, 1, 1.25, 1]);
