@@ -15,7 +15,7 @@ explainMissing(
   CoreSpline,
   "Spline",
   ENTRY,
-  "torsion frames intersections selfIntersections simplify offset toBSpline toThree",
+  "torsion frames extrema timesAtCoordinate intersections selfIntersections simplify offset toBSpline toThree",
   "interpolate fromBSpline fit",
 );
 explainMissing(
@@ -23,6 +23,6 @@ explainMissing(
   "Path",
   ENTRY,
   "union intersect subtract exclude removeOverlaps divide clip stroke strokeContains dash offset roundCorners toArcs toThree " +
-    "simplify intersections selfIntersections",
-  "combine faces",
+    "simplify intersections selfIntersections extrema timesAtCoordinate moments toCSS toPathData",
+  "combine faces fromPathData index",
 );

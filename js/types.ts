@@ -18,9 +18,8 @@ export type { FitEffort, FitOptions, SimplifyOptions } from "./geometry/spline/s
 export type { BSplineOptions, BSpline } from "./geometry/bspline.js";
 export type { StrokeJoin } from "./geometry/joins.js";
 export type { JointMode, Continuity } from "./geometry/joints.js";
-export type { Moments } from "./geometry/path/core-path.js";
 export type { FillRule, RegionOptions } from "./geometry/path/fill-rule.js";
-export type { SvgError, Face } from "./geometry/path/path.js";
+export type { SvgError, Face, Moments } from "./geometry/path/path.js";
 export type {
   StrokeOptions,
   StrokeShape,

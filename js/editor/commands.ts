@@ -1,5 +1,6 @@
 // What can be done to the points: each function returns a new state. Where joints are held, the core does it.
-import { type Curve, Spline } from "../index.js";
+import { Spline } from "../geometry/spline/spline.js";
+import type { Curve } from "../index.js";
 import { generator, randomChain, randomPlaces } from "./random.js";
 import { pairs } from "./plane.js";
 import { degreeOf, figureOf } from "./figure.js";

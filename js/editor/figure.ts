@@ -1,5 +1,6 @@
 // The curves that the points mean: pieces in Bézier form, for every basis and degree.
-import { Curve, Spline } from "../index.js";
+import { Curve } from "../geometry/curve/curve.js";
+import { Spline } from "../geometry/spline/spline.js";
 import { MAX_DEGREE } from "./state.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";

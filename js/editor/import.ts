@@ -1,5 +1,5 @@
 // Figures out of text: points, an SVG path, or the plain data that an element gave.
-import { Path } from "../index.js";
+import { CorePath as Path } from "../geometry/path/core-path.js";
 import { pairs } from "./plane.js";
 import { pointsIn, stateOf } from "./schema.js";
 import { withPoints } from "./state.js";

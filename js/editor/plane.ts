@@ -1,5 +1,5 @@
 // Boxes, points, and chains of cubics.
-import { Spline } from "../index.js";
+import { Spline } from "../geometry/spline/spline.js";
 
 /** The view box; coordinates are in its units, y down */
 export type Box = { width: number; height: number };

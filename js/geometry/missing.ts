@@ -4,7 +4,7 @@
  * @internal
  */
 export const CURVE_METHODS =
-  "torsion frames inflections cusps classify tangentsFrom reduce offset intersections selfIntersections distanceTo hausdorff " +
+  "torsion frames extrema timesAtCoordinate inflections cusps classify tangentsFrom reduce offset intersections selfIntersections distanceTo hausdorff " +
   "toThree";
 
 /**

@@ -1,5 +1,5 @@
 // Long chains of high degrees: what layers ask of each piece stays a matter of a few frames.
-import { Spline } from "../index.js";
+import { Spline } from "../geometry/spline/spline.js";
 import type { Figure } from "../editor/figure.js";
 
 /** What the core does takes about so long as the degrees squared, summed: this much is a tenth of a second at worst. */

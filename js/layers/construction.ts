@@ -1,6 +1,6 @@
 // How the curve comes from its points: polygon, hull, de Casteljau's construction, the halves.
 import * as pen from "../ui/pen.js";
-import { Curve } from "../index.js";
+import { Curve } from "../geometry/curve/curve.js";
 import { along, faint, hollows, through } from "./draw-context.js";
 import { hue } from "./theme.js";
 import { translated } from "../editor/translations.js";

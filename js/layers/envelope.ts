@@ -1,6 +1,6 @@
 // The curve from lines alone, and the curve beyond its ends.
 import { CURVE_WIDTH, stroke } from "../ui/pen.js";
-import { Curve } from "../index.js";
+import { Curve } from "../geometry/curve/curve.js";
 import { BEYOND } from "../editor/state.js";
 import { along, dashed, faint, lines } from "./draw-context.js";
 import { translated } from "../editor/translations.js";

@@ -1,6 +1,6 @@
 // How much each point counts at t: discs whose areas are the weights.
 import { RIM_WIDTH, stroke } from "../ui/pen.js";
-import { Curve } from "../index.js";
+import { Curve } from "../geometry/curve/curve.js";
 import { isSeen } from "./draw-context.js";
 import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";

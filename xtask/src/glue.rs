@@ -69,7 +69,7 @@ pub(crate) const PARTS: [Part; 6] = [
     // For casteljau/core.
     Part {
         name: "core",
-        own: &[CORE_CURVES, CORE_SPLINES, CORE_PATHS],
+        own: &[CORE_CURVES, CURVE_MEASURES, CORE_SPLINES, CORE_PATHS],
     },
     // For casteljau/surfaces, whose curves have the methods of casteljau/core.
     Part {
@@ -97,14 +97,11 @@ pub(crate) const PARTS: [Part; 6] = [
 
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
 
-/// The functions that js/geometry/curve/core-curve.ts and the classes that it extends call.
+/// The functions that js/geometry/curve/core-curve.ts calls, besides measures.
 const CORE_CURVES: &[&str] = &[
     "basis_matrix",
     "bernstein_weights",
     "cubic_eval",
-    "cubic_length",
-    "cubic_nearest",
-    "curve_area",
     "curve_bounds",
     "curve_cubics",
     "curve_curvature",
@@ -112,28 +109,33 @@ const CORE_CURVES: &[&str] = &[
     "curve_derivative",
     "curve_derivative_at",
     "curve_elevate",
-    "curve_equidistant_times",
     "curve_eval",
     "curve_eval_at",
-    "curve_extrema",
     "curve_flatten",
     "curve_from_basis",
     "curve_hull",
-    "curve_length",
-    "curve_nearest",
     "curve_normal",
     "curve_sample",
     "curve_split",
     "curve_subdivide",
     "curve_subsegment",
     "curve_tangent",
-    "curve_time_at_length",
-    "curve_times_at_coordinate",
     "curve_to_basis",
     "path_check_tolerance",
 ];
 
-/// The functions that js/geometry/spline/core-spline.ts and the classes that it extends call.
+/// What `Curve` of casteljau/surfaces does without.
+const CURVE_MEASURES: &[&str] = &[
+    "cubic_length",
+    "cubic_nearest",
+    "curve_area",
+    "curve_equidistant_times",
+    "curve_length",
+    "curve_nearest",
+    "curve_time_at_length",
+];
+
+/// The functions that js/geometry/spline/core-spline.ts calls.
 const CORE_SPLINES: &[&str] = &[
     "spline_append",
     "spline_area",
@@ -161,7 +163,6 @@ const CORE_PATHS: &[&str] = &[
     "path_equidistant_times",
     "path_flatten",
     "path_length",
-    "path_moments",
     "path_nearest",
     "path_segment_ends",
     "path_time_at_length",

@@ -1,5 +1,5 @@
 // A companion that stands alone: what its attributes say.
-import { Curve } from "../../index.js";
+import { Curve } from "../../geometry/curve/curve.js";
 import { readNumber } from "../../ui/numbers.js";
 import { FIRST_POINTS, ownPoints, pointsText } from "./points.js";
 import { withTangents } from "./subject.js";

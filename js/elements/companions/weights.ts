@@ -1,5 +1,5 @@
 // What each control point counts for at t.
-import { Curve } from "../../index.js";
+import { Curve } from "../../geometry/curve/curve.js";
 
 /** The bases that a companion knows by itself. */
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom"] as const;

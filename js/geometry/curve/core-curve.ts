@@ -22,7 +22,7 @@ import { packedSpline } from "../../wasm/packed-path.js";
 import type { SplineData } from "../brand.js";
 import type { PointAtLength } from "../arc-length.js";
 import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
-import type { Extrema, Nearest } from "../curve-queries.js";
+import type { Nearest } from "../curve-queries.js";
 import type { Point, PointArrays, Bounds } from "../points.js";
 import type { BasisLike, BasisName } from "../basis.js";
 import type { Subdivision } from "../subdivision.js";
@@ -523,22 +523,6 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     check.noSurplus(surplus, "area", 0);
     this._require2D("area");
     return core().curve_area(this._write());
-  }
-
-  /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
-    return queries.extrema(this._flat, this.dimension);
-  }
-
-  /**
-   * All parameters in [0, 1] at which a coordinate has the given value, end points and tangencies included, sorted. If
-   * the coordinate has that value everywhere: 0 and 1, the ends of the range.
-   *
-   * @param where one coordinate and its value
-   */
-  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
-    return queries.timesAtCoordinate(this._flat, this.dimension, where);
   }
 
   /**

@@ -12,7 +12,7 @@ import { flatten } from "../points.js";
 import { readSpline } from "../spline/spline.js";
 import { curveToThree } from "../../io/three.js";
 import type { PointLike, PointsLike } from "../check.js";
-import type { CurveKind, Distance } from "../curve-queries.js";
+import type { CurveKind, Distance, Extrema } from "../curve-queries.js";
 import type { FrameOptions, Frames } from "../frames.js";
 import type { BasisLike } from "../basis.js";
 import type { CurveJSON } from "./core-curve.js";
@@ -69,6 +69,22 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     const args = frameArguments(ts, options);
     const count = this._write(args);
     return readFrames(unwrapCount(core().curve_frames(count, ts.length, args.length > ts.length)));
+  }
+
+  /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
+  extrema(...surplus: never[]): Extrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return queries.extrema(this._flat, this.dimension);
+  }
+
+  /**
+   * All parameters in [0, 1] at which a coordinate has the given value, end points and tangencies included, sorted. If
+   * the coordinate has that value everywhere: 0 and 1, the ends of the range.
+   *
+   * @param where one coordinate and its value
+   */
+  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
+    return queries.timesAtCoordinate(this._flat, this.dimension, where);
   }
 
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */

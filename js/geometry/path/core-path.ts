@@ -5,16 +5,13 @@ import { affine } from "../affine.js";
 import { showInNode } from "../inspected.js";
 import { samePoints, writePoint, boxAt, requireList } from "../points.js";
 import { checkedSplineData, packedShape, require2D } from "./packed-shape.js";
-import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
 import { findArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn, checkTolerance } from "../../io/svg-write.js";
 import { extents, packedSplines, packedPaths } from "../../wasm/packed-path.js";
-import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
 import { isEvenOdd } from "./fill-rule.js";
 import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
 import { pointAndDirections } from "../arc-length.js";
 import { PathSegmentIndex } from "./path-segment-index.js";
-import { PathIndex } from "./path-index.js";
 import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
@@ -27,10 +24,8 @@ import type { TransformLike, Complete, PointLike, PointsLike } from "../check.js
 import type { CoreCurve } from "../curve/core-curve.js";
 import type { SplineData } from "../brand.js";
 import type { CoreSpline, SplineJSON } from "../spline/core-spline.js";
-import type { CssOptions, PathSegment } from "../../io/path-data.js";
 import type { PathSvgOptions } from "../../io/svg-write.js";
 import type { RegionOptions } from "./fill-rule.js";
-import type { PathExtrema } from "./path-coordinates.js";
 import type { PathTime, PathPoint, PathPointAtLength } from "./path-queries.js";
 import type { Point, Bounds } from "../points.js";
 import type { ArcOptions, RectOptions } from "./path-shapes.js";
@@ -43,22 +38,6 @@ let isShown = false;
 
 /** The limit of one result in the core: 1 GiB of coordinates. */
 const MAX_SAMPLE_SEGMENTS = (1 << 26) - 1;
-
-/** The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number. */
-export interface Moments {
-  /** The integral of 1 */
-  area: number;
-  /** The integral of x; x / area is the x coordinate of the centroid */
-  x: number;
-  /** The integral of y; y / area is the y coordinate of the centroid */
-  y: number;
-  /** The integral of x² */
-  xx: number;
-  /** The integral of xy */
-  xy: number;
-  /** The integral of y² */
-  yy: number;
-}
 
 /** What a path can be made of and intersected with, from any entry point of this package. */
 export type Shape = CorePath | CoreSpline | CoreCurve;
@@ -131,29 +110,6 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   /** The path as `toSVG` writes it: `String(path)` and `${path}` give this text. */
   toString(): string {
     return this.toSVG();
-  }
-
-  /**
-   * The path as segments of path data, as `getPathData` of SVG elements gives them, with absolute commands M, L, Q, C
-   * and Z; segments of higher degree become cubics.
-   *
-   *     Path.fromSVG("M0 0H4").toPathData(); // [{ type: "M", values: [0, 0] }, { type: "L", values: [4, 0] }]
-   *
-   * @param options `tolerance`: for degrees above 3, the largest distance of the cubics
-   */
-  toPathData(options?: { tolerance?: number }): PathSegment[] {
-    return pathDataOf(this.#packed, options);
-  }
-
-  /**
-   * The path as the function `shape()` of CSS, for `clip-path` and `shape-outside`, in pixels; an empty path gives
-   * "none". For `offset-path`, `path("${path.toSVG()}")` is better: with `shape()`, Chromium 156 draws an
-   * `offset-distance` of 100 % at the start of an open path of lines.
-   *
-   *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
-   */
-  toCSS(options?: CssOptions): string {
-    return cssOf(this.#packed, options);
   }
 
   /**
@@ -436,28 +392,6 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     return this._pathOf(packedSplines(isPoint ? [pointAsSubpath(this, a)] : partsBetween(this, a, b)));
   }
 
-  /**
-   * The locations where a coordinate has a local extremum (its derivative changes sign), inside segments and at joints,
-   * in the order of the path. The ends of open subpaths do not count. Where the coordinate is constant between
-   * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
-   * `Spline.extrema`.
-   */
-  extrema(...surplus: never[]): PathExtrema {
-    check.noSurplus(surplus, "extrema", 0);
-    return extremaOfPath(this);
-  }
-
-  /**
-   * All locations at which a coordinate has the given value, end points and tangencies included, in the order of the
-   * path. A joint is reported once, the end of a closed subpath as its start. For a segment on which the coordinate has
-   * that value everywhere: its ends.
-   *
-   * @param where one coordinate and its value
-   */
-  timesAtCoordinate(where: { x: number } | { y: number }): PathTime[] {
-    return timesAtCoordinateOfPath(this, where);
-  }
-
   #segmentIndex: PathSegmentIndex | undefined;
   #tree: PathTree | undefined;
   /** Whether a nearest point or a winding number was asked for: the next time the tree is made */
@@ -570,17 +504,6 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
       this.#area = core().path_area();
     }
     return this.#area;
-  }
-
-  /**
-   * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
-   * area.
-   */
-  moments(...surplus: never[]): Moments {
-    check.noSurplus(surplus, "moments", 0);
-    writeArguments(this._packed);
-    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
-    return { area, x, y, xx, xy, yy };
   }
 
   /**
@@ -707,26 +630,6 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   }
 
   /**
-   * The path of segments of path data, as `getPathData` of SVG elements gives them: commands of SVG path data in any
-   * form, with their numbers.
-   *
-   *     Path.fromPathData(document.querySelector("path").getPathData());
-   *
-   * @param segments `type`: the letter of a command; `values`: the numbers of one such command
-   * @throws {RangeError} for an unknown command, and for a wrong number of values
-   */
-  static fromPathData<P extends CorePath>(
-    this: PathClass<P>,
-    segments: ArrayLike<PathSegment>,
-    options?: ArcOptions,
-  ): P {
-    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    const packed = readPathData(segments, tolerance);
-    checkTolerance(packed, tolerance);
-    return pathFrom(this, packed);
-  }
-
-  /**
    * A builder with the methods of a canvas context, for code that draws on one.
    *
    *     const builder = Path.builder();
@@ -828,19 +731,6 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   }
 
   /**
-   * An index of paths for hit testing: the nearest path, those that contain a point, and those within a box. It answers in
-   * about log n steps for n paths.
-   *
-   *     const index = Path.index(paths);
-   *     const hit = index.nearest([event.offsetX, event.offsetY], { maxDistance: 5 });
-   *     const [top] = index.containing([event.offsetX, event.offsetY]);
-   */
-  static index(paths: ArrayLike<CorePath>): PathIndex {
-    if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${check.describe(paths)}`);
-    return new PathIndex(Array.from(paths, (path, k) => measurable(path, `paths[${k}]`)));
-  }
-
-  /**
    * The path that `toJSON` described.
    *
    * @param json what `toJSON` returned
@@ -930,9 +820,4 @@ export function packedFrom(shapes: Shape | ArrayLike<Shape>, surplus: never[]): 
 export function packedFromJSON(json: { subpaths: SplineJSON[] }): Float64Array {
   requireJSON(json, "subpaths", ({ subpaths }) => Array.isArray(subpaths));
   return packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`)));
-}
-
-/** A path of any entry point as one that can be searched. */
-function measurable(path: unknown, name: string): CorePath {
-  return path instanceof CorePath ? path : pathFrom(CorePath, pathData(path, name));
 }

@@ -1,7 +1,7 @@
 // Locations on a path where a coordinate has a given value or an extremum.
 import { requestedCoordinate } from "../curve-queries.js";
 import type { PathTime } from "./path-queries.js";
-import type { CorePath } from "./core-path.js";
+import type { Path } from "./path.js";
 
 /** The locations where a coordinate has a local extremum. */
 export type PathExtrema = { x: PathTime[]; y: PathTime[] };
@@ -9,7 +9,7 @@ export type PathExtrema = { x: PathTime[]; y: PathTime[] };
 /**
  * @internal
  */
-export function extremaOfPath(path: CorePath): PathExtrema {
+export function extremaOfPath(path: Path): PathExtrema {
   const extrema = path.subpaths.map((spline) => spline.extrema());
   const locations = (axis: "x" | "y") =>
     extrema.flatMap((found, subpath) => Array.from(found[axis], (t) => ({ subpath, t })));
@@ -19,7 +19,7 @@ export function extremaOfPath(path: CorePath): PathExtrema {
 /**
  * @internal
  */
-export function timesAtCoordinateOfPath(path: CorePath, where: { x: number } | { y: number }): PathTime[] {
+export function timesAtCoordinateOfPath(path: Path, where: { x: number } | { y: number }): PathTime[] {
   requestedCoordinate(where, 2); // checked for an empty path too
   return path.subpaths.flatMap((spline, subpath) =>
     Array.from(spline.timesAtCoordinate(where), (t) => ({ subpath, t })),

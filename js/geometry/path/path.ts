@@ -5,15 +5,21 @@ import * as regions from "./path-boolean.js";
 import * as strokes from "./path-stroke.js";
 import { intersectPathWith, selfIntersectPath } from "../intersections.js";
 import { packedShape } from "./packed-shape.js";
+import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
+import { PathIndex } from "./path-index.js";
+import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
+import { pathData } from "../brand.js";
+import { core } from "../../wasm/init.js";
+import { readResult, writeArguments } from "../../wasm/transfer.js";
 import { splineOf } from "../spline/spline.js";
 import { packedPaths } from "../../wasm/packed-path.js";
 import type { PointLike } from "../check.js";
 import type { ThreeShapes } from "../../io/three.js";
-import type { Shape, Moments } from "./core-path.js";
+import type { PathClass, Shape } from "./core-path.js";
 import type { RegionOptions } from "./fill-rule.js";
 import type { BooleanOperation } from "./path-boolean.js";
 import { arcsOf } from "./path-arcs.js";
-import { svgOfArcs } from "../../io/svg-write.js";
+import { checkTolerance, svgOfArcs } from "../../io/svg-write.js";
 import type { ArcSvgOptions, PathSvgOptions } from "../../io/svg-write.js";
 import type { CircularArc } from "./path-arcs.js";
 import type {
@@ -25,6 +31,9 @@ import type {
   WidthProfile,
 } from "./path-stroke.js";
 import type { PathTime } from "./path-queries.js";
+import type { PathExtrema } from "./path-coordinates.js";
+import type { ArcOptions } from "./path-shapes.js";
+import type { CssOptions, PathSegment } from "../../io/path-data.js";
 import type { SplineData } from "../brand.js";
 import type { Intersection, PathIntersection } from "../intersections.js";
 import type { Spline, SimplifyOptions } from "../spline/spline.js";
@@ -35,6 +44,22 @@ import type { SplineJSON } from "../spline/core-spline.js";
  * path up to the error (which viewers are to render, according to the SVG specification).
  */
 export type SvgError = RangeError & { offset: number; path: Path };
+
+/** The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number. */
+export interface Moments {
+  /** The integral of 1 */
+  area: number;
+  /** The integral of x; x / area is the x coordinate of the centroid */
+  x: number;
+  /** The integral of y; y / area is the y coordinate of the centroid */
+  y: number;
+  /** The integral of x² */
+  xx: number;
+  /** The integral of xy */
+  xy: number;
+  /** The integral of y² */
+  yy: number;
+}
 
 /** A face of `Path.faces`: an outer contour with its holes, and for each path whether it contains the face. */
 export type Face = { path: Path; inside: boolean[] };
@@ -298,11 +323,92 @@ export class Path extends CorePath<Spline<2>> {
   }
 
   /**
+   * The locations where a coordinate has a local extremum (its derivative changes sign), inside segments and at joints,
+   * in the order of the path. The ends of open subpaths do not count. Where the coordinate is constant between
+   * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
+   * `Spline.extrema`.
+   */
+  extrema(...surplus: never[]): PathExtrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return extremaOfPath(this);
+  }
+
+  /**
+   * All locations at which a coordinate has the given value, end points and tangencies included, in the order of the
+   * path. A joint is reported once, the end of a closed subpath as its start. For a segment on which the coordinate has
+   * that value everywhere: its ends.
+   *
+   * @param where one coordinate and its value
+   */
+  timesAtCoordinate(where: { x: number } | { y: number }): PathTime[] {
+    return timesAtCoordinateOfPath(this, where);
+  }
+
+  /**
    * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
    * area. With a fill rule, over the region that the path fills.
    */
-  override moments(options?: RegionOptions): Moments {
-    return hasFillRule(options) ? this.removeOverlaps(options).moments() : super.moments();
+  moments(options?: RegionOptions): Moments {
+    if (hasFillRule(options)) return this.removeOverlaps(options).moments();
+    writeArguments(this._packed);
+    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
+    return { area, x, y, xx, xy, yy };
+  }
+
+  /**
+   * The path as the function `shape()` of CSS, for `clip-path` and `shape-outside`, in pixels; an empty path gives
+   * "none". For `offset-path`, `path("${path.toSVG()}")` is better: with `shape()`, Chromium 156 draws an
+   * `offset-distance` of 100 % at the start of an open path of lines.
+   *
+   *     Path.fromSVG("M0 0H4V4Z").toCSS(); // "shape(from 0px 0px, line to 4px 0px, line to 4px 4px, close)"
+   */
+  toCSS(options?: CssOptions): string {
+    return cssOf(this._packed, options);
+  }
+
+  /**
+   * The path as segments of path data, as `getPathData` of SVG elements gives them, with absolute commands M, L, Q, C
+   * and Z; segments of higher degree become cubics.
+   *
+   *     Path.fromSVG("M0 0H4").toPathData(); // [{ type: "M", values: [0, 0] }, { type: "L", values: [4, 0] }]
+   *
+   * @param options `tolerance`: for degrees above 3, the largest distance of the cubics
+   */
+  toPathData(options?: { tolerance?: number }): PathSegment[] {
+    return pathDataOf(this._packed, options);
+  }
+
+  /**
+   * The path of segments of path data, as `getPathData` of SVG elements gives them: commands of SVG path data in any
+   * form, with their numbers.
+   *
+   *     Path.fromPathData(document.querySelector("path").getPathData());
+   *
+   * @param segments `type`: the letter of a command; `values`: the numbers of one such command
+   * @throws {RangeError} for an unknown command, and for a wrong number of values
+   */
+  static fromPathData<P extends CorePath>(
+    this: PathClass<P>,
+    segments: ArrayLike<PathSegment>,
+    options?: ArcOptions,
+  ): P {
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
+    const packed = readPathData(segments, tolerance);
+    checkTolerance(packed, tolerance);
+    return pathFrom(this, packed);
+  }
+
+  /**
+   * An index of paths for hit testing: the nearest path, those that contain a point, and those within a box. It answers in
+   * about log n steps for n paths.
+   *
+   *     const index = Path.index(paths);
+   *     const hit = index.nearest([event.offsetX, event.offsetY], { maxDistance: 5 });
+   *     const [top] = index.containing([event.offsetX, event.offsetY]);
+   */
+  static index(paths: ArrayLike<CorePath>): PathIndex {
+    if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${check.describe(paths)}`);
+    return new PathIndex(Array.from(paths, (path, k) => measurable(path, `paths[${k}]`)));
   }
 
   /**
@@ -374,4 +480,9 @@ function hasFillRule(options: RegionOptions | undefined) {
  */
 export function pathOf(packed: Float64Array): Path {
   return pathFrom(Path, packed); // outside of the class, see ../curve/curve.js
+}
+
+/** A path of any entry point as one that can be searched. */
+function measurable(path: unknown, name: string): CorePath {
+  return path instanceof CorePath ? path : pathFrom(CorePath, pathData(path, name));
 }

@@ -3,7 +3,6 @@ import { pointAndDirections } from "../arc-length.js";
 import { arcLengthsOf, segmentAtLength } from "./arc-length-table.js";
 import { coreCurveOf } from "../curve/core-curve.js";
 import { SegmentTree } from "../segment-tree.js";
-import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { onlySplineData, curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { partsAt } from "../parts.js";
@@ -26,7 +25,7 @@ import type { PointAtLength } from "../arc-length.js";
 import type { SplineData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
-import type { Extrema, Nearest } from "../curve-queries.js";
+import type { Nearest } from "../curve-queries.js";
 import type { Point, PointArrays, Bounds } from "../points.js";
 import type { Continuity, JointMode } from "../joints.js";
 import type { SvgOptions } from "../../io/svg-write.js";
@@ -651,28 +650,6 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     this.#tree ??= new SegmentTree(this._index);
     const { k, found } = this.#tree.nearest(point) as { k: number; found: Nearest<D> };
     return { ...found, t: k + found.t };
-  }
-
-  /**
-   * The parameters inside of (0, number of segments) where a coordinate has a local extremum, sorted. Joints at which
-   * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
-   * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
-   */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
-    return splineExtrema(this._index, this.segments());
-  }
-
-  /**
-   * All parameters in [0, number of segments] at which a coordinate has the given value, end points and tangencies
-   * included, sorted. Joints are reported once, the start of a closed spline as 0. If the coordinate has that value on a
-   * whole segment: both ends of the segment.
-   *
-   * @param where one coordinate and its value
-   * @throws {TypeError} unless `where` has exactly one coordinate of the spline's dimension
-   */
-  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
-    return splineTimesAtCoordinate(this.segments(), where, this.closed);
   }
 
   /**

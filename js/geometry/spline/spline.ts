@@ -1,5 +1,6 @@
 import * as check from "../check.js";
 import { CoreSpline, joinCurves, CheckedSplineData, readSplineData, splineDataOf } from "./core-spline.js";
+import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { core } from "../../wasm/init.js";
@@ -13,6 +14,7 @@ import { flatten } from "../points.js";
 import { curveToThree } from "../../io/three.js";
 import type { PointsLike } from "../check.js";
 import type { Curve } from "../curve/curve.js";
+import type { Extrema } from "../curve-queries.js";
 import type { FrameOptions, Frames } from "../frames.js";
 import type { SplineData } from "../brand.js";
 import type { BSpline, BSplineOptions } from "../bspline.js";
@@ -93,6 +95,28 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const args = frameArguments(ts, options);
     this._write(args);
     return readFrames(unwrapCount(core().spline_frames(ts.length, args.length > ts.length)));
+  }
+
+  /**
+   * The parameters inside of (0, number of segments) where a coordinate has a local extremum, sorted. Joints at which
+   * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
+   * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
+   */
+  extrema(...surplus: never[]): Extrema {
+    check.noSurplus(surplus, "extrema", 0);
+    return splineExtrema(this._index, this.segments());
+  }
+
+  /**
+   * All parameters in [0, number of segments] at which a coordinate has the given value, end points and tangencies
+   * included, sorted. Joints are reported once, the start of a closed spline as 0. If the coordinate has that value on a
+   * whole segment: both ends of the segment.
+   *
+   * @param where one coordinate and its value
+   * @throws {TypeError} unless `where` has exactly one coordinate of the spline's dimension
+   */
+  timesAtCoordinate(where: { x: number } | { y: number } | { z: number }): Float64Array {
+    return splineTimesAtCoordinate(this.segments(), where, this.closed);
   }
 
   /**
