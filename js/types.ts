@@ -21,6 +21,7 @@ export type { JointMode, Continuity } from "./geometry/joints.js";
 export type { FillRule, RegionOptions } from "./geometry/path/fill-rule.js";
 export type { SvgError, Face, Moments } from "./geometry/path/path.js";
 export type {
+  SideWidths,
   StrokeOptions,
   StrokeShape,
   StrokeCap,

@@ -159,6 +159,22 @@ pub fn region_stroke(width: f64, join: u32, cap: u32, dashes: usize, simple: boo
     })
 }
 
+/// Writes the region of a stroke with different widths on both sides; see `stroke_arguments`.
+#[wasm_bindgen]
+pub fn region_stroke_sides(
+    left: f64,
+    right: f64,
+    join: u32,
+    cap: u32,
+    dashes: usize,
+    simple: bool,
+) -> isize {
+    answer_path(|a| {
+        let (path, options, _) = stroke_arguments(a, join, cap, dashes, 0, 0);
+        path.stroke_sides(left, right, &StrokeOptions { simple, ..options })
+    })
+}
+
 /// Writes the region of a stroke of varying width; see `stroke_arguments`. Bit 0 of `kind`: positions by t, bit 1: smooth.
 #[wasm_bindgen]
 pub fn region_stroke_with(

@@ -42,7 +42,7 @@ const LIMITS: &[(&str, usize)] = &[
 
 /// The functions of regions, and the search for contacts of a few thousand segments.
 const REGIONS: &str = "union intersect subtract exclude combine remove_overlaps faces divide clip \
-    filled_area filled_moments stroke offset";
+    filled_area filled_moments stroke stroke_sides offset";
 const REGION: usize = 1 << 27;
 /// The documented limit of Boolean operations, up to 2¹³ for each segment and contact. Of 10,000 calls of `Path::offset` one
 /// takes more than [`REGION`].

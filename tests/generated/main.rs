@@ -148,7 +148,7 @@ groups! {
         Path one (paths): union intersect subtract exclude combine remove_overlaps faces divide clip;
     }
     paths_strokes {
-        Path one (paths): filled_area filled_moments stroke stroke_contains dash offset round_corners round_corners_by to_arcs;
+        Path one (paths): filled_area filled_moments stroke stroke_sides stroke_contains dash offset round_corners round_corners_by to_arcs;
     }
     ink_strokes {
         InkStroke one (ink): outline;

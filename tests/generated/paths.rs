@@ -348,7 +348,7 @@ pub(crate) fn filled_moments(path: Path, rule: FillRule) -> Checked {
 }
 
 /// What errors of strokes may name: negative widths, and results that are too large or cannot be resolved.
-pub(crate) const REFUSALS: &str = "width|widths|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
+pub(crate) const REFUSALS: &str = "width|widths|left|right|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
 
 /// The options of a stroke; caps follow the joins, so that all kinds occur.
 fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {
@@ -384,6 +384,20 @@ pub(crate) fn stroke(path: Path, width: f64, join: OffsetJoin, tolerance: Option
         .at(at)
         .interpolation(interpolation);
     is_closed(&answer!(path.stroke_with(&profile, &options), REFUSALS))
+}
+
+pub(crate) fn stroke_sides(
+    path: Path,
+    left: f64,
+    right: f64,
+    join: OffsetJoin,
+    tolerance: Option<f64>,
+) -> Checked {
+    let mut options = options(join, tolerance);
+    let region = answer!(path.stroke_sides(left, right, &options), REFUSALS);
+    is_closed(&region)?;
+    options.simple = false;
+    is_closed(&answer!(path.stroke_sides(left, right, &options), REFUSALS))
 }
 
 /// Checks that a stroke with round joins and caps contains the points near the path, and no others.
@@ -451,9 +465,9 @@ pub(crate) fn round_corners(path: Path, radius: f64) -> Checked {
     is_rounded(&path, &rounded, radius)
 }
 
-/// Radii from 0 to the given one.
+/// Radii from 0 to the size of the given one.
 pub(crate) fn round_corners_by(path: Path, radius: f64) -> Checked {
-    let mut corners = Vec::new();
+    let (radius, mut corners) = (radius.abs(), Vec::new());
     let part = |corner: PathTime| {
         corners.push(corner);
         radius * (0.25 * corner.t).fract()

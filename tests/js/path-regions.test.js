@@ -44,6 +44,21 @@ test("widths along a stroke: a cone, positions by length and by t", () => {
   assert.deepEqual([wide("t"), wide("length")], [true, false]);
 });
 
+test("strokes with different widths on both sides", () => {
+  const straight = line(0, 0, 10, 0);
+  const sides = { left: 3, right: 1 };
+  near([straight.stroke(sides).area(), straight.stroke(sides, { cap: "square" }).area()], [40, 56]);
+  const bounds = straight.stroke(sides).bounds();
+  assert.deepEqual([bounds?.min.y, bounds?.max.y], [-1, 3]);
+  assert.deepEqual(
+    [2.9, 3.1, -0.9, -1.1].map((y) => straight.strokeContains([5, y], sides)),
+    [true, false, true, false],
+  );
+  assert.ok(straight.strokeContains([11, 1], sides, { cap: "round" }));
+  assert.ok(WAVE.stroke({ left: 0.2, right: 0.2 }).equals(WAVE.stroke(0.4)));
+  assert.equal(WAVE.stroke({ left: 0, right: 0 }).subpathCount, 0);
+});
+
 test("default values of options: nonzero, mitered offsets", () => {
   const star = Path.fromSVG("M0 -1L.59 .81L-.95 -.31H.95L-.59 .81Z");
   const counts = [{}, { fillRule: "nonzero" }, { fillRule: "evenodd" }].map((/** @type {any} */ options) =>

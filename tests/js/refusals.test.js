@@ -60,6 +60,11 @@ const KINDS = {
     [TypeError, [undefined, ...NOT_NUMBERS], "expected a number, got "],
     [RangeError, NOT_FINITE, "expected a finite number, got "],
   ],
+  /** A parameter or a list of them. */
+  times: [
+    [TypeError, [undefined, ...NOT_NUMBERS.filter((value) => !Array.isArray(value))], "expected a number, got "],
+    [RangeError, NOT_FINITE, "expected a finite number, got "],
+  ],
   finite: [[RangeError, NOT_FINITE, "expected a finite number, got "]],
   canvas: [[TypeError, [undefined, null, 5, {}], "expected "]],
   tolerance: [

@@ -8,4 +8,5 @@ mod resvg;
 mod round;
 mod round_corners;
 mod shapes;
+mod sides;
 mod variable;

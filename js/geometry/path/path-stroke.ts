@@ -1,7 +1,7 @@
 // Strokes, dashes, offsets of regions and rounded corners: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
 import { joinCode } from "../joins.js";
-import { coordinatesOf } from "./core-path.js";
+import { CorePath, coordinatesOf, pathFrom } from "./core-path.js";
 import { core } from "../../wasm/init.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { unwrapCount } from "../../wasm/errors.js";
@@ -64,6 +64,15 @@ export interface WidthProfile {
  */
 export type CornerRadius = number | ArrayLike<number> | ((corner: PathTime, index: number) => number);
 
+/** The widths of a stroke on the left of the path, where its normals point (x right, y up), and on the right. */
+export interface SideWidths {
+  left: number;
+  right: number;
+}
+
+/** The width of a stroke everywhere, at positions along each subpath, or on both sides. */
+type StrokeWidth = number | WidthProfile | SideWidths;
+
 /** The options of `roundCorners`. */
 export interface CornerOptions {
   /** The largest distance of the cubics from the arcs, 1e-9 of the radius by default */
@@ -93,10 +102,14 @@ function lengthsOf(lengths: unknown, name: string): Float64Array {
   return Float64Array.from(lengths as ArrayLike<number>, (length, k) => check.finite(length, `${name}[${k}]`));
 }
 
+function isSides(width: unknown): width is SideWidths {
+  return "left" in Object(width) || "right" in Object(width);
+}
+
 /** @throws {TypeError} for a list */
 function isProfile(width: unknown): width is WidthProfile {
   if (Array.isArray(width)) {
-    const hint = "; did you mean { stops: [[0, 1], …] }?";
+    const hint = "; did you mean { stops: [[0, 1], …] } or { left, right }?";
     throw new TypeError(`width: expected a number or a profile, got ${check.describe(width)}${hint}`);
   }
   return typeof width === "object" && width !== null;
@@ -136,9 +149,15 @@ function writeStroke(
  * @internal
  * @returns a packed path
  */
-export function stroke(path: Float64Array, width: number | WidthProfile, options?: StrokeOptions): Float64Array {
+export function stroke(path: Float64Array, width: StrokeWidth, options?: StrokeOptions): Float64Array {
   const checked = check.options(options, [...SHAPE, "tolerance", "simple"]);
   const simple = check.optionalBoolean(checked.simple, "simple", true);
+  if (isSides(width)) {
+    const { left, right } = check.options(width, ["left", "right"]);
+    const [a, b] = [check.finite(left, "left"), check.finite(right, "right")];
+    const { join, cap, dashes } = writeStroke(path, checked);
+    return readPath(core(regionsModule).region_stroke_sides(a, b, join, cap, dashes, simple));
+  }
   if (isProfile(width)) {
     const { stops, kind } = widthsOf(width);
     const { join, cap, dashes } = writeStroke(path, checked, stops);
@@ -155,11 +174,12 @@ export function stroke(path: Float64Array, width: number | WidthProfile, options
 export function strokeContains(
   path: Float64Array,
   point: PointLike,
-  width: number | WidthProfile,
+  width: StrokeWidth,
   options?: StrokeShape,
 ): boolean {
   const checked = check.options(options, SHAPE);
   const [x, y] = coordinatesOf(point);
+  if (isSides(width)) return pathFrom(CorePath, stroke(path, width, { ...checked, simple: false })).contains(point);
   if (isProfile(width)) {
     const { stops, kind } = widthsOf(width);
     const { join, cap, dashes } = writeStroke(path, checked, stops);

@@ -26,6 +26,7 @@ import type {
   CornerOptions,
   CornerRadius,
   RegionOffsetOptions,
+  SideWidths,
   StrokeOptions,
   StrokeShape,
   WidthProfile,
@@ -185,26 +186,32 @@ export class Path extends CorePath<Spline<2>> {
    * points of the path whose radius is half the width there. A butt cap is then the line between the points in which the
    * last disc touches both sides. A subpath that is a point has its largest width.
    *
+   * Two widths `{ left: 5, right: 20 }` give the points on a left normal at a distance of at most the first one, and those on
+   * a right normal at a distance of at most the second one. Left is where `normal` points (x right, y up; with y down, as on
+   * a canvas, it is seen on the right). Joins, and the half disk ahead of a reversal, have the width of the outer side, at
+   * reversals that of the wider one. A round cap is the half disk whose diameter is the end of the stroke, and a square cap
+   * extends it by (left + right) / 2.
+   *
    * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
    * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
    * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
    * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
    *
-   * @param width the width everywhere, or widths at positions along each subpath
+   * @param width the width everywhere, widths at positions along each subpath, or those on the left and on the right
    * @throws {RangeError} for a negative width, positions that do not ascend from 0 to 1, a miter limit below 1, a dash
    *   pattern with a negative entry or with zeros only, and a tolerance not above 0 or below 4 ulps of the largest
    *   coordinate
    */
-  stroke(width: number | WidthProfile, options?: StrokeOptions): this {
+  stroke(width: number | WidthProfile | SideWidths, options?: StrokeOptions): this {
     return this._pathOf(strokes.stroke(this._packed, width, options));
   }
 
   /**
    * Whether a point is in the stroke of the path: hit testing, as `isPointInStroke` of a canvas. It computes distances
-   * from the path, and is exact up to rounding. With a profile of widths it computes the region of `stroke`, and within its
+   * from the path, and is exact up to rounding. With a profile or two widths it computes the region of `stroke`, and within its
    * tolerance of the boundary the answer may be either.
    */
-  strokeContains(point: PointLike, width: number | WidthProfile, options?: StrokeShape): boolean {
+  strokeContains(point: PointLike, width: number | WidthProfile | SideWidths, options?: StrokeShape): boolean {
     return strokes.strokeContains(this._packed, point, width, options);
   }
 

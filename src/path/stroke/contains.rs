@@ -53,7 +53,7 @@ impl Path {
         options: &StrokeOptions,
     ) -> Result<bool, Error> {
         check_points("p", &[p])?;
-        check_width(width)?;
+        check_width("width", width)?;
         let pen = self.pen(width, options)?;
         let pattern = Pattern::new(&options.dash, options.dash_offset)?;
         let Some(pen) = pen else {

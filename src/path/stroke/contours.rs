@@ -23,16 +23,17 @@ pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen
     let disc = Disc {
         center,
         tangent,
-        radius: pen.radius,
+        radii: pen.sides.unwrap_or([pen.radius; 2]),
         slope: 0.0,
         speed: 0.0,
-    };
+    }
+    .across();
     match pen.cap {
         StrokeCap::Butt => {}
         StrokeCap::Square => {
-            let (ahead, aside) = (tangent * pen.radius, tangent.perp() * pen.radius);
+            let (ahead, aside) = (tangent * disc.radius(), tangent.perp() * disc.radius());
             let corners = [ahead - aside, ahead + aside, aside - ahead, -ahead - aside];
-            path.push(&corners.map(|by| center + by), [1; 4], true);
+            path.push(&corners.map(|by| disc.center + by), [1; 4], true);
         }
         StrokeCap::Round => {
             let mut dot = SplineBuilder::default();

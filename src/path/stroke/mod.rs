@@ -31,6 +31,7 @@ use super::boolean::BooleanOperation;
 use super::winding::FillRule;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
+use crate::numeric::order::larger;
 use crate::spline::Spline;
 use crate::spline::offset::curve::offset_tolerance;
 use dash::Pattern;
@@ -67,8 +68,46 @@ impl Path {
     /// outlines of more than 512 segments and 64 for each curve of the path, unless `simple` is false, and otherwise
     /// as [`Curve::offset`](crate::Curve::offset) and [`union`](Self::union).
     pub fn stroke(&self, width: f64, options: &StrokeOptions) -> Result<Self, Error> {
-        check_width(width)?;
+        check_width("width", width)?;
         self.stroke_with(&WidthProfile::constant(width), options)
+    }
+
+    /// The region of a stroke whose widths on the left and on the right of the path are different: the points on a left
+    /// normal at a distance of at most `left`, and those on a right normal at a distance of at most `right`.
+    ///
+    /// Left is where [`normal`](Self::normal) points: the tangent rotated by +90° (x right, y up). Joins and the half disk
+    /// ahead of a point where a segment reverses its direction are those of a stroke with twice the width of the outer side,
+    /// at reversals of the wider one. A round cap is the half disk whose diameter is the end of the stroke, a square cap
+    /// extends the stroke by half of left + right. With two equal widths w it is the [`stroke`](Self::stroke) of the width
+    /// 2w. If both are 0, the result is the empty path.
+    ///
+    /// The boundary of the result is within `tolerance` of the exact one, by default that of a stroke of twice the larger
+    /// width.
+    ///
+    /// ```
+    /// use casteljau::Path;
+    /// use casteljau::path::StrokeOptions;
+    ///
+    /// let line: Path = "M0 0H10".parse().expect("path data");
+    /// let outline = line.stroke_sides(3.0, 1.0, &StrokeOptions::default())?;
+    /// assert_eq!(outline.area(), 40.0);
+    /// assert_eq!(outline.bounds().expect("a region").max.y, 3.0);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a width that is negative or not finite; otherwise as [`stroke`](Self::stroke).
+    pub fn stroke_sides(
+        &self,
+        left: f64,
+        right: f64,
+        options: &StrokeOptions,
+    ) -> Result<Self, Error> {
+        check_width("left", left)?;
+        check_width("right", right)?;
+        let profile = WidthProfile::constant(2.0 * larger(left, right));
+        let sides = (left != right).then_some([left, right]);
+        self.region_of(&profile, sides, options)
     }
 
     /// The region that a stroke of varying width covers.
@@ -108,7 +147,17 @@ impl Path {
         profile: &WidthProfile,
         options: &StrokeOptions,
     ) -> Result<Self, Error> {
-        match self.outlines(profile, options)? {
+        self.region_of(profile, None, options)
+    }
+
+    /// `sides`: the widths on the left and on the right, if they are different; then the profile has twice the larger one.
+    fn region_of(
+        &self,
+        profile: &WidthProfile,
+        sides: Option<[f64; 2]>,
+        options: &StrokeOptions,
+    ) -> Result<Self, Error> {
+        match self.outlines(profile, sides, options)? {
             Some((strokes, pen)) => strokes.finish(&pen, options.simple),
             None => Ok(Self::default()),
         }
@@ -144,7 +193,7 @@ impl Path {
         options: &StrokeOptions,
     ) -> Result<bool, Error> {
         check_points("p", &[p])?;
-        let strokes = self.outlines(profile, options)?;
+        let strokes = self.outlines(profile, None, options)?;
         Ok(
             strokes
                 .is_some_and(|(strokes, _)| strokes.overlapping().contains(p, FillRule::NonZero)),
@@ -155,10 +204,12 @@ impl Path {
     fn outlines(
         &self,
         profile: &WidthProfile,
+        sides: Option<[f64; 2]>,
         options: &StrokeOptions,
     ) -> Result<Option<(Strokes, Pen)>, Error> {
         profile.check()?;
         let pen = self.pen(profile.max(), options)?;
+        let pen = pen.map(|pen| Pen { sides, ..pen });
         let pattern = Pattern::new(&options.dash, options.dash_offset)?;
         let Some(pen) = pen else {
             return Ok(None);
@@ -179,6 +230,7 @@ impl Path {
         let tolerance = offset_tolerance(radius, options.tolerance, self.max_abs(), diagonal)?;
         let pen = Pen {
             radius,
+            sides: None,
             join: options.join,
             miter_limit: options.miter_limit,
             cap: options.cap,
@@ -189,12 +241,12 @@ impl Path {
     }
 }
 
-fn check_width(width: f64) -> Result<(), Error> {
+fn check_width(what: &'static str, width: f64) -> Result<(), Error> {
     if (0.0..=f64::MAX).contains(&width) {
         return Ok(());
     }
     Err(Error::Range {
-        what: "width",
+        what,
         expected: "a finite number, at least 0",
         got: width,
     })

@@ -193,8 +193,10 @@ pub(super) fn check_miter_limit(limit: f64) -> Result<(), Error> {
 /// The checked parameters of a stroke.
 #[derive(Clone, Copy)]
 pub(super) struct Pen {
-    /// Half the width, above 0.
+    /// Half the width, or the larger one of the widths of both sides; above 0.
     pub(super) radius: f64,
+    /// The widths on the left and on the right, if they are different.
+    pub(super) sides: Option<[f64; 2]>,
     pub(super) join: OffsetJoin,
     pub(super) miter_limit: f64,
     pub(super) cap: StrokeCap,
@@ -208,6 +210,7 @@ impl Pen {
     pub(super) fn scaled(&self, scale: f64) -> Self {
         Self {
             radius: self.radius * scale,
+            sides: self.sides.map(|sides| sides.map(|side| side * scale)),
             tolerance: self.tolerance * scale,
             unit: self.unit * scale,
             ..*self

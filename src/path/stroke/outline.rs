@@ -117,7 +117,7 @@ impl<'a> Outline<'a> {
         is_corner: bool,
         is_last: bool,
     ) {
-        let (pen, center, radius) = (self.pen, to.center, to.radius);
+        let (pen, center, radius) = (self.pen, to.center, to.radius());
         // First r′ changes, and both sides follow on the circle; then the direction.
         let before_turn = Disc {
             tangent: from.tangent,
@@ -130,9 +130,13 @@ impl<'a> Outline<'a> {
                 push_arc(chain, (center, radius), normals, side * spread, pen);
             }
         }
-        // A turn by 180° is a left turn, also if the sine is −0.
+        // A turn by 180° is a left turn, also if the sine is −0. At reversals, the half disk ahead is that of the wider side.
         let sin = before_turn.tangent.perp_dot(to.tangent) + 0.0;
-        let (outer, inner) = if sin >= 0.0 {
+        let is_left_turn = match pen.sides {
+            Some([left, right]) if !is_corner || sin == 0.0 => left <= right,
+            _ => sin >= 0.0,
+        };
+        let (outer, inner) = if is_left_turn {
             (RIGHT, LEFT)
         } else {
             (LEFT, RIGHT)
@@ -147,10 +151,17 @@ impl<'a> Outline<'a> {
         };
         inner_chain.connect_to(center);
         inner_chain.connect_to(to.point(inner));
+        let radius = to.radius_of(outer);
         let normals = [before_turn.normal(outer), to.normal(outer)];
         let has_sides = to.slope.abs() < 1.0;
         if !is_corner || pen.join == OffsetJoin::Round || !has_sides {
             let turn = sin.atan2(before_turn.tangent.dot(to.tangent));
+            // Around the outer side, which the sign of a sine near 0 does not tell.
+            let turn = match is_left_turn {
+                true if turn < 0.0 => turn + 2.0 * PI,
+                false if turn > 0.0 => turn - 2.0 * PI,
+                _ => turn,
+            };
             push_arc(outer_chain, (center, radius), normals, turn, pen);
             return;
         }
@@ -199,14 +210,15 @@ impl<'a> Outline<'a> {
             backward,
             ..
         } = self;
-        if !blunt_ends.is_empty() {
+        let is_sided = pen.sides.is_some();
+        if is_sided || !blunt_ends.is_empty() {
             for (section, side, run) in &backward {
                 let side = Side {
                     evaluator: &SectionEvaluator::new(section),
                     side: *side,
                     tolerance,
                 };
-                if surrounds || side.is_near(run.span, &blunt_ends) {
+                if is_sided || surrounds || side.is_near(run.span, &blunt_ends) {
                     contours.folds.push(side.fold(run)?);
                 }
             }
@@ -274,6 +286,7 @@ fn push_arc(
 /// Appends a cap to a chain that ends on one side of a disc: around the front if `sign` is 1, around the rear if it is −1.
 pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: StrokeCap, pen: &Pen) {
     let (from, to) = (-sign, sign);
+    let disc = end.across();
     match cap {
         StrokeCap::Round => {
             let normals = [end.normal(from), end.normal(to)];
@@ -282,10 +295,16 @@ pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: Stro
             } else {
                 PI - end.angle()
             };
-            push_arc(chain, (end.center, end.radius), normals, 2.0 * angle, pen);
+            push_arc(
+                chain,
+                (disc.center, disc.radius()),
+                normals,
+                2.0 * angle,
+                pen,
+            );
         }
         StrokeCap::Square => {
-            let ahead = end.tangent * (sign * end.radius);
+            let ahead = end.tangent * (sign * disc.radius());
             chain.connect_to(end.point(from) + ahead);
             chain.connect_to(end.point(to) + ahead);
         }

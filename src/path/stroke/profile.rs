@@ -135,6 +135,8 @@ pub(super) struct Radii {
     /// Position, radius and slope at each stop.
     stops: Vec<[f64; 3]>,
     interpolation: WidthInterpolation,
+    /// The radii on the left and on the right, if they are different; then the radius is constant.
+    pub(super) sides: Option<[f64; 2]>,
 }
 
 /// A cubic polynomial of the position.
@@ -202,6 +204,7 @@ impl Radii {
             closed,
             stops,
             interpolation: profile.interpolation,
+            sides: None,
         }
     }
 

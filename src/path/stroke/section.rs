@@ -50,12 +50,13 @@ const BESIDE: f64 = 1e-6;
 /// Parameters at which a curve is divided.
 pub(super) type Breaks = Scalars;
 
-/// The disc at one point.
+/// The disc at one point; two half discs if the sides have different widths.
 #[derive(Clone, Copy)]
 pub(super) struct Disc {
     pub(super) center: DVec2,
     pub(super) tangent: DVec2,
-    pub(super) radius: f64,
+    /// On the left and on the right; they differ only where r′ is 0.
+    pub(super) radii: [f64; 2],
     /// r′, at most 1 in size.
     pub(super) slope: f64,
     /// |B′|.
@@ -63,6 +64,28 @@ pub(super) struct Disc {
 }
 
 impl Disc {
+    /// The larger radius.
+    pub(super) fn radius(&self) -> f64 {
+        larger(self.radii[0], self.radii[1])
+    }
+
+    pub(super) fn radius_of(&self, side: f64) -> f64 {
+        self.radii[usize::from(side != LEFT)]
+    }
+
+    /// The disc whose diameter is the line between both sides, for caps.
+    pub(super) fn across(&self) -> Self {
+        let [left, right] = self.radii;
+        if left == right {
+            return *self;
+        }
+        Self {
+            center: self.center + self.tangent.perp() * (0.5 * (left - right)),
+            radii: [0.5 * (left + right); 2],
+            ..*self
+        }
+    }
+
     /// The unit vector from the centre to the point of a side.
     pub(super) fn normal(&self, side: f64) -> DVec2 {
         let across = larger(1.0 - self.slope * self.slope, 0.0).sqrt();
@@ -70,7 +93,7 @@ impl Disc {
     }
 
     pub(super) fn point(&self, side: f64) -> DVec2 {
-        self.center + self.normal(side) * self.radius
+        self.center + self.normal(side) * self.radius_of(side)
     }
 
     /// The direction of a side.
@@ -194,6 +217,7 @@ impl PositionedCurve {
         Section {
             curve,
             radius: radii.polynomial(0.5 * (ends[0] + ends[1])),
+            sides: radii.sides,
             ends,
             rate: match self.by {
                 WidthPosition::T => self.rate * (span[1] - span[0]),
@@ -210,6 +234,8 @@ impl PositionedCurve {
 pub(super) struct Section<'a> {
     pub(super) curve: Cow<'a, Curve<DVec2>>,
     pub(super) radius: RadiusPolynomial,
+    /// The radii on the left and on the right, if they are different; the larger one is the radius.
+    sides: Option<[f64; 2]>,
     /// The positions at both ends.
     ends: [f64; 2],
     /// The rate of the position by arc length or by t.
@@ -305,10 +331,14 @@ impl Section<'_> {
             } else {
                 first.perp_dot(second) / cube
             },
-            radius: self.radius.at(self.ends[0])[0],
+            radii: self.sides.unwrap_or([0.0; 2]),
             slope: 0.0,
             slope_change: 0.0,
         };
+        if self.sides.is_some() {
+            return rates;
+        }
+        rates.radii = [self.radius.at(self.ends[0])[0]; 2];
         if self.radius.is_constant() {
             return rates;
         }
@@ -318,7 +348,7 @@ impl Section<'_> {
             rate /= speed;
             rate_change = -rate * first.dot(second) / cube;
         }
-        rates.radius = radius;
+        rates.radii = [radius; 2];
         // The rate is infinite where the speed is 0.
         if by_position != 0.0 {
             rates.slope = by_position * rate;
@@ -344,11 +374,11 @@ pub(super) enum RunKind {
     Inside,
 }
 
-/// The derivative of the curve, its curvature, and the radius with its first two derivatives by arc length.
+/// The derivative of the curve, its curvature, and the radii with their first two derivatives by arc length.
 struct Rates {
     first: DVec2,
     curvature: f64,
-    radius: f64,
+    radii: [f64; 2],
     slope: f64,
     slope_change: f64,
 }
@@ -359,7 +389,7 @@ impl Rates {
         Disc {
             center,
             tangent,
-            radius: larger(self.radius, 0.0),
+            radii: self.radii.map(|radius| larger(radius, 0.0)),
             slope: self.slope.clamp(-1.0, 1.0),
             speed: Point::norm(self.first),
         }
@@ -368,9 +398,11 @@ impl Rates {
     #[inline]
     fn advance(&self) -> [f64; 3] {
         let square = 1.0 - self.slope * self.slope;
-        let turn = self.radius * self.curvature * larger(square, 0.0).sqrt();
-        let ahead = square - self.radius * self.slope_change;
-        [square, ahead - turn, ahead + turn]
+        let [left, right] = self.radii;
+        let root = larger(square, 0.0).sqrt();
+        let ahead = |radius: f64| square - radius * self.slope_change;
+        let turn = |radius: f64| radius * self.curvature * root;
+        [square, ahead(left) - turn(left), ahead(right) + turn(right)]
     }
 }
 

@@ -12,7 +12,8 @@
 //! is 1 if the interval ends inside the path. It can be 0 or −1 only if the interval ends at an end or corner and the point
 //! lies ahead of that end. A round or square cap, a round join and a miter count such points once more; a butt cap and a
 //! bevel do not, so what is swept backwards near them is added: the folds. On a closed subpath the count is 0 also where
-//! f is nowhere above 0.
+//! f is nowhere above 0. With different widths on both sides, some minima or maxima belong to normals that are too short,
+//! so all folds are added.
 
 use super::section::{Disc, RIGHT, Run, SectionEvaluator, index_of};
 use super::side_fit::SideFit;
@@ -55,7 +56,12 @@ impl Side<'_> {
     pub(super) fn add(&self, run: &Run, sign: f64, chain: &mut SplineBuilder) -> Result<(), Error> {
         let section = self.evaluator.section;
         if section.radius.is_constant() {
-            let distance = self.side * run.ends[0].radius;
+            let distance = self.side * run.ends[0].radius_of(self.side);
+            if distance == 0.0 {
+                chain.points.extend(&section.curve.control_points()[1..]);
+                chain.degrees.push(section.curve.degree());
+                return Ok(());
+            }
             if run.span == [0.0, 1.0] {
                 return chain.add_smooth_offset(&section.curve, distance, self.tolerance);
             }
@@ -84,9 +90,9 @@ impl Side<'_> {
             1.0 // the whole chord moves backwards
         } else {
             let part = ahead / (ahead - beyond);
-            // At a cusp the curvature is infinite, and the pivot is in the middle.
+            // At a cusp the curvature is infinite, and the pivot is on the curve.
             if part.is_nan() {
-                0.5
+                disc.radius_of(self.side) / (disc.radii[0] + disc.radii[1])
             } else {
                 part.clamp(0.0, 1.0)
             }
@@ -155,11 +161,11 @@ impl Side<'_> {
         };
         let slack = chords.windows(2).map(step).fold(0.0, f64::max);
         blunt_ends.iter().any(|disc| {
-            let middle = disc.center - disc.tangent * (disc.slope * disc.radius);
+            let middle = disc.center - disc.tangent * (disc.slope * disc.radius());
             chords.iter().any(|&[a, b]| {
                 let ahead = [a, b].map(|p| (p - middle).dot(disc.tangent));
                 ahead[0].max(ahead[1]) > -slack
-                    && distance_to_line(disc.center, a, b) <= disc.radius + slack
+                    && distance_to_line(disc.center, a, b) <= disc.radius() + slack
             })
         })
     }

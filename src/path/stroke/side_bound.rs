@@ -67,7 +67,7 @@ impl SideBound<'_> {
     fn bound(&self, from: &Pair, to: &Pair) -> f64 {
         let (du, dt) = (to.u - from.u, to.t - from.t);
         // (B, −r) and W at both ends.
-        let [p, q] = [from, to].map(|pair| pair.disc.center.extend(-pair.disc.radius));
+        let [p, q] = [from, to].map(|pair| pair.disc.center.extend(-pair.disc.radius()));
         let [v, w] = [from, to].map(|pair| {
             let disc = &pair.disc;
             disc.tangent.extend(-disc.slope) * (disc.speed * dt)

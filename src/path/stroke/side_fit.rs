@@ -178,7 +178,7 @@ impl SideFit<'_> {
                     us[k] = foot_step(&cubic, us[k], p);
                 }
                 // The sides of a thin stroke must not cross.
-                let most = (COMPARED_PART * self.tolerance).min(0.5 * inside[k].radius);
+                let most = (COMPARED_PART * self.tolerance).min(0.5 * inside[k].radius());
                 let off = Point::norm(point_and_derivative(&cubic, us[k]).0 - p);
                 let distance = off / most.max(CROSSING_PART * self.tolerance);
                 // The feet of the points must have their order.

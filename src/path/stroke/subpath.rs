@@ -43,7 +43,9 @@ impl Subpath {
         let size = 1.0 / Normalized::around(points[0], points).scale;
         // A power of two, so that nothing is rounded.
         let scale = Normalized::new(points[0], size.max(pen.radius)).scale;
-        let radii = Radii::new(profile, scale, spline.is_closed());
+        let pen = pen.scaled(scale);
+        let mut radii = Radii::new(profile, scale, spline.is_closed());
+        radii.sides = pen.sides;
         let length = if radii.is_constant() {
             0.0
         } else {
@@ -54,7 +56,7 @@ impl Subpath {
             scale,
             steps: as_f64(spline.segment_count()),
             length,
-            pen: pen.scaled(scale),
+            pen,
         }
     }
 
@@ -134,7 +136,7 @@ impl Strokes {
                 }
             }
         }
-        let surrounds = closed && is_within(&dash.spline, from * unit);
+        let surrounds = closed && pen.sides.is_none() && is_within(&dash.spline, from * unit);
         let contours = outline.finish(closed, cap, surrounds)?;
         let back = |mut contour: SplineBuilder| {
             contour.points.iter_mut().for_each(|p| *p *= unit);

@@ -85,6 +85,7 @@ const TABLE: &[&str] = &[
     "Path: union intersect subtract exclude combine faces divide clip (self, other: path, rule)",
     "Path: remove_overlaps filled_area filled_moments (self, rule)",
     "Path: stroke (self, width: length, join, tolerance: optional tolerance)",
+    "Path: stroke_sides (self, width: length, distance: length, join, tolerance: optional tolerance)",
     "Path: stroke_contains (self, p: point, width: length, join)",
     "Path: dash (self, s: length, width: length, offset: coordinate)",
     "Path: offset (self, distance: length, join, tolerance: optional tolerance)",

@@ -175,6 +175,8 @@ const PATH = {
   "Path.divide": (a) => a.path.divide(a.other, { fillRule: a.rule }),
   "Path.clip": (a) => a.path.clip(a.other, { fillRule: a.rule }),
   "Path.stroke": (a) => a.path.stroke(a.width, { ...ends(a), tolerance: a.tolerance }),
+  "Path.strokeSides": (a) =>
+    a.path.stroke({ left: a.width, right: a.distance }, { join: a.join, tolerance: a.tolerance }),
   "Path.strokeContains": (a) => a.path.strokeContains(a.p, a.width, ends(a)),
   "Path.dash": (a) => a.path.dash([a.s, a.width], a.offset),
   "Path.offset": (a) => a.path.offset(a.distance, { join: a.join, tolerance: a.tolerance }),
