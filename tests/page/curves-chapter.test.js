@@ -4,7 +4,6 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
 import { done, nearApplet as near, openCurves as open, task } from "./chapter-page.js";
-import { dragBy } from "./gestures.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS =
@@ -53,27 +52,6 @@ test("the sections, and every place that the list of the texts links to, are the
   );
   assert.deepEqual(own, []);
   assert.equal(await page.locator("#de-casteljau h2 .permalink").getAttribute("href"), "#de-casteljau");
-});
-
-test("a guess, then keys on the slider of t: the weights of P2 and P3", async (t) => {
-  const page = await open(t);
-  await near(page, "weights");
-  const found = await task(page, "equal-weights", 1);
-  await page.locator("#weights").getByRole("slider", { name: "t", exact: true }).fill("0.75");
-  const words = await done(page, "equal-weights");
-  assert.match(words, /P2 has the weight 0\.42 and P3 has 0\.42/);
-  assert.match(words, /You predicted: at t = .*\. The answer is: at t = ¾/);
-  assert.equal(await found.getAttribute("data-state"), "done");
-});
-
-test("a handle dragged: the arch reaches its height", async (t) => {
-  const page = await open(t);
-  const applet = await near(page, "top");
-  await task(page, "top-180", 2);
-  await applet.scrollIntoViewIfNeeded();
-  const canvas = await boxOf(applet.locator("canvas"));
-  await dragBy(page, applet.locator("[data-index='1']"), 0, (-180 * canvas.height) / 480);
-  assert.match(await done(page, "top-180"), /You predicted it/);
 });
 
 test("arrow keys: P4 where equal velocities need it, with the distance shown meanwhile", async (t) => {

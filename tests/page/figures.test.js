@@ -1,10 +1,10 @@
-// The small figures of the chapters: their numbers are right, keys and pointers work, everyone can use them.
+// The small figures of the chapters: each is drawn, follows an input and says what it must; what only a figure computes is right.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
 import { dragBy } from "./gestures.js";
 
-/** The page with all figures, once for all tests: each has a figure of its own. Waits until the last is drawn. */
+/** The page with all figures, once for all tests: each has a figure of its own. Messages of the console are errors. */
 async function open(t) {
   const page = await openPage(t, "/figures/", {
     viewport: { width: 1000, height: 900 },
@@ -15,9 +15,18 @@ async function open(t) {
   return page;
 }
 
+/** @typedef {import("playwright-core").Locator} Locator */
 /** Sets a slider as a person does it with the keyboard's help: value and event. */
-const slide = (page, figure, name, value) =>
-  page.locator(figure).getByRole("slider", { name, exact: true }).fill(String(value));
+const slide = (name, value) => (/** @type {Locator} */ figure) =>
+  figure.getByRole("slider", { name, exact: true }).fill(String(value));
+const check = (name) => (/** @type {Locator} */ figure) => figure.getByRole("radio", { name }).check();
+const press = (name) => (/** @type {Locator} */ figure) => figure.getByRole("button", { name }).click();
+/** Drags a handle by parts of the height of the picture. */
+const drag = (index, dx, dy) => async (/** @type {Locator} */ figure) => {
+  const { height } = await boxOf(figure.locator("svg").first());
+  await dragBy(figure.page(), figure.locator(".handle").nth(index), dx * height, dy * height);
+};
+
 const close = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 const choose = (n, k) => (k === 0 ? 1 : (choose(n, k - 1) * (n - k + 1)) / k);
 const bernstein = (n, i, t) => choose(n, i) * t ** i * (1 - t) ** (n - i);
@@ -31,7 +40,7 @@ test("the pyramid is walked with arrow keys, counts its paths, and their sum is 
   const focused = await figure.evaluate((each) => each.shadowRoot?.activeElement?.getAttribute("aria-label"));
   assert.match(String(focused), /^level 2, coefficient 2/);
   await figure.getByRole("radio", { name: "5" }).check();
-  await slide(page, "fig-pyramid", "t", 0.3);
+  await slide("t", 0.3)(figure);
   for (const [level, index] of [
     [5, 2],
     [5, 0],
@@ -46,50 +55,6 @@ test("the pyramid is walked with arrow keys, counts its paths, and their sum is 
   await figure.locator(".ways button").first().hover();
   await figure.locator(".ways button[aria-pressed=true]").waitFor();
   assert.equal(await lit(), 3, "one path has three steps");
-});
-
-test("the binomial's terms are a row of Pascal's triangle and make one", async (t) => {
-  const page = await open(t);
-  await page.locator("fig-binomial").getByRole("radio", { name: "6" }).check();
-  await slide(page, "fig-binomial", "t", 0.35);
-  const weights = await page
-    .locator("fig-binomial [data-weight]")
-    .evaluateAll((bars) => bars.map((bar) => Number(bar.dataset.weight)));
-  weights.forEach((weight, i) => close(weight, bernstein(6, i, 0.35)));
-  assert.match(
-    String(await page.locator("fig-binomial svg").first().getAttribute("aria-label")),
-    /1, 6, 15, 20, 15, 6, 1$/,
-  );
-});
-
-test("the parabola's point is t², and any part of it has the right control points", async (t) => {
-  const page = await open(t);
-  await slide(page, "fig-parabola", "t", -1.2);
-  assert.equal(await page.locator("fig-parabola .point").innerText(), "(−1.2, 1.44)");
-  await slide(page, "fig-parabola", "from", -1);
-  await slide(page, "fig-parabola", "to", 0.5);
-  // P1 is where the tangents at a and b meet: ((a + b) / 2, a b).
-  assert.equal(await page.locator("fig-parabola .control").innerText(), "(−1, 1), (−0.25, −0.5), (0.5, 0.25)");
-});
-
-test("operations are those of the listings; the clock runs in this browser", async (t) => {
-  const page = await open(t);
-  const figure = page.locator("fig-costs");
-  const counts = (key) =>
-    figure.locator(`tr[data-way=${key}] td`).evaluateAll((cells) => cells.slice(0, 2).map((cell) => cell.textContent));
-  assert.deepEqual(await counts("written"), ["6−, 9+, 22×", "6−, 9+, 22×"]);
-  assert.deepEqual(await counts("casteljau"), ["6−, 18+, 36×", "6−, 18+, 36×"]);
-  assert.deepEqual((await counts("horner"))[1], "0−, 9+, 9×");
-  await figure.getByRole("button", { name: "Measure" }).click();
-  await figure.locator("tr[data-way=package] td[data-time]").waitFor();
-  const times = await figure
-    .locator("td[data-time]")
-    .evaluateAll((cells) => cells.map((cell) => Number(cell.dataset.time)));
-  assert.equal(times.length, 6);
-  assert.ok(
-    times.every((time) => time > 0 && time < 1e6),
-    String(times),
-  );
 });
 
 /** De Casteljau's greatest error in 32 bits, on the figure's first case, written once more. */
@@ -140,53 +105,28 @@ test("rounding: honest errors of four methods, the power basis worst at high deg
 });
 
 test("four points in 24 orders are 12 curves", async (t) => {
-  const page = await open(t);
-  const figure = page.locator("fig-reorder");
-  const shapes = await figure
+  const figure = (await open(t)).locator("fig-reorder");
+  const curves = await figure
     .locator(".thumb .curve")
     .evaluateAll((paths) => paths.map((path) => path.getAttribute("d")));
-  assert.equal(new Set(shapes).size, 24);
-  const read = (order) => figure.locator(".thumb", { has: page.getByRole("radio", { name: order }) });
-  assert.equal(shapes.length, 24);
-  await read("B D A C").locator("input").check();
+  assert.deepEqual([curves.length, new Set(curves).size], [24, 24]);
+  await figure
+    .locator(".thumb", { has: figure.page().getByRole("radio", { name: "B D A C" }) })
+    .locator("input")
+    .check();
   assert.match(await figure.locator(".facts").innerText(), /B D A C.*The reverse order is C A D B: the same curve/s);
   assert.equal(await figure.locator(".thumb[data-twin=true] .order").innerText(), "C A D B");
-  const before = await read("A B C D").locator(".curve").getAttribute("d");
-  await figure.locator(".handle input").first().focus();
-  await page.keyboard.press("Shift+ArrowRight");
-  const after = await read("A B C D").locator(".curve").getAttribute("d");
-  const firstX = (d) => Number(d.match(/-?[\d.]+/)[0]);
-  assert.equal(firstX(after) - firstX(before), 10);
-});
-
-test("the cubic in space: points, planes, orbit by keys and by hand", async (t) => {
-  const page = await open(t);
-  const figure = page.locator("fig-curve-3d");
-  assert.equal(await figure.locator(".point").innerText(), "(3.375, 4.5, 6.25)"); // (P0 + 3 P1 + 3 P2 + P3) / 8
-  await slide(page, "fig-curve-3d", "t", 1);
-  assert.equal(await figure.locator(".point").innerText(), "(3, 4, 5)");
-  const turn = async () => Number(await figure.getByRole("slider", { name: "Rotation" }).inputValue());
-  const before = await turn();
-  await figure.locator("svg").focus();
-  await page.keyboard.press("ArrowRight");
-  assert.equal(await turn(), before - 5);
-  await dragBy(page, figure.locator("svg"), -60, 0);
-  assert.equal(await turn(), before - 5 + 30);
-  assert.match(
-    await figure.locator(".facts").last().innerText(),
-    /x from 0 to 4\.079, y from 2 to 5\.096, z from 3 to 6\.712/,
-  );
 });
 
 test("bytes: those of the arrays that the package gives", async (t) => {
-  const page = await open(t);
+  const figure = (await open(t)).locator("fig-bytes");
   const bytes = () =>
-    page.locator("fig-bytes [data-bytes]").evaluateAll((texts) => texts.map((text) => Number(text.dataset.bytes)));
+    figure.locator("[data-bytes]").evaluateAll((texts) => texts.map((text) => Number(text.dataset.bytes)));
   // 32n² + 4n + 1 vertices of 12 bytes, and at n = 16 three 16-bit indices for each of 16,256 triangles
   const mesh = (32 * 256 + 4 * 16 + 1) * 12 + 16256 * 6;
   assert.deepEqual((await bytes()).slice(1), [mesh, mesh + (32 * 256 + 65) * 12]);
-  await page.locator("fig-bytes").getByRole("radio", { name: "a curve" }).check();
-  await slide(page, "fig-bytes", "Segments", 10);
+  await check("a curve")(figure);
+  await slide("Segments", 10)(figure);
   assert.deepEqual(await bytes(), [48, 132]);
 });
 
@@ -214,84 +154,11 @@ test("quadratic and cubic follow one drag; no quadratic is an S", async (t) => {
   close(Number(await figure.locator(".error").getAttribute("data-error")), (d * Math.sqrt(3)) / 36, 1e-6);
 });
 
-/** One of the figures about velocity, lengths, distances, intersections, circles and faces. @param {string} name */
-async function openFigure(t, name) {
-  const page = await open(t);
-  const figure = page.locator(name);
-  await figure.scrollIntoViewIfNeeded();
-  await figure.locator("svg").first().waitFor();
-  return { page, figure, facts: () => figure.locator(".facts").first().innerText() };
-}
-
-/** The numbers in a text. @param {string} text @param {RegExp} pattern */
-const numbers = (text, pattern) => (pattern.exec(text) ?? []).slice(1).map(Number);
-
-test("the velocity at t = 0 is three legs long, and follows a drag", async (t) => {
-  const { page, figure, facts } = await openFigure(t, "fig-velocity");
-  const leg = () => figure.evaluate((/** @type {any} */ { points: [p, q] }) => [q[0] - p[0], p[1] - q[1]]);
-  const shown = async () => numbers((await facts()).replaceAll("−", "-"), /\((-?[\d.]+), (-?[\d.]+)\)/);
-  const expected = async () => (await leg()).map((x) => Math.round(30 * x) / 10);
-  assert.deepEqual(await shown(), await expected());
-  await dragBy(page, figure.locator(".handle").nth(1), 10, -30);
-  assert.ok((await leg())[1] > 5);
-  assert.deepEqual(await shown(), await expected());
-  await figure.getByRole("checkbox").check();
-  await figure.locator("circle.ghost").waitFor();
-});
-
-test("arc length: the part before t grows to the whole", async (t) => {
-  const { figure, facts } = await openFigure(t, "fig-arc-length");
-  const lengths = async () => numbers(await facts(), /Length ([\d.]+)\..*: ([\d.]+)\./s);
-  const [whole, half] = await lengths();
-  assert.ok(half < 0.4 * whole, `${half} of ${whole} at t = 0.5`);
-  await figure.getByRole("slider", { name: "t", exact: true }).fill("1");
-  assert.deepEqual(await lengths(), [whole, whole]);
-});
-
-test("nearest point: Q on the curve is at distance 0", async (t) => {
-  const { figure, facts } = await openFigure(t, "fig-nearest");
-  assert.match(await facts(), /distance [1-9]\d\.\d/);
-  await figure.evaluate((/** @type {any} */ element) => {
-    const { x, y } = element.curve.eval(0.25);
-    element.q = [x, y];
-  });
-  assert.match(await facts(), /t = 0\.250, distance 0\.0/);
-});
-
-test("intersections: one at first, none when the curve is dragged away", async (t) => {
-  const { page, figure, facts } = await openFigure(t, "fig-intersections");
-  assert.match(await facts(), /^1 intersection, at/);
-  const unit = (await boxOf(figure.locator("svg"))).height / 80;
-  await dragBy(page, figure.locator(".handle").nth(4), 30 * unit, 15 * unit);
-  assert.match(await facts(), /^0 intersections/);
-});
-
-test("a stroke takes its width, join and cap", async (t) => {
-  const { figure } = await openFigure(t, "fig-stroke");
-  const outline = () => figure.locator("svg path").first().getAttribute("d");
-  let before = await outline();
-  for (const change of [
-    () => figure.getByRole("radio", { name: "bevel" }).check(),
-    () => figure.getByRole("radio", { name: "square" }).check(),
-    () => figure.getByRole("slider").fill("6"),
-  ]) {
-    await change();
-    const after = await outline();
-    assert.notEqual(after, before);
-    before = after;
-  }
-});
-
-test("a circle of four arcs: 0.027 % with the usual handles", async (t) => {
-  const { figure, facts } = await openFigure(t, "fig-circle");
-  await figure.getByRole("slider", { name: "h" }).fill("0.5523");
-  assert.match(await facts(), /0\.027\d % of the radius/);
-  await figure.getByRole("radio", { name: "8" }).check();
-  assert.match(await facts(), /0\.000\d %/);
-});
-
 test("faces: the one under the pointer is named; click and keys select; operations", async (t) => {
-  const { page, figure, facts } = await openFigure(t, "fig-faces");
+  const page = await open(t);
+  const figure = page.locator("fig-faces");
+  const facts = () => figure.locator(".facts").first().innerText();
+  await figure.scrollIntoViewIfNeeded();
   const stage = await boxOf(figure.locator("svg"));
   const unit = stage.height / 84;
   const at = (/** @type {number} */ x, /** @type {number} */ y) =>
@@ -311,16 +178,80 @@ test("faces: the one under the pointer is named; click and keys select; operatio
   assert.deepEqual(await figure.evaluate((/** @type {any} */ { chosen }) => [...chosen].sort()), ["110", "111"]);
 });
 
-test("halving: the difference of the lengths shrinks faster than the distance", async (t) => {
-  const { figure } = await openFigure(t, "fig-lengths");
-  const read = async () => numbers(await figure.locator(".facts").innerText(), /D1 − D2 = ([\d.]+)\..*: ([\d.]+)\./s);
-  const press = () => figure.getByRole("button", { name: "Halve" }).click();
-  await press();
-  const [difference, distance] = await read();
-  await press();
-  const [smaller, nearer] = await read();
-  assert.ok(difference / smaller > 5 && difference / smaller < 11, `${difference} to ${smaller}`);
-  assert.ok(distance / nearer > 3 && distance / nearer < 5.5, `${distance} to ${nearer}`);
+/**
+ * For each figure: inputs, and what it says after them: where, and the text.
+ *
+ * @type {[string, ((figure: Locator) => Promise<unknown>)[], string, RegExp][]}
+ */
+const FIGURES = [
+  ["fig-parabola", [slide("t", -1.2)], ".point", /^\(−1\.2, 1\.44\)$/],
+  // P1 is where the tangents at a and b meet: ((a + b) / 2, a b).
+  [
+    "fig-parabola",
+    [slide("from", -1), slide("to", 0.5)],
+    ".control",
+    /^\(−1, 1\), \(−0\.25, −0\.5\), \(0\.5, 0\.25\)$/,
+  ],
+  ["fig-pyramid", [check("5")], "[data-sum]", /\d/],
+  ["fig-binomial", [check("6"), slide("t", 0.5)], ".facts", /\d/],
+  ["fig-costs", [], "tr[data-way=written] td", /6−, 9\+, 22×/],
+  ["fig-costs", [], "tr[data-way=casteljau] td", /6−, 18\+, 36×/],
+  ["fig-rounding", [(figure) => figure.getByRole("combobox").selectOption("far")], "tr[data-method]", /\d/],
+  ["fig-curve-3d", [], ".point", /^\(3\.375, 4\.5, 6\.25\)$/], // (P0 + 3 P1 + 3 P2 + P3) / 8
+  ["fig-curve-3d", [slide("t", 1)], ".point", /^\(3, 4, 5\)$/],
+  ["fig-velocity", [drag(1, 0.05, -0.1)], ".facts", /\(−?[\d.]+, −?[\d.]+\)/],
+  ["fig-arc-length", [slide("t", 1)], ".facts", /Length ([\d.]+)\..*: \1\./s],
+  ["fig-nearest", [drag(4, 0.1, 0.1)], ".facts", /t = [01]\.\d+, distance \d/],
+  ["fig-intersections", [], ".facts", /^1 intersection, at/],
+  ["fig-intersections", [drag(4, 0.375, 0.1875)], ".facts", /^0 intersections/],
+  ["fig-circle", [slide("h", 0.5523)], ".facts", /0\.027\d % of the radius/],
+  ["fig-circle", [check("8")], ".facts", /0\.000\d %/],
+  ["fig-lengths", [press("Halve")], ".facts", /D1 − D2 = [\d.]+\./],
+  ["fig-stroke", [check("bevel"), check("square")], ".facts, .controls", /./],
+  ["fig-bspline-joint", [], ".facts, .controls", /./],
+];
+
+for (const [name, inputs, where, text] of FIGURES)
+  test(`${name} says ${text.source}`, async (t) => {
+    const figure = (await open(t)).locator(name);
+    await figure.scrollIntoViewIfNeeded();
+    for (const input of inputs) await input(figure);
+    assert.match(await figure.locator(where).first().innerText(), text);
+  });
+
+test("each figure is drawn, and its picture or its numbers follow the first input", async (t) => {
+  const page = await open(t);
+  const tags = await page
+    .locator("main")
+    .evaluate((main) =>
+      [...main.querySelectorAll("*")].map((each) => each.localName).filter((name) => name.startsWith("fig-")),
+    );
+  assert.ok(tags.length >= 18, `${tags}`);
+  for (const tag of tags) {
+    const figure = page.locator(tag);
+    await figure.scrollIntoViewIfNeeded();
+    const look = () =>
+      figure.evaluate((/** @type {any} */ { shadowRoot }) =>
+        [...shadowRoot.querySelectorAll("svg, table, .facts, [data-value]")].map((each) => each.outerHTML).join(),
+      );
+    const before = await look();
+    assert.ok(before.length > 200, `${tag} is drawn`);
+    const inputs = figure.locator(
+      "input[type=range], input[type=radio]:not(:checked), select, button, input[type=checkbox]",
+    );
+    const input = inputs.first();
+    const type = await input.evaluate((/** @type {any} */ each) => each.type);
+    if (type === "range")
+      await input.press((await input.inputValue()) === (await input.getAttribute("max")) ? "ArrowLeft" : "ArrowRight");
+    else if (type === "select-one")
+      await input.selectOption({
+        index: await input.evaluate((/** @type {any} */ each) => (each.selectedIndex + 1) % each.length),
+      });
+    else await input.click();
+    for (let k = 0; k < 60 && (await look()) === before; k++)
+      await page.evaluate(() => new Promise(requestAnimationFrame));
+    assert.notEqual(await look(), before, `${tag} follows`);
+  }
 });
 
 test("an attribute with nonsense counts as the default", async (t) => {

@@ -103,16 +103,6 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
 });
 
-test("a task that is revealed says so, and does not count as done", async (t) => {
-  const { page, task, said, press } = await openTask(t, "top-180");
-  await task.getByRole("radio").nth(2).check();
-  await press("guess");
-  await press("Reveal");
-  assert.equal(await task.getAttribute("data-state"), "revealed");
-  assert.match(await said.innerText(), /one answer.*You predicted it/);
-  await page.waitForFunction(() => document.querySelector('lesson-task[name="top-180"]').state === "revealed");
-});
-
 test("a question with a wrong answer is not done, says which answer is right, and can be tried again", async (t) => {
   const page = await open(t, "/surfaces/");
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([

@@ -67,16 +67,6 @@ test("the sections, the figures' own places, and all that other pages link to ar
   assert.deepEqual(own, []);
 });
 
-test("a sample runs in the page and prints what it must", async (t) => {
-  const page = await open(t);
-  const sample = page.locator('lesson-sample[name="grid"]');
-  await sample.getByRole("button", { name: "Run" }).click();
-  await sample.locator("output").getByText("9248 vertices").waitFor();
-  assert.equal(`${await sample.locator("output").innerText()}\n`, readFileSync(`${root}www/samples/grid.txt`, "utf8"));
-  await sample.getByRole("tab", { name: "Rust" }).click();
-  await sample.getByText("Weld::Position").waitFor();
-});
-
 test("without JavaScript every figure is there as lines, and the code can be read", async (t) => {
   const page = await openPage(t, "/surfaces/", { javaScriptEnabled: false, viewport: { width: 1100, height: 800 } });
   const figures = page.locator("bezier-surface");
