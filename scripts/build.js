@@ -23,6 +23,8 @@ const BUNDLERS = ["bundle", "complete-module", "manifest", "no-dom", "notices", 
 /** The bundles that the site uses. */
 const SITE_SCRIPTS = [
   "index.js",
+  "core.js",
+  "easing.js",
   "applet.js",
   "surfaces.js",
   "elements.js",
@@ -95,7 +97,7 @@ export const bundles = (mode) =>
       inputs: [...filesBelow("js"), ...BUNDLERS, "package.json", "package-lock.json", "Cargo.lock"],
       outputs: [
         ...SITE_SCRIPTS,
-        ...["core.js", "slim.js", "casteljau.wasm", "custom-elements.json", "texts.json", "easing.js"].map(
+        ...["slim.js", "casteljau.wasm", "custom-elements.json", "texts.json"].map(
           (name) => `dist/${name}`,
         ),
         "dist/casteljau.global.js",
@@ -157,7 +159,7 @@ export const site = () =>
           ...filesBelow("src"),
           ...filesBelow("kernels/src"),
           ...SITE_SCRIPTS,
-          "package-lock.json",
+          ...["README.md", "benches/results.json", "package-lock.json"],
         ],
         outputs: ["site/index.html"],
       },

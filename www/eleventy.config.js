@@ -3,17 +3,14 @@ import { includeFiles } from "./build/include.js";
 import { contentsOf, nextChapter, pathToRoot, readingTime } from "./build/layout.js";
 import { addAppletPosters } from "./build/posters.js";
 import { sampleCode } from "./build/samples.js";
+import { siteBar } from "./build/site-bar.js";
 import { addSurfacePosters } from "./build/surface-posters.js";
 import { codeHighlighter } from "./build/highlight.js";
+import { homeData } from "./build/home.js";
 import { markdown } from "./build/markdown.js";
+import { NAVIGATION } from "./build/navigation.js";
 
-/** @typedef {{ data: { chapter?: number, navigation?: { name: string, order: number } } }} Page */
-
-/** The pages that every page links to, in order. @param {Page[]} pages */
-function navigation(pages) {
-  const order = (/** @type {Page} */ { data }) => data.navigation?.order ?? 0;
-  return pages.filter(order).sort((a, b) => order(a) - order(b));
-}
+/** @typedef {{ data: { chapter?: number } }} Page */
 
 /** The chapters in order. @param {Page[]} pages */
 function chapters(pages) {
@@ -42,11 +39,12 @@ export default async function configure(eleventy) {
   eleventy.addFilter("pathToRoot", pathToRoot);
   eleventy.addFilter("readingTime", readingTime);
   eleventy.addFilter("nextChapter", nextChapter);
+  eleventy.addFilter("siteBar", siteBar);
+  eleventy.addGlobalData("navigation", () => NAVIGATION);
+  // build/pages.js says whether dist/ is there to be measured.
+  eleventy.addGlobalData("home", () => homeData(highlight, eleventy.hasPackage));
   eleventy.addFilter("contentsOf", contentsOf);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));
-  eleventy.addCollection("navigation", (/** @type {{ getAll(): Page[] }} */ collections) =>
-    navigation(collections.getAll()),
-  );
   eleventy.addCollection("chapters", (/** @type {{ getAll(): Page[] }} */ collections) =>
     chapters(collections.getAll()),
   );

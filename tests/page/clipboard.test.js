@@ -8,8 +8,12 @@ import { on, openCompanions } from "./companions-page.js";
 const permissions = ["clipboard-read", "clipboard-write"];
 
 test("Run prints what the tests expect; Copy copies what is shown", async (t) => {
-  const page = await openPage(t, "/", { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", permissions });
-  const sample = page.locator("lesson-sample");
+  const page = await openPage(t, "/curves/", {
+    viewport: { width: 1000, height: 900 },
+    reducedMotion: "reduce",
+    permissions,
+  });
+  const sample = page.locator("lesson-sample").first();
   const name = await sample.getAttribute("name");
   await sample.getByRole("button", { name: "Run" }).click();
   await sample.locator("output:not(:empty)").waitFor();

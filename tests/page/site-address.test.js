@@ -6,6 +6,8 @@ import { openPage } from "./browser.js";
 import { centreOf, pullFrom } from "./gestures.js";
 import { openStrict, settled } from "./site-pages.js";
 
+/** The page with the figure. */
+const ELEMENTS = "/elements/";
 const HERO = "#hero";
 /** Opens a page at some fragment, in a window with the hero in it; waits until the address has been read. */
 async function openAt(t, path, fragment) {
@@ -24,7 +26,7 @@ const message = (page) => page.locator(".address-message");
 const hash = (page) => page.evaluate(() => location.hash);
 
 test("a drag is in the address when it is done, undone it is gone, and the address opened anew shows the same", async (t) => {
-  const page = await openAt(t, "/", "");
+  const page = await openAt(t, ELEMENTS, "");
   const handle = hero(page).locator('[part="handle"][data-index="1"]');
   await pullFrom(page, await centreOf(handle), 40, 30);
   assert.equal(await hash(page), "", "not while it moves");
@@ -32,7 +34,7 @@ test("a drag is in the address when it is done, undone it is gone, and the addre
   await page.waitForFunction(() => location.hash.startsWith("#hero?points="));
   assert.ok((await page.evaluate(() => history.length)) <= 2, "no entry in the history");
   const moved = await pointOf(page, 1);
-  const other = await openAt(t, "/", await hash(page));
+  const other = await openAt(t, ELEMENTS, await hash(page));
   assert.ok(
     (await pointOf(other, 1)).every((value, k) => Math.abs(value - moved[k]) <= 0.005),
     `${await pointOf(other, 1)} and ${moved}`,
@@ -43,7 +45,7 @@ test("a drag is in the address when it is done, undone it is gone, and the addre
 });
 
 test("another address while the page is open", async (t) => {
-  const page = await openAt(t, "/", `${HERO}?t=0.25`);
+  const page = await openAt(t, ELEMENTS, `${HERO}?t=0.25`);
   assert.equal(await attribute(page, "t"), "0.25");
   await page.evaluate(() => (location.hash = "#hero?t=0.75&show=hull+construction"));
   await hero(page).and(page.locator('[t="0.75"][show="hull construction"]')).waitFor();
@@ -54,7 +56,7 @@ test("whatever an address can set of an element, it can be read off it", async (
   const patch = page.locator("#figure-patch bezier-surface");
   assert.deepEqual(await patch.evaluate((/** @type {any} */ { u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
   for (const [path, name] of [
-    ["/", "bezier-applet"],
+    [ELEMENTS, "bezier-applet"],
     ["/surfaces/", "bezier-surface"],
   ]) {
     await page.goto(path);
@@ -65,7 +67,7 @@ test("whatever an address can set of an element, it can be read off it", async (
       .evaluate((element, names) => names.map((each) => [each, typeof element[each]]), Object.keys(SHARED[name]));
     for (const [each, kind] of kinds) assert.match(kind, /^(string|number|object)$/, `${name}.${each} is a ${kind}`);
   }
-  await page.goto("/");
+  await page.goto(ELEMENTS);
   await ready(page);
   await hero(page).evaluate((applet) => {
     applet.setAttribute("show", "hull");
@@ -95,7 +97,7 @@ const ABUSE = [
 ];
 
 test("any address: a bad one is reported, nothing breaks, the last good state is kept", async (t) => {
-  const page = await openAt(t, "/", "#hero?t=0.3");
+  const page = await openAt(t, ELEMENTS, "#hero?t=0.3");
   for (const [fragment, words] of ABUSE) {
     await page.evaluate((fragment) => (location.hash = fragment), fragment);
     await page.waitForFunction(
@@ -116,7 +118,7 @@ test("opened with what cannot be used: the page or the element says so, and the 
     [`#${"%".repeat(1_000_000)}`, ".address-message", /1000001 characters long/],
     ["#hero?t=7&points=1e300,0+5,5&degree=zzz", '#hero [part="message"]:not([hidden])', /t: expected|points/],
   ])) {
-    const page = await openAt(t, "/", fragment);
+    const page = await openAt(t, ELEMENTS, fragment);
     await page.locator(teller).waitFor();
     assert.match(await page.locator(teller).innerText(), words);
     assert.equal(await hero(page).evaluate((applet) => applet.points.length), 7);

@@ -31,25 +31,6 @@ test("the picture changes with the colour scheme, and is as sharp as the display
   assert.notEqual(await picture(), light);
 });
 
-test("the first page says how to install the package, and leads to all parts of the site", async (t) => {
-  const page = await openPage(t, "/", { viewport: { width: 1280, height: 800 } });
-  const first = await boxOf(page.getByText("npm install casteljau"));
-  assert.ok(first.y + first.height < 800, "in the first view");
-  for (const name of ["Learn", "API", "Recipes", "Applications"]) {
-    const { y, height } = await boxOf(page.locator(".ways-in").getByRole("link", { name, exact: true }));
-    assert.ok(y + height < 800, `${name} is in the first view`);
-  }
-  for (const [name, title] of /** @type {[string, RegExp][]} */ ([
-    ["Bézier curves", /curves/],
-    ["The applet on a plain page", /applet/],
-    ["The teapot as a wireframe", /teapot/i],
-  ])) {
-    await page.goto("/");
-    await page.getByRole("link", { name, exact: true }).click();
-    assert.match(await page.title(), title);
-  }
-});
-
 test("the guide holds the lines that embed the small applet, to the letter", async (t) => {
   const page = await openPage(t, "/elements/");
   assert.ok((await page.locator("pre").allInnerTexts()).join("\n").includes(TUTORIAL));

@@ -1,7 +1,6 @@
 // /api/: the names of all entries.
 import { indexHtml } from "./build/render.js";
 import { reference } from "./build/reference.js";
-import { NAVIGATION } from "./navigation.js";
 
 export const data = {
   permalink: "/api/index.html",
@@ -10,7 +9,6 @@ export const data = {
     "Every class, function, option and type of casteljau, with samples in JavaScript and Rust and live figures.",
   heading: "API reference",
   lead: "Every class, function, option and type of the npm package, with samples in JavaScript and Rust. The figures can be dragged; the code below them follows.",
-  navigation: NAVIGATION,
   styles: ["api.css"],
 };
 

@@ -4,8 +4,9 @@ import { readFile, writeFile } from "node:fs/promises";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { makeMathFont, MATH_FONT } from "./math-font.js";
+import { pathToRoot } from "./layout.js";
 import { searchDocuments } from "./search-documents.js";
-import { NAVIGATION } from "../api/navigation.js";
+import { siteBar } from "./site-bar.js";
 import { types } from "../../scripts/build.js";
 import { filesBelow, hashOf } from "../../scripts/stamp.js";
 
@@ -31,9 +32,10 @@ async function rendered(which) {
     configPath: `${fromHere}/eleventy.config.js`,
     quietMode: true,
     config(/** @type {any} */ config) {
+      config.hasPackage = which === "all";
       if (which === "all") return;
       for (const template of SLOW_TEMPLATES) config.ignores.add(template);
-      config.addTemplate("api/index.njk", "", { permalink: "/api/index.html", navigation: NAVIGATION });
+      config.addTemplate("api/index.njk", "", { permalink: "/api/index.html" });
     },
   };
   /** @type {Rendered[]} */
@@ -50,7 +52,13 @@ const KEPT = new URL("../../target/site/pages.json", import.meta.url);
 
 /** The quick pages: those of the last time if nothing has changed of which they are made. @returns {Promise<Rendered[]>} */
 async function quickPages() {
-  const key = hashOf([...["www", "js", "docs"].flatMap(filesBelow), "package.json", "package-lock.json"]);
+  const key = hashOf([
+    ...["www", "js", "docs"].flatMap(filesBelow),
+    "README.md",
+    "benches/results.json",
+    "package.json",
+    "package-lock.json",
+  ]);
   const kept = JSON.parse(await readFile(KEPT, "utf8").catch(() => "{}"));
   if (kept.key === key && existsSync(MATH_FONT)) return kept.results;
   const results = await rendered("quick");
@@ -94,6 +102,20 @@ export function eleventyPages(others) {
       return existsSync(file) ? file : undefined;
     },
     load: (/** @type {string} */ id) => pages.get(id),
+    /** The bar for pages that are HTML files; what they show to be copied remains as it is. */
+    transformIndexHtml: {
+      order: /** @type {const} */ ("pre"),
+      handler(/** @type {string} */ html, /** @type {{ filename: string }} */ { filename }) {
+        if (!others.includes(filename)) return html;
+        const url = `/${relative(www, filename)}`.replace(/index\.html$/, "");
+        const root = pathToRoot(url);
+        const bar = `${siteBar(url)}\n    <script type="module" src="${root}parts/header.js"></script>`;
+        return html
+          .replace(/(?=<link rel="stylesheet")/, `<link rel="stylesheet" href="${root}base.css">\n    `)
+          .replace("<body>", `<body>\n    ${bar}`)
+          .replace("<main>", '<main id="main">');
+      },
+    },
     generateBundle() {
       /** @type {any} */ (this).emitFile({ type: "asset", fileName: SEARCH, source: search });
     },

@@ -47,9 +47,21 @@ export function unwrap(source, language) {
  * @param {(code: string, language: string) => string} highlight
  */
 export function sampleCode(name, highlight) {
+  const { js, rs } = sampleParts(name, highlight);
+  const pre = (/** @type {string} */ language, /** @type {string} */ code) =>
+    `<pre tabindex="0" data-language="${language}"><code>${code}</code></pre>`;
+  return pre("js", js) + pre("rs", rs);
+}
+
+/**
+ * A sample's code in each language, as HTML, and what it prints.
+ *
+ * @param {string} name
+ * @param {(code: string, language: string) => string} highlight
+ */
+export function sampleParts(name, highlight) {
   if (!existsSync(`${folder}${name}.js`)) throw new Error(`expected the sample www/samples/${name}.js`);
   const read = (/** @type {string} */ ending) => readFileSync(`${folder}${name}.${ending}`, "utf8");
-  const code = (/** @type {"js" | "rs"} */ language) =>
-    `<pre tabindex="0" data-language="${language}"><code>${highlight(unwrap(read(language), language), language)}</code></pre>`;
-  return code("js") + code("rs");
+  const code = (/** @type {"js" | "rs"} */ language) => highlight(unwrap(read(language), language), language);
+  return { js: code("js"), rs: code("rs"), output: read("txt").trim() };
 }

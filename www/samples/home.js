@@ -8,6 +8,7 @@ export function sample(print) {
     [200, 0],
   ]);
   const [left] = curve.split(0.5);
-  print(`half way: ${curve.timeAtLength(curve.length() / 2)}, highest: ${curve.bounds().max.y}`);
+  print(`half way: t = ${curve.timeAtLength(curve.length() / 2)}`);
+  print(`highest: y = ${curve.bounds().max.y}`);
   print(`first half: ${left.controlPoints().join(" ")}`);
 }
