@@ -91,7 +91,7 @@ const ABUSE = [
   ["#%E0%A4%A", /not on this page/],
   ["#nowhere?t=0.3", /not on this page/],
   ["#main?t=0.3&%=%", /is not known here/],
-  ["#learn?t=0.3", /no figure/],
+  ["#npm?t=0.3", /no figure/],
   ["#?", /not on this page/],
   [`#hero?${"t=0.1&".repeat(170_000)}`, /1020006 characters long/],
 ];
