@@ -1,11 +1,9 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
 
-import { CONTROLS, TOKENS } from "../ui/tokens.js";
+import { CONTROLS, SHEET, TOKENS } from "../ui/tokens.js";
 
 /** Everything inside the small applet. */
-export const CSS = `${TOKENS}${CONTROLS}
-.frame { outline: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); }
-.stage { position: relative; background: var(--bz-paper); border-radius: 10px 10px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
+export const CSS = `${TOKENS}${CONTROLS}${SHEET}.stage { position: relative; background: var(--bz-paper); touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
 ::slotted(canvas) {
   display: block !important; margin: 0 !important; padding: 0 !important; inline-size: 100%; max-inline-size: 100%;
   block-size: auto !important; aspect-ratio: var(--bz-box) !important;
@@ -26,7 +24,7 @@ export const CSS = `${TOKENS}${CONTROLS}
 .handle:focus-within::after { border-color: var(--bz-accent); }
 .handle:has(:focus-visible)::after { border-width: 3px; outline: 2px solid var(--bz-paper); }
 .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
-.status { display: flex; gap: 0.6rem; align-items: baseline; margin: 0; padding: 0.6rem 0.9rem; border-block: 1px solid var(--bz-rim); min-block-size: 4.1em; }
+.status { display: flex; gap: 0.6rem; align-items: baseline; margin: 0; padding: 0.6rem 0.9rem 0; min-block-size: 4.1em; }
 .verdict { flex: none; min-inline-size: 2.6em; padding: 0 0.45em; border-radius: 5px; text-align: center; font-weight: 650; border: 1.5px solid currentColor; }
 .verdict { color: var(--bz-smooth, var(--bz-smooth-ink)); }
 .verdict[data-verdict="C0"], .verdict[data-verdict="open"] { color: var(--bz-broken, var(--bz-broken-ink)); }

@@ -1,4 +1,5 @@
 // What pictures are drawn with: lines and marks whose sizes are CSS pixels, turned into the canvas's units by `px`.
+import { FONT_FAMILY } from "./tokens.js";
 
 export type Point2 = [number, number];
 
@@ -99,7 +100,7 @@ export function label(
   [x, y]: Point2,
   [weight, size]: readonly [weight: number, size: number] = FONT,
 ) {
-  ctx.font = `${weight} ${size * px}px system-ui, sans-serif`;
+  ctx.font = `${weight} ${size * px}px ${FONT_FAMILY}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   ctx.strokeStyle = theme.paper;

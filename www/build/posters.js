@@ -6,7 +6,7 @@ import { svgFigure } from "#js/layers/svg.js";
 import { firstState } from "#js/editor/state.js";
 
 /** The page's own colours where it has them: they follow dark and light. */
-const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--ground)" };
+const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--stage)" };
 
 /**
  * The attributes of a tag; those without a value are "".
@@ -33,15 +33,15 @@ export function posterOf(attributes) {
 const SHORTER = [
   [' xmlns="http://www.w3.org/2000/svg"', ""],
   [
-    ' font-weight="600" font-size="13" stroke="var(--ground)" stroke-width="4" paint-order="stroke" fill="var(--ink)"',
+    ' font-weight="600" font-size="13" stroke="var(--stage)" stroke-width="4" paint-order="stroke" fill="var(--ink)"',
     ' class="l"',
   ],
   [
-    ' font-weight="450" font-size="12" stroke="var(--ground)" stroke-width="4" paint-order="stroke" fill="var(--ink)"',
+    ' font-weight="450" font-size="12" stroke="var(--stage)" stroke-width="4" paint-order="stroke" fill="var(--ink)"',
     ' class="s"',
   ],
-  [' fill="#0072b2" stroke="var(--ground)" stroke-width="1.5"', ' class="d"'],
-  [' fill="#d55e00" stroke="var(--ground)" stroke-width="1.5"', ' class="h"'],
+  [' fill="#0072b2" stroke="var(--stage)" stroke-width="1.5"', ' class="d"'],
+  [' fill="#d55e00" stroke="var(--stage)" stroke-width="1.5"', ' class="h"'],
 ];
 
 /** @param {string} svg */

@@ -17,24 +17,23 @@ ${unsafeCSS(CSS)}
 @media (forced-colors: active) { :host { --bz-level3: CanvasText; --bz-level4: Highlight; } }
 :host([hidden]), [hidden] { display: none; }
 .stage { aspect-ratio: 670 / 480; touch-action: pan-y; overflow: clip; }
-.frame:not(:has(.controls)) .stage { border-radius: 10px; }
 canvas { display: block; inline-size: 100%; block-size: 100%; }
 .overlay { overflow: clip; }
 .overlay.grab { cursor: move; }
 .overlay.place { cursor: crosshair; }
 :host([readonly]) .handle { cursor: default; touch-action: auto; }
-.message { margin: 0; padding: 0.45rem 0.9rem; border-block-start: 1px solid var(--bz-rim); color: var(--bz-broken, var(--bz-broken-ink)); overflow-wrap: anywhere; }
+.message { margin: 0; padding: 0.45rem 0.9rem; color: var(--bz-broken, var(--bz-broken-ink)); overflow-wrap: anywhere; }
 .message.good { color: inherit; }
 .tools { display: flex; gap: 4px; margin-inline-start: auto; }
 .icon { inline-size: 2.1rem; min-block-size: 2.1rem; padding: 0; display: grid; place-items: center; flex: none; }
 .icon svg { inline-size: 18px; block-size: 18px; fill: none; stroke: currentColor; stroke-width: 2; stroke-linecap: round; stroke-linejoin: round; }
 .icon svg .solid { fill: currentColor; }
 
-.joints { list-style: none; margin: 0; padding: 0.35rem 0.9rem; border-block-start: 1px solid var(--bz-rim); max-block-size: 10.2rem; overflow: auto; }
+.joints { list-style: none; margin: 0; padding: 0.35rem 0.9rem; max-block-size: 10.2rem; overflow: auto; }
 .joints li { display: flex; flex-wrap: wrap; gap: 0.15rem 0.7rem; align-items: center; padding-block: 0.2rem; }
 .joints .verdict { min-inline-size: 3.2em; }
 .joints .fact { color: var(--bz-quiet); font-variant-numeric: tabular-nums; }
-.controls { display: grid; gap: 0.8rem; border-block-start: 1px solid var(--bz-rim); }
+.controls { display: grid; gap: 0.8rem; }
 .controls > * { min-inline-size: 0; }
 .controls:not(:has(> *)) { display: none; }
 .t { display: flex; flex-wrap: wrap; gap: 0.4rem 0.8rem; align-items: center; font-weight: 400; }
@@ -49,13 +48,13 @@ fieldset { gap: 0.4rem 1.1rem; }
 .messages { flex: 1 1 100%; margin: 0; padding: 0; list-style: none; color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 .matrix { display: grid; grid-template-columns: repeat(4, minmax(3.2rem, 5rem)); gap: 4px; }
 input[type="checkbox"] { flex: none; }
-details { border-block-start: 1px solid var(--bz-rim); margin-inline: -0.9rem; padding-inline: 0.9rem; padding-block-start: 0.45rem; }
+details { margin-inline: -0.9rem; padding-inline: 0.9rem; }
 summary { font-weight: 600; cursor: pointer; padding-block: 0.25rem; }
 details[open] > summary { margin-block-end: 0.4rem; }
 .body { display: grid; gap: 0.6rem; }
-pre { margin: 0; padding: 0.6rem 0.7rem; max-block-size: 15rem; overflow: auto; background: var(--bz-paper); border: 1px solid var(--bz-rim); border-radius: 7px; font: 0.8125rem/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
+pre { margin: 0; padding: 0.6rem 0.7rem; max-block-size: 15rem; overflow: auto; background: var(--bz-raised); border: 1px solid var(--bz-rim); border-radius: 10px; font: 0.8125rem/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; }
 select, .number, .file {
-  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.2rem 0.5rem; min-block-size: 2.1rem; min-inline-size: 0; max-inline-size: 100%;
+  font: inherit; color: inherit; background: var(--bz-raised); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.2rem 0.5rem; min-block-size: 2.1rem; min-inline-size: 0; max-inline-size: 100%;
 }
 button { padding: 0.22rem 0.65rem; min-block-size: 2.1rem; }
 button[aria-pressed="true"] { background: var(--bz-accent); border-color: var(--bz-accent); color: var(--bz-on-accent); }
@@ -64,7 +63,7 @@ button[aria-pressed="true"] { background: var(--bz-accent); border-color: var(--
 .file input { position: absolute; inset: 0; inline-size: 100%; opacity: 0; cursor: pointer; }
 .file:focus-within { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
 .note { margin: 0; color: var(--bz-quiet); font-size: 0.875rem; }
-dialog { max-inline-size: min(34rem, calc(100% - 2rem)); padding: 1rem 1.2rem; color: var(--bz-ink); background: var(--bz-panel); border: 1px solid var(--bz-field); border-radius: 10px; }
+dialog { max-inline-size: min(34rem, calc(100% - 2rem)); padding: 1rem 1.2rem; color: var(--bz-ink); background: var(--bz-raised); border: 1px solid var(--bz-rim); border-radius: 16px; }
 dialog h2 { margin: 0 0 0.6rem; font-size: 1.1rem; }
 dialog dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.3rem 1rem; margin: 0 0 0.9rem; }
 dialog dt, dialog dd { margin: 0; }

@@ -1,6 +1,6 @@
 // What the style sheets of all companions have in common. Custom properties that begin with --bz- may be set from outside.
 import { css, unsafeCSS } from "lit";
-import { CONTROLS, DARK, LIGHT, TOKENS } from "../../ui/tokens.js";
+import { CONTROLS, DARK, LIGHT, SHEET, TOKENS } from "../../ui/tokens.js";
 
 export const style = css`
 ${unsafeCSS(TOKENS)}
@@ -11,7 +11,7 @@ ${unsafeCSS(TOKENS)}
 ${unsafeCSS(CONTROLS)}
 :host { container-type: inline-size; }
 :host([hidden]) { display: none; }
-.frame { border: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); overflow: clip; }
+${unsafeCSS(SHEET)}
 .message { margin: 0; padding: 0.4rem 0.2rem 0; color: var(--bz-broken, var(--bz-broken-ink)); font-size: 0.875rem; overflow-wrap: anywhere; }
 .message:empty { display: none; }
 .bar { display: flex; flex-wrap: wrap; gap: 0.4rem 1rem; align-items: center; padding: 0.5rem 0.8rem; }
@@ -22,7 +22,7 @@ p { margin: 0; }
 i { font-family: ui-serif, Georgia, serif; font-size: 1.1em; }
 input, select { font: inherit; color: inherit; }
 select:disabled, input:disabled { opacity: 0.6; }
-select, input[type="number"] { background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.2rem 0.45rem; min-block-size: 2rem; }
+select, input[type="number"] { background: var(--bz-raised); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.2rem 0.45rem; min-block-size: 2rem; }
 input[type="number"] { font-variant-numeric: tabular-nums; }
 input[type="range"] { accent-color: var(--bz-accent); min-block-size: 24px; margin: 0; }
 input[aria-invalid="true"] { border-color: var(--bz-broken, var(--bz-broken-ink)); box-shadow: 0 0 0 1px var(--bz-broken, var(--bz-broken-ink)); }

@@ -1,25 +1,23 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
 import { css, unsafeCSS } from "lit";
+import { DARK, FONT_FAMILY, LIGHT, SHEET } from "../../ui/tokens.js";
 
-const light = unsafeCSS(`
-  --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
-  --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
+const light = unsafeCSS(`${LIGHT}
+  --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-level1: #00805d; --bz-level2: #b3478a;
   --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
-  --bz-accent: #0067a3; --bz-on-accent: #ffffff;
 `);
-const dark = unsafeCSS(`
-  --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
-  --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
+const dark = unsafeCSS(`${DARK}
+  --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
   --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
-  --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
 `);
 
 /**
  * @cssprop --bz-ink - text
  * @cssprop --bz-quiet - secondary text
- * @cssprop --bz-paper - the background of the picture and of fields
+ * @cssprop --bz-paper - the background of the picture
  * @cssprop --bz-panel - the background of everything else
- * @cssprop --bz-rim - the borders of panels
+ * @cssprop --bz-raised - the background of buttons and fields
+ * @cssprop --bz-rim - lines between things of one kind
  * @cssprop --bz-field - the borders of buttons and fields
  * @cssprop --bz-front - the front side of the surface
  * @cssprop --bz-back - its back side
@@ -42,7 +40,7 @@ export const style = css`
   ${light}
   --bz-hit: 24px;
   display: block; container-type: inline-size; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
-  font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
+  font: 400 0.9375rem/1.45 ${unsafeCSS(FONT_FAMILY)}; text-align: start;
 }
 :host([hidden]) { display: none; }
 @media (prefers-color-scheme: dark) { :host { ${dark} } }
@@ -53,13 +51,13 @@ export const style = css`
 @media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
 @media (forced-colors: active) {
   :host {
-    --bz-ink: CanvasText; --bz-quiet: CanvasText; --bz-paper: Canvas; --bz-panel: Canvas; --bz-rim: CanvasText; --bz-field: CanvasText;
+    --bz-ink: CanvasText; --bz-quiet: CanvasText; --bz-paper: Canvas; --bz-panel: Canvas; --bz-raised: Canvas; --bz-rim: CanvasText; --bz-field: CanvasText;
     --bz-handle: LinkText; --bz-level1: GrayText; --bz-level2: LinkText; --bz-accent: Highlight; --bz-on-accent: HighlightText;
   }
   .probe { forced-color-adjust: none; }
 }
 *, ::before, ::after { box-sizing: border-box; }
-.frame { border: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); overflow: clip; }
+${unsafeCSS(SHEET)}
 .stage { position: relative; background: var(--bz-paper); }
 canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3); cursor: grab; touch-action: pan-y; -webkit-tap-highlight-color: transparent; }
 @container (max-width: 420px) { canvas { aspect-ratio: var(--bz-aspect, 1); } }
@@ -89,17 +87,17 @@ canvas:focus-visible { outline-offset: -3px; }
 .tools { position: absolute; inset: 8px 8px auto auto; display: flex; gap: 4px; }
 .tools button { inline-size: 34px; min-block-size: 34px; padding: 0; display: grid; place-items: center; }
 .tools svg { inline-size: 18px; block-size: 18px; fill: none; stroke: currentColor; stroke-width: 2; stroke-linecap: round; stroke-linejoin: round; }
-.message { position: absolute; inset: auto 10px 10px; margin: 0; padding: 0.45rem 0.7rem; background: var(--bz-panel); border: 1px solid var(--bz-field); border-radius: 7px; font-size: 0.875rem; }
+.message { position: absolute; inset: auto 10px 10px; margin: 0; padding: 0.45rem 0.7rem; background: var(--bz-raised); border: 1px solid var(--bz-field); border-radius: 6px; font-size: 0.875rem; }
 .message:empty { display: none; }
-.facts { display: flex; flex-wrap: wrap; gap: 0.1rem 1.3rem; margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--bz-rim); color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
+.facts { display: flex; flex-wrap: wrap; gap: 0.1rem 1.3rem; margin: 0; padding: 0.5rem 0.9rem; color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 .facts b { font-weight: 600; color: var(--bz-ink); }
-.controls { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding: 0.8rem 0.9rem 0.9rem; border-block-start: 1px solid var(--bz-rim); }
+.controls { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding: 0.6rem 0.9rem 0.9rem; }
 .more { flex: 1 1 100%; grid-column: 1 / -1; }
 .more > summary { font-weight: 600; cursor: pointer; padding-block: 0.25rem; }
 .more > .body { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding-block-start: 0.5rem; }
 fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.35rem 0.95rem; align-items: center; align-content: start; }
 fieldset.wide { grid-column: 1 / -1; }
-legend { padding: 0 0 0.15rem; font-weight: 600; }
+legend { padding: 0 0 0.15rem; color: var(--bz-quiet); }
 label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
 label.line { flex: 1 1 100%; }
 .main label.line { flex: 1 1 14rem; }
@@ -109,9 +107,9 @@ label.line > select, label.line > input { flex: 1; min-inline-size: 5rem; inline
 input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
 input[type="range"] { accent-color: var(--bz-accent); min-block-size: 24px; }
 button, select {
-  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; cursor: pointer;
+  font: inherit; color: inherit; background: var(--bz-raised); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; cursor: pointer;
 }
-.file { position: relative; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; }
+.file { position: relative; background: var(--bz-raised); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; }
 .file input { position: absolute; inset: 0; inline-size: 100%; opacity: 0; cursor: pointer; }
 .file:focus-within { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
 .file:hover, button:not(.handle):hover { border-color: var(--bz-accent); color: var(--bz-accent); }

@@ -1,33 +1,35 @@
 // What all figures of the chapters look like. The colours are those of the elements, see js/ui/tokens.ts.
-import { css } from "lit";
+import { css, unsafeCSS } from "lit";
+import { DARK, FONT_FAMILY, LIGHT } from "#js/ui/tokens.js";
 
 export const style = css`
   :host {
-    --ink: #1d2733; --quiet: #51606f; --paper: #ffffff; --panel: #f4f6f8; --rim: #c9d1d9; --field: #7a8794; --grid: #e3e8ed;
-    --curve: #0072b2; --handle: #d55e00; --level1: #009e73; --level2: #cc79a7; --accent: #0067a3; --on-accent: #ffffff; --hit: 24px;
-    --first-ink: #0067a3; --second-ink: #b04a00; --third-ink: #00704f; --fourth-ink: #9c3f75;
+    ${unsafeCSS(LIGHT)}
+    --ink: var(--bz-ink); --quiet: var(--bz-quiet); --paper: var(--bz-paper); --panel: var(--bz-panel); --raised: var(--bz-raised); --rim: var(--bz-rim); --field: var(--bz-field); --grid: var(--bz-rim);
+    --curve: var(--bz-curve); --handle: var(--bz-handle); --level1: var(--bz-level1); --level2: var(--bz-level2); --accent: var(--bz-accent); --on-accent: var(--bz-on-accent); --hit: 24px;
+    --first-ink: #0067a3; --second-ink: #a84a00; --third-ink: #00704f; --fourth-ink: #9c3f75;
     display: block; box-sizing: border-box; max-inline-size: 100%; margin-block: 1rem 1.4rem;
     color-scheme: light dark; color: var(--ink);
-    font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
+    font: 400 0.9375rem/1.45 ${unsafeCSS(FONT_FAMILY)}; text-align: start;
   }
   :host([hidden]) { display: none; }
   @media (prefers-color-scheme: dark) {
     :host {
-      --ink: #e8edf2; --quiet: #a9b5c1; --paper: #12171d; --panel: #1b222a; --rim: #36414c; --field: #7d8b99; --grid: #252e37;
-      --curve: #56b4e9; --handle: #e69f00; --accent: #7cc4f0; --on-accent: #0d141a;
+      ${unsafeCSS(DARK)}
       --first-ink: #7cc4f0; --second-ink: #f0b13c; --third-ink: #3ecf9f; --fourth-ink: #e3a0c4;
     }
   }
   @media (any-pointer: coarse) { :host { --hit: 44px; } }
   @media (forced-colors: active) {
     :host {
-      --ink: CanvasText; --quiet: CanvasText; --paper: Canvas; --panel: Canvas; --rim: CanvasText; --field: CanvasText; --grid: GrayText;
+      --ink: CanvasText; --quiet: CanvasText; --paper: Canvas; --panel: Canvas; --raised: Canvas; --rim: CanvasText; --field: CanvasText; --grid: GrayText;
       --curve: CanvasText; --handle: LinkText; --level1: Highlight; --level2: LinkText; --accent: Highlight; --on-accent: HighlightText;
       --first-ink: CanvasText; --second-ink: LinkText; --third-ink: CanvasText; --fourth-ink: LinkText;
     }
   }
   *, ::before, ::after { box-sizing: border-box; }
-  .frame { border: 1px solid var(--rim); border-radius: 10px; background: var(--panel); overflow: clip; break-inside: avoid; }
+  .frame { border-radius: 16px; background: var(--panel); overflow: clip; break-inside: avoid; }
+  @media (forced-colors: active) { .frame { border: 1px solid var(--rim); } }
   .stage { position: relative; background: var(--paper); touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; user-select: none; -webkit-user-select: none; }
   .stage + .stage { border-block-start: 1px solid var(--rim); }
   .sides .stage { border: 0; }
@@ -50,14 +52,14 @@ export const style = css`
   .off { fill: var(--handle); stroke: var(--paper); stroke-width: 1.5; }
   .at { fill: var(--ink); stroke: var(--paper); stroke-width: 1.5; }
   .hollow { fill: var(--paper); stroke-width: 1.5; }
-  .facts { margin: 0; padding: 0.6rem 0.9rem; border-block-start: 1px solid var(--rim); font-variant-numeric: tabular-nums; text-wrap: pretty; }
-  .facts + .facts { border-block-start: 0; padding-block-start: 0; }
-  .controls { display: flex; flex-wrap: wrap; gap: 0.6rem 1.4rem; align-items: center; padding: 0.75rem 0.9rem; border-block-start: 1px solid var(--rim); }
+  .facts { margin: 0; padding: 0.6rem 0.9rem; font-variant-numeric: tabular-nums; text-wrap: pretty; }
+  .facts + .facts { padding-block-start: 0; }
+  .controls { display: flex; flex-wrap: wrap; gap: 0.6rem 1.4rem; align-items: center; padding: 0.75rem 0.9rem; }
   .row { display: flex; flex-wrap: wrap; gap: 0.4rem; align-items: center; }
   fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; align-items: center; }
-  legend { float: left; padding: 0; margin-inline-end: 0.1rem; font-weight: 600; }
+  legend { float: left; padding: 0; margin-inline-end: 0.1rem; color: var(--quiet); }
   button {
-    font: inherit; color: inherit; background: var(--paper); border: 1px solid var(--field); border-radius: 7px; padding: 0.32rem 0.7rem;
+    font: inherit; color: inherit; background: var(--raised); border: 1px solid var(--field); border-radius: 6px; padding: 0.32rem 0.7rem;
     min-block-size: 2.25rem; cursor: pointer;
   }
   button:hover { border-color: var(--accent); color: var(--accent); }
@@ -68,7 +70,7 @@ export const style = css`
   select { min-inline-size: 0; }
   input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--accent); }
   select, input[type="number"], input[type="text"] {
-    font: inherit; color: inherit; background: var(--paper); border: 1px solid var(--field); border-radius: 7px; padding: 0.25rem 0.5rem; min-block-size: 2.1rem; max-inline-size: 100%;
+    font: inherit; color: inherit; background: var(--raised); border: 1px solid var(--field); border-radius: 6px; padding: 0.25rem 0.5rem; min-block-size: 2.1rem; max-inline-size: 100%;
   }
   .slider { flex: 1 1 14rem; font-weight: 600; min-inline-size: 0; }
   .slider input { flex: 1; min-inline-size: 5rem; min-block-size: 24px; accent-color: var(--accent); }
@@ -91,7 +93,7 @@ export const style = css`
   .handle:focus-within::after { border-color: var(--accent); border-width: 3px; }
   .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
   .handle :focus-visible { outline: none; }
-  .table { overflow-x: auto; border-block-start: 1px solid var(--rim); }
+  .table { overflow-x: auto; }
   table { border-collapse: collapse; inline-size: 100%; font-variant-numeric: tabular-nums; }
   caption { padding: 0.6rem 0.9rem 0.2rem; text-align: start; font-weight: 600; }
   th, td { padding: 0.35rem 0.6rem; text-align: end; border-block-start: 1px solid var(--rim); font-weight: 400; }
@@ -122,8 +124,6 @@ export const style = css`
   .orbit { cursor: grab; touch-action: pan-y; }
   .orbit:active { cursor: grabbing; }
   .orbit:focus-visible { outline-offset: -3px; }
-  .first { border-block-start: 0; }
-  .controls.first { border-block-end: 1px solid var(--rim); }
   .key { display: flex; align-items: center; gap: 0.6rem; }
   .key svg { inline-size: 34px; flex: none; }
   td, .line { white-space: nowrap; }
@@ -137,8 +137,7 @@ export const style = css`
   .thumb .curve { stroke-width: 4; }
   .thumb .thin { fill: none; stroke: var(--quiet); stroke-width: 1; stroke-opacity: 0.55; }
   .thumb .order { font-size: 0.78rem; color: var(--quiet); letter-spacing: 0.08em; }
-  .code { border-block-start: 1px solid var(--rim); }
-  .code:first-child { border-block-start: 0; }
+
   .code .bar { display: flex; gap: 0.8rem; align-items: center; justify-content: space-between; padding: 0.35rem 0.5rem 0 0.9rem; }
   .code .bar span { flex: 1; color: var(--quiet); font-size: 0.875rem; }
   .code .bar button { min-block-size: 1.9rem; padding: 0.1rem 0.7rem; }
