@@ -45,7 +45,7 @@ export function sizes() {
   return [
     row("size", "everything", "a bundle that imports all classes, minified, gzip -9"),
     row("size-elements", "elements, loaded at once", "elements, loaded initially, without the core, minified, gzip -9"),
-    row("size-curves", "{ Curve, Spline } of core", "a bundle that imports only Curve and Spline, minified, gzip -9"),
+    row("size-curves", "everything of core", "a bundle that imports everything of casteljau/core, minified, gzip -9"),
   ];
 }
 

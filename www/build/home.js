@@ -16,7 +16,7 @@ import { drawTeapot } from "./teapot-picture.js";
 import { wordPicture } from "./word-picture.js";
 
 const KB = 1000;
-const IMPORT = "{ Curve, Spline } of core";
+const IMPORT = "everything of core";
 /** The rows of benches/results.json that the page shows, and where others are faster. */
 const [NEAREST, TEAPOT, INK, SIZE] = ["nearest", "adaptive-verb-searched", "ink", "size-curves"];
 /** The rows of the README's table that the page shows. */

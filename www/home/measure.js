@@ -1,5 +1,5 @@
 // Measures one row of the benchmarks in the reader's browser, as `npm run bench` does: the median of many batches.
-import { Curve } from "casteljau/paths";
+import { Curve } from "casteljau/core";
 
 const CALLS = 20_000;
 const BATCHES = 31;
