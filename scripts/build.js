@@ -78,7 +78,8 @@ export const glue = once(async (/** @type {Mode} */ mode) => {
   const folder = mode === "development" ? "debug" : "wasm";
   const compiled = join(target, "wasm32-unknown-unknown", folder, "casteljau.wasm");
   const modules = ["curves", "surfaces", "regions", "core", "core-surfaces", "applet"];
-  const files = mode === "development" ? ["casteljau-bytes.js"] : modules.map((name) => `${name}-bytes.js`);
+  const files =
+    mode === "development" ? ["casteljau-bytes.js"] : ["needs.json", ...modules.map((name) => `${name}-bytes.js`)];
   const outputs = ["casteljau.js", "casteljau.wasm", "functions.d.ts", ...files].map((name) => `js/glue/${name}`);
   const inputs = [compiled, driver];
   await alone("glue", () =>
@@ -97,9 +98,7 @@ export const bundles = (mode) =>
       inputs: [...filesBelow("js"), ...BUNDLERS, "package.json", "package-lock.json", "Cargo.lock"],
       outputs: [
         ...SITE_SCRIPTS,
-        ...["slim.js", "casteljau.wasm", "custom-elements.json", "texts.json"].map(
-          (name) => `dist/${name}`,
-        ),
+        ...["slim.js", "casteljau.wasm", "custom-elements.json", "texts.json"].map((name) => `dist/${name}`),
         "dist/casteljau.global.js",
         "dist/THIRD-PARTY-NOTICES.txt",
         "target/js/index.js",
@@ -134,12 +133,28 @@ export const types = () =>
     },
   );
 
+/** Builds dist/custom, the command that makes modules with some of the methods; from a release. */
+const custom = () =>
+  unlessCurrent(
+    {
+      name: "custom",
+      inputs: [
+        ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)),
+        ...filesBelow("custom"),
+        ...["xtask/pieces.js", "tsconfig.json", "package.json", "package-lock.json"],
+      ],
+      outputs: ["command.js", "needs.json", "pieces.json"].map((name) => `dist/custom/${name}`),
+    },
+    () => node("xtask/pieces.js"),
+  );
+
 /** Builds all of dist/. @param {Mode} mode */
 export async function packageFiles(mode) {
   await glue(mode);
   await alone("dist", async () => {
     await bundles(mode);
     await types();
+    if (mode === "release") await custom();
   });
 }
 

@@ -137,7 +137,9 @@ async function checkTypes() {
   await types();
   await runAll([
     () => node(TSC, ...CHECK_ONLY),
-    ...["www", "scripts", "tests", "benches", "tests/types"].map((folder) => () => node(TSC, "--project", folder)),
+    ...["www", "scripts", "custom", "tests", "benches", "tests/types"].map(
+      (folder) => () => node(TSC, "--project", folder),
+    ),
   ]);
 }
 
@@ -147,6 +149,8 @@ const mode = ({ amount }) => (amount === "few" ? "development" : "release");
 /** Of tests/js, what only `npm run test:all` runs: these take longer than all others together, or test what a release has. */
 const LONG = [
   "benchmarks",
+  "custom",
+  "custom-builds",
   "decode",
   "easing-fit",
   "entries",

@@ -251,7 +251,7 @@ async function transpile() {
 const modules = (...release) => (mode === "release" ? release : [forDevelopment]);
 
 // Remove the files of earlier builds, so that they are not published.
-for (const folder of ["dist/elements", "dist/node"]) await rm(folder, { recursive: true, force: true });
+for (const folder of ["dist/custom", "dist/elements", "dist/node"]) await rm(folder, { recursive: true, force: true });
 await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, { recursive: true })));
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));

@@ -1,7 +1,9 @@
 // The sizes of bundles that import parts of dist/: for `npm run size` and the site's page of benchmarks.
 import { build } from "esbuild";
+import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { customModule, sourceOf } from "../custom/module.js";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 
@@ -19,6 +21,38 @@ export const IMPORTS = [
   ["{ Surface } of surfaces", "Surface", "surfaces"],
   ["only types", "type Curve, type Mesh", "index"],
 ];
+
+/** The modules of `npx casteljau custom` that are measured, and how many kB they may take with gzip. */
+export const MEASURED_LISTS = [
+  { name: "custom: a length", list: ["Curve.length"], targetKb: 30 },
+  { name: "custom: a point on a path", list: ["Path.fromSVG", "Path.pointAtLength"], targetKb: 45 },
+  {
+    name: "custom: as bezier-js",
+    list: [
+      ...["eval", "sample", "derivativeAt", "normal", "curvature", "length", "split", "subsegment", "bounds", "hull"],
+      ...["extrema", "inflections", "nearest", "intersections", "selfIntersections", "elevate", "offset", "toSVG"],
+    ]
+      .map((name) => `Curve.${name}`)
+      .concat("Spline.segments"),
+    targetKb: 85,
+  },
+  {
+    name: "custom: Boolean operations",
+    list: ["fromSVG", "union", "intersect", "subtract", "exclude", "toSVG"].map((name) => `Path.${name}`),
+    targetKb: 120,
+  },
+];
+
+/** Makes the measured modules. */
+export async function sizesOfLists() {
+  const json = async (/** @type {string} */ name) => JSON.parse(await readFile(`${root}/dist/custom/${name}`, "utf8"));
+  const wasm = await readFile(`${root}/dist/casteljau.wasm`);
+  const source = sourceOf(await json("pieces.json"), await json("needs.json"), wasm);
+  return MEASURED_LISTS.map(({ name, list }) => {
+    const { code } = customModule(source, list, `npx casteljau custom ${list.join(" ")} --out bezier.js`);
+    return { name, raw: Buffer.byteLength(code), gzip: gzip(code) };
+  });
+}
 
 /** The size in bytes of a bundle that imports some of the classes of an entry point. @param {string[]} row of IMPORTS */
 export async function sizeOfImport([name, names, entry]) {

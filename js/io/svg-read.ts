@@ -5,16 +5,21 @@ import { arc } from "./svg-arc.js";
 import { PathDataError, Scanner } from "./svg-number.js";
 
 /** The number of arguments of a command, by the code of its letter; −1 for other characters. @internal */
-export const ARGUMENT_COUNTS = new Int8Array(128).fill(-1);
-for (const [letters, count] of [
-  ["Z", 0],
-  ["HV", 1],
-  ["MLT", 2],
-  ["SQ", 4],
-  ["C", 6],
-  ["A", 7],
-] as [string, number][]) {
-  for (const letter of letters + letters.toLowerCase()) ARGUMENT_COUNTS[letter.charCodeAt(0)] = count;
+export const ARGUMENT_COUNTS = argumentCounts();
+
+function argumentCounts() {
+  const counts = new Int8Array(128).fill(-1);
+  for (const [letters, count] of [
+    ["Z", 0],
+    ["HV", 1],
+    ["MLT", 2],
+    ["SQ", 4],
+    ["C", 6],
+    ["A", 7],
+  ] as [string, number][]) {
+    for (const letter of letters + letters.toLowerCase()) counts[letter.charCodeAt(0)] = count;
+  }
+  return counts;
 }
 
 const [CUBIC, HORIZONTAL, LINE, MOVE] = [67, 72, 76, 77];

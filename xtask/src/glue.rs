@@ -213,6 +213,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
         );
     }
     clear()?;
+    write_needs(compiled, &linked)?;
     let whole = bound(compiled, &linked, &folder(), |_| true)?;
     let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
     fs::write(folder().join("casteljau.js"), &glue)?;
@@ -235,6 +236,18 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
         fs::write(bytes, encode::module(&wasm))?;
     }
     Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
+}
+
+/// Writes what each export of the complete module needs, for `custom/cut.js`.
+fn write_needs(compiled: &Path, linked: &Linked) -> Result<()> {
+    let panicking = strip_panics::panicking(&walrus::Module::from_file(compiled)?);
+    let needs = linked.needs(&panicking, |export| {
+        (!export.starts_with("__")).then(|| without_hash(export).to_owned())
+    })?;
+    Ok(fs::write(
+        folder().join("needs.json"),
+        serde_json::to_string(&needs)?,
+    )?)
 }
 
 /// Removes what an earlier build has left in js/glue.

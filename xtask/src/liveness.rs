@@ -5,11 +5,13 @@
 //! and of constants, which an optimiser must keep entirely. Format: tool-conventions of WebAssembly, Linking.md.
 
 use anyhow::{Context, Result, bail};
-use std::collections::HashSet;
+use serde::Serialize;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use wasmparser::{
-    ExternalKind, KnownCustom, Linking, LinkingSectionReader, Parser, Payload, RelocSectionReader,
-    RelocationEntry, RelocationType, SymbolInfo, TypeRef,
+    ConstExpr, DataKind, Element, ElementItems, ElementKind, ExternalKind, KnownCustom, Linking,
+    LinkingSectionReader, Operator, Parser, Payload, RelocSectionReader, RelocationEntry,
+    RelocationType, SymbolInfo, TypeRef,
 };
 
 /// A function by its index, or a byte range of a data segment.
@@ -31,8 +33,13 @@ pub(crate) struct Linked {
     /// The positions of the local functions and of the data segments in the file.
     functions: Vec<Range<usize>>,
     segments: Vec<Range<usize>>,
-    /// The references, sorted: the position in the file and the index of the symbol.
-    names: Vec<(usize, usize)>,
+    /// The references, sorted: the position in the file, the index of the symbol, and whether a function is referred to by
+    /// its index in the table of functions.
+    names: Vec<(usize, usize, bool)>,
+    /// The addresses of the data segments.
+    addresses: Vec<usize>,
+    /// The index of each function in the table of functions.
+    slots: HashMap<usize, usize>,
     /// The constants of type `core::panic::Location`, which only messages of panics read.
     locations: HashSet<Item>,
     /// The functions that are exported.
@@ -45,6 +52,21 @@ pub(crate) struct Linked {
 pub(crate) struct Unreached {
     pub(crate) functions: HashSet<usize>,
     pub(crate) bytes: Vec<(usize, Range<usize>)>,
+}
+
+/// What an export needs besides functions that are called by name: ranges of addresses, ascending and without overlaps, and
+/// indices in the table of functions.
+#[derive(Default, Serialize)]
+pub(crate) struct Needs {
+    data: Vec<usize>,
+    table: Vec<usize>,
+}
+
+/// The needs of all exports, and the addresses of all constants; `custom/cut.js` uses them.
+#[derive(Default, Serialize)]
+pub(crate) struct ModuleNeeds {
+    data: Vec<usize>,
+    exports: BTreeMap<String, Needs>,
 }
 
 impl Linked {
@@ -68,6 +90,11 @@ impl Linked {
                         }
                     }
                 }
+                Payload::ElementSection(elements) => {
+                    for element in elements {
+                        linked.read_elements(element?)?;
+                    }
+                }
                 Payload::StartSection { func, .. } => linked.start = Some(func as usize),
                 Payload::CodeSectionStart { range, .. } => code = range.start,
                 Payload::CodeSectionEntry(body) => linked.functions.push(body.range()),
@@ -76,6 +103,10 @@ impl Linked {
                     for segment in segments {
                         let segment = segment?;
                         let end = segment.range.end;
+                        let DataKind::Active { offset_expr, .. } = &segment.kind else {
+                            bail!("expected data segments with an address");
+                        };
+                        linked.addresses.push(constant(offset_expr)?);
                         linked.segments.push(end - segment.data.len()..end);
                     }
                 }
@@ -125,8 +156,25 @@ impl Linked {
         Ok(())
     }
 
+    fn read_elements(&mut self, element: Element) -> Result<()> {
+        let ElementKind::Active { offset_expr, .. } = element.kind else {
+            bail!("expected a table of functions that is filled at the start");
+        };
+        let ElementItems::Functions(functions) = element.items else {
+            bail!("expected a table of functions");
+        };
+        let first = constant(&offset_expr)?;
+        for (k, function) in functions.into_iter().enumerate() {
+            self.slots.insert(function? as usize, first + k);
+        }
+        Ok(())
+    }
+
     fn read_relocations(&mut self, section: &RelocSectionReader, start: usize) -> Result<()> {
-        use RelocationType::{GlobalIndexI32, GlobalIndexLeb, TableNumberLeb, TypeIndexLeb};
+        use RelocationType::{
+            GlobalIndexI32, GlobalIndexLeb, TableIndexI32, TableIndexSleb, TableNumberLeb,
+            TypeIndexLeb,
+        };
         for entry in section.entries() {
             let RelocationEntry {
                 ty, offset, index, ..
@@ -136,7 +184,9 @@ impl Linked {
                 ty,
                 TypeIndexLeb | GlobalIndexLeb | GlobalIndexI32 | TableNumberLeb
             ) {
-                self.names.push((start + offset as usize, index as usize));
+                let in_table = matches!(ty, TableIndexI32 | TableIndexSleb);
+                self.names
+                    .push((start + offset as usize, index as usize, in_table));
             }
         }
         Ok(())
@@ -152,8 +202,8 @@ impl Linked {
         };
         let is_location = |item: &&Item| {
             let position = self.position(item)?;
-            let first = self.names.partition_point(|&(at, _)| at < position.start);
-            let &(at, symbol) = self.names.get(first)?;
+            let first = self.names.partition_point(|&(at, ..)| at < position.start);
+            let &(at, symbol, _) = self.names.get(first)?;
             let has_size = matches!(item, Item::Bytes(_, bytes) if bytes.len() == LOCATION_SIZE);
             Some(has_size && at == position.start && is_source_name(symbol)?)
         };
@@ -175,9 +225,77 @@ impl Linked {
         roots: impl Iterator<Item = usize>,
         empty: &HashSet<usize>,
     ) -> Result<Unreached> {
+        Ok(self.rest(&self.reached(roots, empty)?.0))
+    }
+
+    /// The needs of each export, if the bodies of the functions in `empty` are removed. The optimiser removes, merges and
+    /// inlines functions, but it changes neither addresses nor indices in the table of functions, and the code of an export
+    /// contains no others than in the linked module.
+    ///
+    /// `public_name` is the name that wasm-bindgen gives an export; none for those that it removes.
+    pub(crate) fn needs(
+        &self,
+        empty: &HashSet<usize>,
+        public_name: impl Fn(&str) -> Option<String>,
+    ) -> Result<ModuleNeeds> {
+        let mut needs = ModuleNeeds {
+            data: self.ranges(self.symbols.iter().flatten())?,
+            ..ModuleNeeds::default()
+        };
+        for (name, root) in &self.exports {
+            let Some(name) = public_name(name) else {
+                continue;
+            };
+            let (items, functions) = self.reached(std::iter::once(*root), empty)?;
+            let mut table: Vec<usize> = functions
+                .iter()
+                .map(|function| self.slots.get(function).copied())
+                .collect::<Option<_>>()
+                .context("a function that is not in the table")?;
+            table.sort_unstable();
+            let data = self.ranges(items.iter())?;
+            needs.exports.insert(name, Needs { data, table });
+        }
+        Ok(needs)
+    }
+
+    /// The addresses of constants: start and length of each range.
+    fn ranges<'a>(&self, items: impl Iterator<Item = &'a Item>) -> Result<Vec<usize>> {
+        let mut ranges: Vec<Range<usize>> = Vec::new();
+        for item in items {
+            if let Item::Bytes(segment, bytes) = item {
+                let address = self
+                    .addresses
+                    .get(*segment)
+                    .context("an index of no segment")?;
+                ranges.push(address + bytes.start..address + bytes.end);
+            }
+        }
+        ranges.sort_unstable_by_key(|range| (range.start, range.end));
+        let mut merged: Vec<Range<usize>> = Vec::new();
+        for range in ranges {
+            match merged.last_mut() {
+                Some(last) if range.start <= last.end => last.end = last.end.max(range.end),
+                _ => merged.push(range),
+            }
+        }
+        Ok(merged
+            .into_iter()
+            .flat_map(|range| [range.start, range.len()])
+            .collect())
+    }
+
+    /// The items that are reached from the roots, and the functions among them that are referred to by their index in the
+    /// table.
+    fn reached(
+        &self,
+        roots: impl Iterator<Item = usize>,
+        empty: &HashSet<usize>,
+    ) -> Result<(HashSet<Item>, HashSet<usize>)> {
         let names = &self.names;
         let mut waiting: Vec<Item> = roots.chain(self.start).map(Item::Function).collect();
         let mut reached: HashSet<Item> = waiting.iter().cloned().collect();
+        let mut in_table = HashSet::new();
         while let Some(item) = waiting.pop() {
             if matches!(&item, Item::Function(index) if empty.contains(index)) {
                 continue;
@@ -185,10 +303,10 @@ impl Linked {
             let Some(position) = self.position(&item) else {
                 continue; // an imported function
             };
-            let from = names.partition_point(|&(at, _)| at < position.start);
-            for &(_, symbol) in names[from..]
+            let from = names.partition_point(|&(at, ..)| at < position.start);
+            for &(_, symbol, by_slot) in names[from..]
                 .iter()
-                .take_while(|&&(at, _)| at < position.end)
+                .take_while(|&&(at, ..)| at < position.end)
             {
                 let named = self
                     .symbols
@@ -196,13 +314,19 @@ impl Linked {
                     .context("a relocation of no symbol")?;
                 if let Some(named) = named.clone()
                     && !self.locations.contains(&named)
-                    && reached.insert(named.clone())
                 {
-                    waiting.push(named);
+                    if let Item::Function(index) = named
+                        && by_slot
+                    {
+                        in_table.insert(index);
+                    }
+                    if reached.insert(named.clone()) {
+                        waiting.push(named);
+                    }
                 }
             }
         }
-        Ok(self.rest(&reached))
+        Ok((reached, in_table))
     }
 
     /// The position of an item's bytes in the file.
@@ -240,4 +364,12 @@ impl Linked {
 fn shares(item: &Item, segment: usize, bytes: &Range<usize>) -> bool {
     matches!(item, Item::Bytes(k, other)
         if *k == segment && other.start < bytes.end && bytes.start < other.end)
+}
+
+/// The number of a constant expression.
+fn constant(expression: &ConstExpr) -> Result<usize> {
+    match expression.get_operators_reader().read()? {
+        Operator::I32Const { value } => Ok(usize::try_from(value)?),
+        _ => bail!("expected a constant"),
+    }
 }

@@ -19,17 +19,8 @@ pub(crate) fn reduced(
     wanted: impl Fn(&str) -> bool,
 ) -> Result<Module> {
     let mut module = Module::from_file(compiled)?;
-    // In index order.
-    let functions: Vec<FunctionId> = module.funcs.iter().map(|f| f.id()).collect();
-    let panicking: HashSet<usize> = (0..functions.len())
-        .filter(|&k| {
-            let name = module.funcs.get(functions[k]).name.as_deref();
-            name.is_some_and(|name| {
-                let path = without_hashes(&format!("{:#}", rustc_demangle::demangle(name)));
-                panics_only(&path) || formats(&path)
-            })
-        })
-        .collect();
+    let functions = in_order(&module);
+    let panicking = panicking(&module);
     let roots = linked.exports().iter().filter(|(name, _)| wanted(name));
     let unreached = linked.unreached(roots.map(|&(_, index)| index), &panicking)?;
     for &k in unreached.functions.union(&panicking) {
@@ -40,6 +31,25 @@ pub(crate) fn reduced(
     }
     erase(&mut module, &unreached)?;
     Ok(module)
+}
+
+/// The functions in the order of their indices.
+fn in_order(module: &Module) -> Vec<FunctionId> {
+    module.funcs.iter().map(|f| f.id()).collect()
+}
+
+/// The indices of the functions that only panic or format.
+pub(crate) fn panicking(module: &Module) -> HashSet<usize> {
+    let functions = in_order(module);
+    (0..functions.len())
+        .filter(|&k| {
+            let name = module.funcs.get(functions[k]).name.as_deref();
+            name.is_some_and(|name| {
+                let path = without_hashes(&format!("{:#}", rustc_demangle::demangle(name)));
+                panics_only(&path) || formats(&path)
+            })
+        })
+        .collect()
 }
 
 /// Overwrites unreachable constants with zeros, which the optimiser removes, and deletes the relocations, which are no

@@ -5,7 +5,7 @@ import { checkTolerance } from "../../io/svg-write.js";
 import type { Path } from "./path.js";
 import type { CorePath } from "./core-path.js";
 
-const [ARC, CUBIC, LINE, MOVE, QUADRATIC] = ["A", "C", "L", "M", "Q"].map((letter) => letter.charCodeAt(0));
+const [ARC, CUBIC, LINE, MOVE, QUADRATIC] = [65, 67, 76, 77, 81];
 
 const FULL_TURN = 2 * Math.PI;
 
