@@ -159,7 +159,6 @@ const LONG = [
   "large-drawings",
   "manifest",
   "memory",
-  "source-map",
 ];
 
 /**

@@ -1,4 +1,4 @@
-// Generated calls of every public function of the package: only stated refusals, no NaN, true answers, and always an end.
+// Generated calls of every public function of the package: only stated refusals, no NaN, and always an end; what only JavaScript has is checked, too.
 // tests/generator makes the cases, the same ones as for tests/generated; CASTELJAU_CASES, CASTELJAU_SEED and
 // CASTELJAU_ONLY=Curve.offset:123 choose them.
 import assert from "node:assert/strict";
@@ -73,7 +73,7 @@ async function runAll(all) {
 }
 
 const groups = [...GROUPS.map(Object.keys), Object.keys(READERS)];
-test("generated calls: every answer is true, every refusal is stated, every call returns", {
+test("generated calls: every answer is finite, every refusal is stated, every call returns", {
   concurrency: 2,
 }, async (t) => {
   await Promise.all(groups.map((names) => t.test(`${names[0]} … ${names.at(-1)}`, () => runAll(names))));

@@ -1,7 +1,8 @@
-// The installed tarball through the bundlers; what they make is run.
+// The installed tarball through the bundlers: each with each entry point; what they make is run, in Node or in Chromium under a strict
+// policy.
 import assert from "node:assert/strict";
 import { build as esbuild, transform } from "esbuild";
-import { readFile } from "node:fs/promises";
+import { readdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { gzipSync } from "node:zlib";
@@ -12,98 +13,147 @@ import { openPage } from "../page/browser.js";
 import * as curves from "../../js/glue/curves-bytes.js";
 import * as surfaces from "../../js/glue/surfaces-bytes.js";
 import { serve } from "../page/server.js";
-import { PRINTED, PROGRAM, installed, run } from "./fixture.js";
+import { ELEMENTS_PRINTED, ELEMENTS_PROGRAM, PRINTED, PROGRAM, installed, run } from "./fixture.js";
 
-/** All that a page has to allow. */
+/** All that a page has to allow; the styles of elements are sheets of their own, which no policy forbids. */
 const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
 
 const fixture = await installed();
 after(fixture.remove);
-const entry = await fixture.write("src/main.js", PROGRAM);
 const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
 
-for (const [format, name] of /** @type {const} */ ([
-  ["esm", "esbuild.mjs"],
-  ["iife", "esbuild.cjs"],
-])) {
-  test(`esbuild, ${format}, minified`, async () => {
-    const outfile = join(fixture.folder, "out", name);
-    const { warnings } = await esbuild({
-      entryPoints: [entry],
-      bundle: true,
-      format,
-      minify: true,
-      outfile,
-      logLevel: "silent",
-    });
-    assert.deepEqual(warnings, []);
-    assert.equal(await node(outfile), PRINTED);
-  });
-}
-
-test("esbuild for Node, a CommonJS file", async () => {
-  const outfile = join(fixture.folder, "out/esbuild-node.cjs");
-  const { warnings } = await esbuild({
-    entryPoints: [entry],
-    bundle: true,
-    platform: "node",
-    format: "cjs",
-    outfile,
-    logLevel: "silent",
-  });
-  assert.deepEqual(warnings, []);
-  assert.equal(await node(outfile), PRINTED);
-});
-
-test("webpack for Node", async () => {
-  const path = join(fixture.folder, "out/webpack-node");
-  /** @type {import("webpack").Configuration} */
-  const options = { entry, target: "node20", mode: "production", output: { path, filename: "main.cjs" } };
+/** Bundles by webpack. @param {import("webpack").Configuration} options */
+async function packed(options) {
   const stats = await new Promise((done, failed) =>
-    webpack(options, (error, result) => (error ? failed(error) : done(result))),
+    webpack({ mode: "production", performance: false, ...options }, (error, result) =>
+      error ? failed(error) : done(result),
+    ),
   );
   assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
-  assert.equal(await node(join(path, "main.cjs")), PRINTED);
-});
-
-for (const noExternal of [false, true]) {
-  test(`Vite for a server, ${noExternal ? "with the package inside" : "with the package outside"}`, async () => {
-    const outDir = join(fixture.folder, `out/vite-ssr-${noExternal}`);
-    const build = { ssr: entry, outDir };
-    const ssr = noExternal ? { noExternal } : {};
-    await vite({ root: fixture.folder, configFile: false, logLevel: "error", build, ssr });
-    assert.equal(await node(join(outDir, "main.js")), PRINTED);
-  });
 }
 
-for (const format of /** @type {const} */ (["es", "iife"])) {
-  test(`Rollup, ${format}`, async () => {
-    const onwarn = (warning) => assert.fail(warning.message);
-    const bundle = await rollup({ input: entry, plugins: [fixture.resolvePlugin], onwarn });
-    const file = join(fixture.folder, "out", format === "es" ? "rollup.mjs" : "rollup.cjs");
-    await bundle.write({ file, format });
-    assert.equal(await node(file), PRINTED);
-  });
+/** Bundles by esbuild. @param {import("esbuild").BuildOptions} options */
+async function bundled(options) {
+  const { warnings } = await esbuild({ bundle: true, format: "esm", minify: true, logLevel: "silent", ...options });
+  assert.deepEqual(warnings, []);
 }
+
+/** Bundles by Rollup. @param {import("rollup").OutputOptions} output */
+async function rolled(input, output) {
+  const onwarn = (warning) => assert.fail(warning.message);
+  await (await rollup({ input, plugins: [fixture.resolvePlugin], onwarn })).write(output);
+}
+
+/** Bundles by Vite. @param {import("vite").InlineConfig} options */
+const built = (options) => vite({ root: fixture.folder, configFile: false, logLevel: "error", ...options });
+
+/** Writes main.js and what it needs into a folder. @type {Record<string, (program: string, folder: string) => Promise<unknown>>} */
+const BUNDLERS = {
+  esbuild: (main, outdir) => bundled({ entryPoints: { main }, splitting: true, outdir }),
+  Rollup: (input, dir) => rolled(input, { dir, format: "es", entryFileNames: "main.js" }),
+  webpack: (entry, path) => packed({ entry, output: { path, filename: "main.js", publicPath: "auto" } }),
+  Vite: (input, outDir) =>
+    built({
+      build: {
+        ...{ outDir, modulePreload: { polyfill: false } },
+        rollupOptions: { input, output: { entryFileNames: "main.js" }, preserveEntrySignatures: "strict" },
+      },
+    }),
+};
 
 /** A run of characters that only the text of one wasm module has. */
 const mark = (text) => text.slice(1000, 1060);
 const marks = { curves: mark(curves.text), surfaces: mark(surfaces.text) };
-const LINE = `import { Curve, init } from "casteljau";\nawait init();\nconsole.log(new Curve([[0, 0], [2, 4]]).eval(0.5).y);\n`;
 
-test("a program of curves carries no surfaces", async () => {
-  const program = await fixture.write("src/line.js", LINE);
-  const rolled = await (await rollup({ input: program, plugins: [fixture.resolvePlugin] })).generate({ format: "es" });
-  const built = await esbuild({ entryPoints: [program], bundle: true, format: "esm", minify: true, write: false });
-  for (const [bundler, code] of [
-    ["Rollup", rolled.output[0].code],
-    ["esbuild", built.outputFiles[0].text],
-  ]) {
-    assert.ok(code.includes(marks.curves), bundler);
-    assert.ok(!code.includes(marks.surfaces), bundler);
-    assert.equal(await node(await fixture.write(`out/line-${bundler}.mjs`, code)), "2", bundler);
-  }
-});
+/** The gzip size of `{ easing }`, minified; `from` and `spring` take 1.1 kB of it, hints in messages 0.1, the hulls of `toLinear` 0.2. */
+const MAX_EASING_KB = 6.5;
+
+/**
+ * A program for each entry point, and what it prints; which text the output has and has not, its largest size, and whether it
+ * needs a page.
+ *
+ * @type {Record<string, { program: string, printed: string, has?: string, lacks?: string[], maxKb?: number, isPage?: boolean }>}
+ */
+const ENTRIES = {
+  casteljau: { program: PROGRAM, printed: PRINTED, has: marks.curves, lacks: [marks.surfaces] },
+  "casteljau/paths": {
+    program: 'import { Path } from "casteljau/paths";\nconsole.log(Path.rect([0, 0], 2, 3).area());\n',
+    printed: "6",
+    has: marks.curves,
+    lacks: [marks.surfaces],
+  },
+  "casteljau/core": {
+    program: PROGRAM.replace('"casteljau"', '"casteljau/core"'),
+    printed: PRINTED,
+    lacks: Object.values(marks),
+  },
+  "casteljau/surfaces": {
+    program:
+      'import { Surface } from "casteljau/surfaces";\nconsole.log(Surface.teapot({ lid: false }).patch(9).degreeU);\n',
+    printed: "3",
+    lacks: Object.values(marks),
+  },
+  "casteljau/easing": {
+    program: 'import { easing } from "casteljau/easing";\nconsole.log(easing("ease-in-out")(0.5));\n',
+    printed: "0.5",
+    lacks: Object.values(marks),
+    maxKb: MAX_EASING_KB,
+  },
+  "casteljau/elements": { program: ELEMENTS_PROGRAM, printed: ELEMENTS_PRINTED, isPage: true },
+};
+
+for (const [bundler, bundle] of Object.entries(BUNDLERS))
+  for (const [entry, { program, printed, has = "", lacks = [], maxKb, isPage }] of Object.entries(ENTRIES))
+    test(`${bundler}: ${entry}`, async (t) => {
+      const name = `${bundler}-${entry.replace("/", "-")}`;
+      const folder = join(fixture.folder, "out", name);
+      await bundle(await fixture.write(`src/${name}.js`, program), folder);
+      const files = (await readdir(folder, { recursive: true })).filter((each) => each.endsWith(".js"));
+      const code = (await Promise.all(files.map((each) => readFile(join(folder, each), "utf8")))).join("\n");
+      assert.ok(code.includes(has));
+      for (const text of lacks) assert.ok(!code.includes(text), "a wasm module that is not used");
+      if (maxKb) {
+        const { code: minified } = await transform(code, { minify: true, charset: "utf8" });
+        const size = gzipSync(minified, { level: 9 }).length;
+        assert.ok(size <= 1000 * maxKb, `${size} bytes`);
+      }
+      if (!isPage) return assert.equal(await node(join(folder, "main.js")), printed);
+      await fixture.write(`out/${name}/index.html`, html('<script type="module" src="main.js"></script>'));
+      assert.ok(files.length > 1, "what draws is a file of its own");
+      assert.equal(await printedBy(t, folder), printed);
+    });
+
+const main = await fixture.write("src/main.js", PROGRAM);
+const out = (name) => join(fixture.folder, "out", name);
+/** Other formats of a bundle: the file to run. @type {Record<string, () => Promise<string>>} */
+const FORMATS = {
+  "esbuild, a script": async () => {
+    await bundled({ entryPoints: [main], format: "iife", outfile: out("script.cjs") });
+    return out("script.cjs");
+  },
+  "esbuild for Node": async () => {
+    await bundled({ entryPoints: [main], platform: "node", format: "cjs", minify: false, outfile: out("node.cjs") });
+    return out("node.cjs");
+  },
+  "Rollup, a script": async () => {
+    await rolled(main, { file: out("rollup.cjs"), format: "iife" });
+    return out("rollup.cjs");
+  },
+  "webpack for Node": async () => {
+    await packed({ entry: main, target: "node20", output: { path: out("webpack-node"), filename: "main.cjs" } });
+    return out("webpack-node/main.cjs");
+  },
+  "Vite for a server, with the package outside": async () => {
+    await built({ build: { ssr: main, outDir: out("ssr") } });
+    return out("ssr/main.js");
+  },
+  "Vite for a server, with the package inside": async () => {
+    await built({ build: { ssr: main, outDir: out("ssr-inside") }, ssr: { noExternal: true } });
+    return out("ssr-inside/main.js");
+  },
+};
+for (const [name, make] of Object.entries(FORMATS))
+  test(name, async () => assert.equal(await node(await make()), PRINTED));
 
 /** Serves a built folder under the policy and gives back what the page prints. */
 async function printedBy(t, folder) {
@@ -115,58 +165,15 @@ async function printedBy(t, folder) {
   return (await printed).text();
 }
 
-/** The gzip size of `{ easing }` from casteljau/easing, bundled and minified; `from` and `spring` take 1.1 kB of it, hints in messages 0.1, the hulls of `toLinear` 0.2. */
-const MAX_EASING_KB = 6.5;
-const EASING = `import { easing } from "casteljau/easing";\nconsole.log(easing("ease-in-out")(0.5));\n`;
+const html = (script) => `<!doctype html><html lang="en"><title>A page</title><body>${script}</body></html>`;
 
-/** The code that each bundler makes of a program, minified by esbuild afterwards. */
-const bundlers = {
-  async esbuild(input) {
-    const options = { entryPoints: [input], bundle: true, format: /** @type {const} */ ("esm"), write: false };
-    return (await esbuild(options)).outputFiles?.[0].text;
-  },
-  async Rollup(input) {
-    return (await (await rollup({ input, plugins: [fixture.resolvePlugin] })).generate({ format: "es" })).output[0]
-      .code;
-  },
-  async Vite(input) {
-    const build = { write: false, rollupOptions: { input, preserveEntrySignatures: /** @type {const} */ ("strict") } };
-    const built = await vite({ root: fixture.folder, configFile: false, logLevel: "error", build });
-    return /** @type {any} */ (built).output[0].code;
-  },
-  async webpack(entry) {
-    const path = join(fixture.folder, "out/webpack-easing");
-    /** @type {import("webpack").Configuration} */
-    const options = { entry, mode: "production", output: { path, filename: "main.js" } };
-    const stats = await new Promise((done, failed) =>
-      webpack(options, (error, result) => (error ? failed(error) : done(result))),
-    );
-    assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
-    return readFile(join(path, "main.js"), "utf8");
-  },
-};
-
-for (const [bundler, code] of Object.entries(bundlers)) {
-  test(`${bundler}: a small import stays small`, async () => {
-    const program = await fixture.write(`src/easing-${bundler}.js`, EASING);
-    const text = (await code(program)) ?? "";
-    const { code: minified } = await transform(text, { minify: true, charset: "utf8" });
-    const size = gzipSync(minified, { level: 9 }).length;
-    assert.ok(size <= 1000 * MAX_EASING_KB, `${size} bytes`);
-    assert.equal(await node(await fixture.write(`out/easing-${bundler}.mjs`, text)), "0.5");
-  });
-}
-
-const html = (script) => `<!doctype html><html lang="en"><title>A page</title>${script}</html>`;
-
-test("Vite, the built page in Chromium under a strict policy", async (t) => {
+test("Vite, the built page", async (t) => {
   await fixture.write("index.html", html('<script type="module" src="/src/main.js"></script>'));
-  const outDir = join(fixture.folder, "out/vite");
-  await vite({ root: fixture.folder, configFile: false, logLevel: "error", build: { outDir } });
-  assert.equal(await printedBy(t, outDir), PRINTED);
+  await built({ build: { outDir: out("vite-page") } });
+  assert.equal(await printedBy(t, out("vite-page")), PRINTED);
 });
 
-test("no bundler, the package's own file in Chromium under a strict policy", async (t) => {
+test("no bundler, the package's own file", async (t) => {
   const folder = join(fixture.installed, "dist");
   await fixture.write("node_modules/casteljau/dist/main.js", PROGRAM.replace('"casteljau"', '"./index.js"'));
   await fixture.write("node_modules/casteljau/dist/index.html", html('<script type="module" src="main.js"></script>'));
@@ -208,20 +215,3 @@ for (const [kind, worker, options] of [
     assert.equal(await printedBy(t, folder), PRINTED);
   });
 }
-
-test("the elements in Chromium under the same policy, with a value of the page's own program", async (t) => {
-  const program = `import { Surface } from "./index.js";
-import { BezierSurface } from "./elements.js";
-const element = new BezierSurface();
-element.surface = Surface.teapot({ lid: false });
-document.body.append(element);
-const facts = () => element.shadowRoot.querySelector(".facts").textContent;
-element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d,]+/)[0]));
-`;
-  await fixture.write("node_modules/casteljau/dist/main.js", program);
-  await fixture.write(
-    "node_modules/casteljau/dist/index.html",
-    html('<body><script type="module" src="main.js"></script></body>'),
-  );
-  assert.equal(await printedBy(t, join(fixture.installed, "dist")), "6,912"); // 24 patches of 2 · 12² triangles
-});

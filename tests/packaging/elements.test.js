@@ -1,15 +1,13 @@
-// The elements of the installed tarball: through the bundlers and as they are, in Chromium under a strict policy.
+// The elements of the installed tarball, as they are and as the guide says, in Chromium under a strict policy; bundlers.test.js has
+// them through the bundlers.
 import assert from "node:assert/strict";
 import { build as esbuild } from "esbuild";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { rollup } from "rollup";
-import { build as vite } from "vite";
-import webpack from "webpack";
 import { openPage, root } from "../page/browser.js";
 import { serve } from "../page/server.js";
-import { installed } from "./fixture.js";
+import { ELEMENTS_PRINTED, ELEMENTS_PROGRAM, installed } from "./fixture.js";
 
 /** All that a page has to allow for the elements; their styles are sheets of their own, which no policy forbids. */
 const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
@@ -18,18 +16,8 @@ const LATE = /surface/;
 const fixture = await installed();
 after(fixture.remove);
 
-/** What the page of a user does; it prints how many triangles the element draws. */
-const PROGRAM = `import { Surface } from "casteljau";
-import "casteljau/elements";
-const element = document.createElement("bezier-surface");
-element.surface = Surface.teapot({ lid: false });
-document.body.append(element);
-const facts = () => element.shadowRoot.querySelector(".facts").textContent;
-element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d,]+/)[0]));
-`;
-const PRINTED = "6,912"; // 24 patches of 2 · 12² triangles
 const page = (script) => `<!doctype html><html lang="en"><title>A page</title><body>${script}</body></html>`;
-const entry = await fixture.write("src/main.js", PROGRAM);
+const entry = await fixture.write("src/main.js", ELEMENTS_PROGRAM);
 
 /** Serves a folder under the policy; what the page prints, and the scripts it has fetched by then. */
 async function visit(t, folder, path = "/index.html") {
@@ -43,64 +31,6 @@ async function visit(t, folder, path = "/index.html") {
   return { printed: (await printed).text(), scripts };
 }
 
-/** Builds into a folder of its own; the page has one script, main.js. */
-const outputs = {
-  async Vite(outDir) {
-    await fixture.write("index.html", page('<script type="module" src="/src/main.js"></script>'));
-    await vite({
-      root: fixture.folder,
-      configFile: false,
-      logLevel: "error",
-      build: { outDir, modulePreload: { polyfill: false } },
-    });
-  },
-  async "webpack 5"(path) {
-    /** @type {import("webpack").Configuration} */
-    const options = {
-      entry,
-      mode: "production",
-      output: { path, filename: "main.js", publicPath: "auto" },
-      performance: false,
-    };
-    const stats = await new Promise((done, failed) =>
-      webpack(options, (error, result) => (error ? failed(error) : done(result))),
-    );
-    assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
-  },
-  async Rollup(dir) {
-    const bundle = await rollup({
-      input: entry,
-      plugins: [fixture.resolvePlugin],
-      onwarn: (warning) => assert.fail(warning.message),
-    });
-    await bundle.write({ dir, format: "es" });
-  },
-  async esbuild(outdir) {
-    const { warnings } = await esbuild({
-      entryPoints: [entry],
-      bundle: true,
-      format: "esm",
-      splitting: true,
-      minify: true,
-      outdir,
-      logLevel: "silent",
-    });
-    assert.deepEqual(warnings, []);
-  },
-};
-
-for (const [bundler, build] of Object.entries(outputs)) {
-  test(`${bundler}: the elements are defined, what draws comes when it is needed`, async (t) => {
-    const name = `out/${bundler.replace(" ", "-")}`;
-    await build(join(fixture.folder, name));
-    if (bundler !== "Vite")
-      await fixture.write(`${name}/index.html`, page('<script type="module" src="main.js"></script>'));
-    const { printed, scripts } = await visit(t, join(fixture.folder, name));
-    assert.equal(printed, PRINTED);
-    assert.ok(scripts.length > 1, `more files than one: ${scripts}`);
-  });
-}
-
 test("esbuild, one classic script", async (t) => {
   await fixture.write("out/iife/index.html", page('<script src="main.js"></script>'));
   await esbuild({
@@ -112,7 +42,7 @@ test("esbuild, one classic script", async (t) => {
     logLevel: "silent",
   });
   const { printed, scripts } = await visit(t, join(fixture.folder, "out/iife"));
-  assert.deepEqual([printed, scripts], [PRINTED, ["/main.js"]]);
+  assert.deepEqual([printed, scripts], [ELEMENTS_PRINTED, ["/main.js"]]);
 });
 
 test("no bundler: one script tag, and tags of HTML", async (t) => {

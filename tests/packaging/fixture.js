@@ -18,6 +18,17 @@ console.log(JSON.stringify(new Curve([[0, 0], [1, 2], [2, 0]]).eval(0.5)));
 `;
 export const PRINTED = '{"x":1,"y":1}';
 
+/** What a page with an element does: it prints how many triangles the element draws of a surface of the page's own. */
+export const ELEMENTS_PROGRAM = `import { Surface } from "casteljau";
+import "casteljau/elements";
+const element = document.createElement("bezier-surface");
+element.surface = Surface.teapot({ lid: false });
+document.body.append(element);
+const facts = () => element.shadowRoot.querySelector(".facts").textContent;
+element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d,]+/)[0]));
+`;
+export const ELEMENTS_PRINTED = "6,912"; // 24 patches of 2 · 12² triangles
+
 /** Runs a program; its output, trimmed. Fails with what it wrote if it ends badly. */
 export async function run(program, args, options = {}) {
   const shell = process.platform === "win32" && program === "npm";
