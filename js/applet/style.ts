@@ -3,7 +3,8 @@
 import { CONTROLS, SHEET, TOKENS } from "../ui/tokens.js";
 
 /** Everything inside the small applet. */
-export const CSS = `${TOKENS}${CONTROLS}${SHEET}.stage { position: relative; background: var(--bz-paper); touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
+export const CSS = `${TOKENS}${CONTROLS}${SHEET}.frame { overflow: visible; } /* handles at the edge of the picture can be taken from outside */
+.stage { position: relative; background: var(--bz-paper); border-radius: 16px 16px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
 ::slotted(canvas) {
   display: block !important; margin: 0 !important; padding: 0 !important; inline-size: 100%; max-inline-size: 100%;
   block-size: auto !important; aspect-ratio: var(--bz-box) !important;

@@ -32,11 +32,13 @@ export function svgFigure(
   );
 }
 
-/** The colours of a light page, as the style context states them. */
+/** The colours of a light page, but on white paper, as documents have it. */
 function lightTheme() {
-  return Object.fromEntries(
-    Array.from((LIGHT + LEVELS.light).matchAll(/--bz-(\w+): (#\w+)/g), ([, role, colour]) => [role, colour]),
-  );
+  const colours = Array.from((LIGHT + LEVELS.light).matchAll(/--bz-(\w+): (#\w+)/g), ([, role, colour]) => [
+    role,
+    colour,
+  ]);
+  return { ...Object.fromEntries(colours), paper: "#ffffff" };
 }
 
 /** As much of a canvas's context as the layers use; each thing drawn is an element of SVG. */

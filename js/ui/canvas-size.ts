@@ -18,20 +18,28 @@ export function followSize(
     coverCanvas(canvas, overlay);
     resized(canvas.clientWidth);
   });
+  observeDevicePixels(observer, canvas);
+  return () => observer.disconnect();
+}
+
+/** Observes the size in device pixels where the browser knows it: then a window that moves to another display is noticed, too. */
+export function observeDevicePixels(observer: ResizeObserver, canvas: HTMLCanvasElement) {
   try {
     observer.observe(canvas, { box: "device-pixel-content-box" });
   } catch {
-    observer.observe(canvas); // Safari before 26 does not know device pixels
+    observer.observe(canvas); // Safari before 26
   }
-  return () => observer.disconnect();
 }
+
+/** The factor of `zoom` in the styles around an element: of two positions of pointers, it is in their distance. */
+export const cssZoom = (element: Element): number => (element as any).currentCSSZoom ?? 1;
 
 /**
  * The exact number of device pixels, where the browser reports it. While developer tools emulate another display, Chromium
  * reports CSS pixels: a number that differs from the ratio by more than rounding is not used.
  */
-function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
-  const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
+export function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
+  const ratio = (canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1) * cssZoom(canvas);
   const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
   const reported = entry.devicePixelContentBoxSize?.[0];
   const exact = reported && Math.abs(reported.inlineSize - width) <= 1 && Math.abs(reported.blockSize - height) <= 1;

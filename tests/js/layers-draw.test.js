@@ -208,7 +208,7 @@ test("SVG: a mark's fill and rim are one element, and so are a word and its rim"
   const state = stateWith({ layers: [], points: pointsOf("100,100 200,50 300,300 400,100") });
   const svg = svgFigure(state, figureOf(state));
   assert.equal(svg.match(/<path /g)?.length, 2 + 4 + 1); // curve, tangents, four points, the diamond
-  assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#1d2733">P\d</g)?.length, 4);
+  assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#15202b">P\d</g)?.length, 4);
 });
 
 test("colours go by role", () => {

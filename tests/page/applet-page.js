@@ -59,7 +59,7 @@ export const countColour = (page, place, colour) =>
 /** Colours of the light theme. */
 export const BLUE = [0, 114, 178];
 export const VERMILION = [213, 94, 0];
-export const GREEN = [0, 158, 115];
+export const GREEN = [0, 138, 100];
 
 /** A cubic's point by the Bernstein polynomials, written out here so that nothing under test computes it. */
 export function cubicAt(/** @type {number[][]} */ [p0, p1, p2, p3], t) {

@@ -92,14 +92,14 @@ test("removed in the middle of a drag and put back a hundred times, it holds not
 });
 
 const paper = (page) => ask(page, () => getComputedStyle(a.shadowRoot.querySelector(".stage")).backgroundColor);
-const [WHITE, DARK] = ["rgb(255, 255, 255)", "rgb(18, 23, 29)"];
+const [LIGHT, DARK] = ["rgb(243, 246, 250)", "rgb(19, 26, 34)"];
 
 test("light, dark, as the page is: the theme", async (t) => {
   const page = await openApplet(t, "", { colorScheme: "dark" });
   assert.equal(await paper(page), DARK);
   await ask(page, () => a.setAttribute("theme", "light"));
   await settled(page);
-  assert.equal(await paper(page), WHITE);
+  assert.equal(await paper(page), LIGHT);
   assert.match(await ask(page, () => a.toSVG()), /#0072b2|rgb\(0, 114, 178\)/);
   await ask(page, () => a.setAttribute("theme", "dark"));
   await page.emulateMedia({ colorScheme: "light" });
@@ -107,7 +107,7 @@ test("light, dark, as the page is: the theme", async (t) => {
   assert.equal(await paper(page), DARK);
   await ask(page, () => a.removeAttribute("theme"));
   await settled(page);
-  assert.equal(await paper(page), WHITE);
+  assert.equal(await paper(page), LIGHT);
   await page.evaluate(() => a.style.setProperty("--bz-curve", "rgb(255, 0, 0)"));
   await page.emulateMedia({ colorScheme: "dark" });
   await settled(page);

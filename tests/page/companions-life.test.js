@@ -240,7 +240,7 @@ test("the theme may be other than the page's", async (test) => {
     page
       .locator("bezier-bernstein [part=plot]")
       .evaluateAll((all) => all.map((plot) => getComputedStyle(plot).backgroundColor));
-  const [light, dark] = ["rgb(255, 255, 255)", "rgb(18, 23, 29)"];
+  const [light, dark] = ["rgb(243, 246, 250)", "rgb(19, 26, 34)"];
   assert.deepEqual(await grounds(), [light, dark, light, light]);
   await page.emulateMedia({ colorScheme: "dark" });
   assert.deepEqual((await grounds()).slice(0, 3), [dark, dark, light]);

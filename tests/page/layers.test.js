@@ -7,16 +7,16 @@ import { countPixels } from "./pixels.js";
 const LIGHT = {
   curve: [0, 114, 178],
   handle: [213, 94, 0],
-  level1: [0, 158, 115],
-  level2: [204, 121, 167],
-  paper: [255, 255, 255],
+  level1: [0, 138, 100],
+  level2: [184, 85, 143],
+  paper: [243, 246, 250],
 };
 const DARK = {
   curve: [86, 180, 233],
   handle: [230, 159, 0],
-  level1: [0, 158, 115],
-  level2: [204, 121, 167],
-  paper: [18, 23, 29],
+  level1: [47, 196, 143],
+  level2: [217, 138, 184],
+  paper: [19, 26, 34],
 };
 
 /** How many pixels around a place of the box are nearly of a colour, however thinly. */

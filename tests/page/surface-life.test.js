@@ -119,10 +119,10 @@ test("light, dark, as the page is: the theme", async (t) => {
       const stage = document.querySelector("bezier-surface").renderRoot.querySelector(".stage");
       return getComputedStyle(stage).backgroundColor;
     });
-  assert.equal(await paper(), "rgb(18, 23, 29)");
+  assert.equal(await paper(), "rgb(19, 26, 34)");
   const dark = await look(page);
   await set(page, { theme: "light" });
-  assert.equal(await paper(), "rgb(255, 255, 255)");
+  assert.equal(await paper(), "rgb(243, 246, 250)");
   const light = await look(page);
   assert.ok((await difference(page, dark, light)) > 1000, "the surface has other colours");
   await page.evaluate(() => document.querySelector("bezier-surface").removeAttribute("theme"));

@@ -2,6 +2,7 @@
 import "casteljau/elements";
 import "./contents.js";
 import "./figures.js";
+import "./full-screen.js";
 import "./lesson-progress.js";
 import "./lesson-sample.js";
 import "./lesson-task.js";

@@ -17,6 +17,7 @@ ${unsafeCSS(CSS)}
 @media (forced-colors: active) { :host { --bz-level3: CanvasText; --bz-level4: Highlight; } }
 :host([hidden]), [hidden] { display: none; }
 .stage { aspect-ratio: 670 / 480; touch-action: pan-y; overflow: clip; }
+.frame:not(:has(.controls)) .stage { border-radius: 16px; }
 canvas { display: block; inline-size: 100%; block-size: 100%; }
 .overlay { overflow: clip; }
 .overlay.grab { cursor: move; }

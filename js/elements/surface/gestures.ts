@@ -1,5 +1,6 @@
 // Fingers, mouse, wheel and keys on the picture: what they do to the view.
 
+import { cssZoom } from "../../ui/canvas-size.js";
 import { arrowDirection } from "../../ui/keys.js";
 import { capture } from "../../ui/capture.js";
 import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
@@ -77,7 +78,8 @@ export class Gestures {
     if (this.#travelled >= CLICK_PX) return this.#port.move({}, true);
     if (!released) return;
     const box = this.#canvas.getBoundingClientRect();
-    this.#port.pick(event.clientX - box.left, event.clientY - box.top);
+    const zoom = cssZoom(this.#canvas);
+    this.#port.pick((event.clientX - box.left) / zoom, (event.clientY - box.top) / zoom);
   }
 
   #orbit(dx: number, dy: number) {
@@ -87,7 +89,7 @@ export class Gestures {
 
   #pan(dx: number, dy: number) {
     const view = this.#port.view();
-    const scale = radiiPerPixel(view, this.#canvas.clientWidth, this.#canvas.clientHeight);
+    const scale = radiiPerPixel(view, this.#canvas.clientWidth, this.#canvas.clientHeight) / cssZoom(this.#canvas);
     this.#port.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
   }
 

@@ -1,5 +1,6 @@
 // One HTML button for each control point of the picked patch, over the canvas.
 import { arrowDirection } from "../../ui/keys.js";
+import { cssZoom } from "../../ui/canvas-size.js";
 import { capture } from "../../ui/capture.js";
 import { placeOf, shiftOf } from "./camera.js";
 import { patchesOf } from "./patches.js";
@@ -108,8 +109,11 @@ export class Handles {
     event.preventDefault();
     this.#buttons[i].focus({ preventScroll: true });
     const [vertex, before] = [this.#vertices[i], this.#pointAt(i)];
-    const follow = (now: PointerEvent, done: boolean) =>
-      this.#shift(vertex, before, [now.clientX - event.clientX, now.clientY - event.clientY, 0], done);
+    const zoom = cssZoom(this.#overlay);
+    const follow = (now: PointerEvent, done: boolean) => {
+      const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
+      this.#shift(vertex, before, [dx / zoom, dy / zoom, 0], done);
+    };
     let moved = false;
     const stop = capture(event, {
       move: (now) => {

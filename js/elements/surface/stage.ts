@@ -1,4 +1,5 @@
 // The canvas and its frames: at most one a turn of the display, and only when something has changed.
+import { devicePixels, observeDevicePixels } from "../../ui/canvas-size.js";
 import { moved, sightOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
@@ -77,7 +78,7 @@ export class Stage {
     canvas.addEventListener("webglcontextlost", lost);
     canvas.addEventListener("webglcontextrestored", restored);
     const observer = new ResizeObserver((entries) => this.#resize(entries[entries.length - 1]));
-    observe(observer, canvas);
+    observeDevicePixels(observer, canvas);
     const themeEnds = followColours(() => this.recolour());
     this.#endings.push(
       () => canvas.removeEventListener("webglcontextlost", lost),
@@ -179,7 +180,7 @@ export class Stage {
   }
 
   #resize(entry: ResizeObserverEntry) {
-    const [width, height] = devicePixels(entry);
+    const { width, height } = devicePixels(this.#canvas, entry);
     if (this.#canvas.width === width && this.#canvas.height === height) return;
     [this.#canvas.width, this.#canvas.height] = [width, height];
     this.draw(); // at once: the canvas has just been emptied
@@ -198,25 +199,4 @@ export class Stage {
     for (const ending of this.#endings) ending();
     if (!this.#lost) this.#view?.drop();
   }
-}
-
-/** By device pixels where the browser knows them: then a window that moves to another display is noticed, too. */
-function observe(observer: ResizeObserver, canvas: HTMLElement) {
-  try {
-    observer.observe(canvas, { box: "device-pixel-content-box" });
-  } catch {
-    observer.observe(canvas); // Safari before 26
-  }
-}
-
-/**
- * The exact number of device pixels where the browser knows it. Tools that emulate another display report CSS
- * pixels instead: what differs from the ratio by more than rounding is not believed.
- */
-function devicePixels({ contentRect, devicePixelContentBoxSize }: ResizeObserverEntry): [number, number] {
-  const [width, height] = [contentRect.width * devicePixelRatio, contentRect.height * devicePixelRatio];
-  const reported = devicePixelContentBoxSize?.[0];
-  const exact = reported && Math.abs(reported.inlineSize - width) <= 1 && Math.abs(reported.blockSize - height) <= 1;
-  const sizes = exact ? [reported.inlineSize, reported.blockSize] : [Math.round(width), Math.round(height)];
-  return [Math.max(1, sizes[0]), Math.max(1, sizes[1])];
 }
