@@ -21,13 +21,11 @@ async function openGallery(page) {
   await thing(page, "glyph").locator(".anchor").first().waitFor({ state: "attached" });
   await thing(page, "teapot").locator(".wake").waitFor();
 }
-const pressedTo = (page, selector, key, times = 1) =>
-  page
-    .locator(selector)
-    .focus()
-    .then(async () => {
-      for (let i = 0; i < times; i++) await page.keyboard.press(key);
-    });
+/** Gives an element the focus and presses a key. */
+async function pressOn(page, selector, key) {
+  await page.locator(selector).focus();
+  await page.keyboard.press(key);
+}
 
 test("without scripts the word, the installation, all pictures and all pages are there", async (t) => {
   const page = await openPage(t, "/", { ...DESKTOP, javaScriptEnabled: false });
@@ -128,14 +126,14 @@ test("a drag bends the line near the pointer; Ctrl+Z and Reset bring it back", a
 test("by keyboard: the pen, the points of the word, and undo", async (t) => {
   const page = await openStrict(t, "/", STILL);
   await started(page);
-  await pressedTo(page, "#word-position", "Home");
+  await pressOn(page, "#word-position", "Home");
   await frames(page);
   assert.equal(await positionOf(page), "letter c, t = 0.00");
-  await pressedTo(page, "#word-position", "End");
+  await pressOn(page, "#word-position", "End");
   await frames(page);
   assert.match((await positionOf(page)) ?? "", /^letter j, t = 1\.00$/);
   const first = await outline(page);
-  await pressedTo(page, "#word-points", "Enter");
+  await pressOn(page, "#word-points", "Enter");
   assert.equal(await page.locator(".points [tabindex='0']").count(), 1, "one stop of the Tab key");
   await page.locator(".points [tabindex='0']").focus();
   await page.keyboard.press("PageDown");
@@ -152,7 +150,7 @@ test("by keyboard: the pen, the points of the word, and undo", async (t) => {
 test("by keyboard: tabs of the installation, menus of the bar", async (t) => {
   const page = await openStrict(t, "/", STILL);
   await started(page);
-  await pressedTo(page, "#tab-npm", "ArrowRight");
+  await pressOn(page, "#tab-npm", "ArrowRight");
   assert.ok(await page.getByRole("tabpanel", { name: "cargo" }).isVisible());
   assert.equal(await page.locator(".install [role=tabpanel]:visible").count(), 1);
   await page.keyboard.press("End");
@@ -249,6 +247,9 @@ test("one number can be measured in the browser", async (t) => {
 test("the pictures are live: timing function, letter, shapes, ink, teapot", async (t) => {
   const page = await openStrict(t, "/", STILL);
   await openGallery(page);
+  await pressOn(page, '[data-thing="teapot"] .wake', "Enter");
+  await page.locator("bezier-surface canvas").waitFor();
+
   const easing = thing(page, "easing");
   await easing.locator(".handle").first().focus();
   await page.keyboard.press("ArrowRight");
@@ -274,9 +275,6 @@ test("the pictures are live: timing function, letter, shapes, ink, teapot", asyn
   const stroke = await ink.locator("path").getAttribute("d");
   await dragBy(page, ink, 40, 20);
   await page.waitForFunction((d) => document.querySelector('[data-thing="ink"] path')?.getAttribute("d") !== d, stroke);
-
-  await thing(page, "teapot").getByRole("button", { name: "Make it live" }).click();
-  await page.locator("bezier-surface canvas").waitFor();
 });
 
 test("what moves by itself among the pictures stops after five seconds", async (t) => {
