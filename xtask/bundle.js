@@ -262,8 +262,8 @@ await Promise.all([
     platform: "node",
     sourcemap: false,
   }),
-  bundle("core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
-  bundle("surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
+  bundle("entries/core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
+  bundle("entries/surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
   bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
   // What casteljau/react, casteljau/vue and casteljau/svelte are when a program runs: nothing.
   bundle("elements/react.ts", "types-only.js"),

@@ -284,6 +284,9 @@ test("unknown options", () => {
 });
 
 test("unknown options: the nearest known one is suggested", () => {
+  const both = { left: 3, right: 1 };
+  refuses(() => path.stroke({ ...both, stops: [] }), "stops: unknown option; expected left, right");
+  refuses(() => path.strokeContains([0, 0], both, { simple: true }), /^simple: unknown option; expected /);
   refuses(() => cubic.offset(1, { tol: 1 }), "tol: unknown option; did you mean tolerance?");
   refuses(() => cubic.toSVG({ precison: 2 }), "precison: unknown option; did you mean precision?");
   refuses(() => cubic.toSVG({ Tolerance: 2 }), "Tolerance: unknown option; did you mean tolerance?");
