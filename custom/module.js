@@ -65,7 +65,8 @@ export const sourceOf = (pieces, needs, wasm) => ({ pieces, needs, wasm: new Mod
  * @param {readonly string[]} list names such as "Curve.length", "Curve" (the class with its constructor only), "easing";
  *   `checkedList` checks them
  * @param {string} command that makes the module, for its first line and for messages
- * @returns {{ code: string, types: string, wasm: Uint8Array<ArrayBuffer> }}
+ * @returns {{ code: string, types: string, wasm: Uint8Array<ArrayBuffer> | null }} `wasm` is null if nothing of the list calls
+ *   the core; then there is no `init` either
  */
 export function customModule(source, list, command) {
   const { pieces, names, imports, version, license } = source.pieces;
@@ -75,22 +76,26 @@ export function customModule(source, list, command) {
     needed.add(names[name].piece);
     if (member) for (const index of names[name].members?.[member] ?? []) needed.add(index);
   }
-  needed.add(names.init.piece);
-  const { bytes, linked } = cutWasm(source, needed);
+  const usesCore = needed.exports().size > 0;
+  if (usesCore) needed.add(names.init.piece);
+  const wasm = usesCore ? cutWasm(source, needed) : null;
   const firstLine = `/*! ${command.replaceAll("*/", "* /")} | casteljau ${version} | ${license} */`;
-  const { exported, text } = typesOf(source.pieces, list, firstLine, (name) => needed.has(names[name].piece));
-  const importTable = linked.map((name) => `${JSON.stringify(name)}:${imports[name].name}`);
-  const lines = [firstLine, `const $wasm=${wasmLiteral(bytes)};`];
-  pieces.forEach((piece, index) => {
-    if (piece.of === undefined && needed.has(index)) lines.push(textOf(pieces, index, needed));
-  });
-  lines.push(`const $imports={"./casteljau_bg.js":{${importTable}}};`);
-  lines.push(missingMembers(source.pieces, exported, needed, command), `export{${exported}};`, "");
-  return {
-    code: lines.filter((line, k) => line !== "" || k === lines.length - 1).join("\n"),
-    types: text,
-    wasm: bytes,
-  };
+  const isIncluded = (/** @type {string} */ name) => needed.has(names[name].piece);
+  const { exported, text: types } = typesOf(source.pieces, usesCore ? [...list, "init"] : list, firstLine, isIncluded);
+  const declarations = pieces.flatMap(({ of }, index) =>
+    of === undefined && needed.has(index) ? [textOf(pieces, index, needed)] : [],
+  );
+  const linked = (wasm?.imports ?? []).map((name) => `${JSON.stringify(name)}:${imports[name].name}`);
+  const lines = [
+    firstLine,
+    ...(wasm ? [`const $wasm=${wasmLiteral(wasm.bytes)};`] : []),
+    ...declarations,
+    ...(wasm ? [`const $imports={"./casteljau_bg.js":{${linked}}};`] : []),
+    ...missingMembers(source.pieces, exported, needed, command),
+    `export{${exported}};`,
+    "",
+  ];
+  return { code: lines.join("\n"), types, wasm: wasm?.bytes ?? null };
 }
 
 /** The pieces that a list needs, directly and indirectly. */
@@ -169,7 +174,7 @@ function cutWasm({ pieces, needs, wasm }, needed) {
     let result = wasm.cut(exports, needs);
     if (result.hasReferences) result = wasm.cut(new Set([...exports, ...REFERENCES]), needs);
     for (const name of result.imports) needed.add(pieces.imports[name].piece);
-    if (needed.exports().size === exports.size) return { bytes: result.bytes, linked: result.imports };
+    if (needed.exports().size === exports.size) return result;
   }
 }
 
@@ -207,11 +212,11 @@ function missingMembers({ names }, exported, needed, command) {
       inherited && `$missing(${name}.prototype,"${name}","${inherited}");`,
     ];
   });
-  if (calls.length === 0) return "";
+  if (calls.length === 0) return [];
   const message = `type+"."+name+${JSON.stringify(` is not in this build; add it: ${command}`)}`;
   const property = `{configurable:true,get(){throw new TypeError(${message})}}`;
   const define = `for(const name of names.split(" "))Object.defineProperty(target,name,${property})`;
-  return [`const $missing=(target,type,names)=>{${define}};`, ...calls.filter(Boolean)].join("\n");
+  return [`const $missing=(target,type,names)=>{${define}};`, ...calls.filter(Boolean)];
 }
 
 /**
@@ -245,7 +250,7 @@ function typesOf({ names: values, types: { pieces, names } }, list, firstLine, i
       if (found.length > 0) return;
     }
   };
-  for (const item of [...list, "init"]) {
+  for (const item of list) {
     const [name, member] = item.split(".");
     add(names[name]);
     if (member) addMember(names[name], member);

@@ -22,26 +22,34 @@ const glue = await readFile("js/glue/casteljau.js", "utf8");
 /** The wasm module: that all of its instructions are known to custom/cut.js shows here. */
 const wasm = new Module(await readFile("js/glue/casteljau.wasm"));
 
-/** Sources that differ from those in js/: there is one wasm module, and Node shows no contents of values. */
-const replaced = {
-  /** @param {string} path @param {string} text */
-  source(path, text) {
-    const [, name] = MODULE_FILE.exec(path) ?? [];
-    if (name === "curves")
-      return `import { registerModule } from "./wasm-module.js"; import { link } from "../glue/link.js";
-        declare const ${WASM_TEXT}: any;
-        export const curvesModule = registerModule(link, ${WASM_TEXT});`;
-    if (name) return `export { curvesModule as ${name}Module } from "./curves-module.js";`;
-    if (path === resolve("js/glue/link.ts")) return linkSource();
-    return text
-      .replace(/^ *if \(!isShown\) isShown = showInNode\(.*\);$/m, "")
-      .replace(/^const \[([\w, ]+)\] = \[([^\]]*)\];$/gm, (_, names, values) => {
-        const numbers = values.split(", ");
-        return `const ${names.split(", ").map((/** @type {string} */ name, /** @type {number} */ k) => `${name} = ${numbers[k]}`)};`;
-      });
-  },
-  has: (/** @type {string} */ path) => path === resolve("js/glue/link.ts"),
-};
+/** A file that exists only here; see `linkSource`. */
+const LINK_FILE = resolve("js/glue/link.ts");
+
+/**
+ * The source of a file of js/, with three changes: there is one wasm module, Node shows no contents of values (which would need
+ * `toJSON` and `toSVG` everywhere), and lists of constants are single ones.
+ *
+ * @param {string} path
+ * @param {string | undefined} text
+ */
+function sourceOf(path, text) {
+  if (path === LINK_FILE) return linkSource();
+  const [, name] = MODULE_FILE.exec(path) ?? [];
+  if (name === "curves")
+    return `import { registerModule } from "./wasm-module.js"; import { link } from "../glue/link.js";
+      declare const ${WASM_TEXT}: any;
+      export const curvesModule = registerModule(link, ${WASM_TEXT});`;
+  if (name) return `export { curvesModule as ${name}Module } from "./curves-module.js";`;
+  return text
+    ?.replace(/^ *if \(!isShown\) isShown = showInNode\(.*\);$/m, "")
+    .replace(/^const \[([\w, ]+)\] = \[([^\]]*)\];$/gm, (_, names, values) => {
+      const numbers = values.split(", ");
+      return names
+        .split(", ")
+        .map((/** @type {string} */ each, /** @type {number} */ k) => `const ${each} = ${numbers[k]};`)
+        .join(" ");
+    });
+}
 
 /** The part of wasm-bindgen's glue that the imports use, and a linker. */
 function linkSource() {
@@ -76,15 +84,15 @@ function importFunctions() {
   return found;
 }
 
+const isSource = (/** @type {string} */ path) =>
+  resolve(path).startsWith(resolve("js") + sep) && path.endsWith(".ts") && !path.endsWith(".d.ts");
+
 /** @param {string} entry @param {ts.CompilerOptions} options */
 function createProgram(entry, options) {
   const host = ts.createCompilerHost(options);
   const { fileExists, readFile: read } = host;
-  host.fileExists = (path) => replaced.has(resolve(path)) || fileExists(path);
-  host.readFile = (path) =>
-    /[\\/]js[\\/]/.test(path) && !path.endsWith(".d.ts")
-      ? replaced.source(resolve(path), replaced.has(resolve(path)) ? "" : (read(path) ?? ""))
-      : read(path);
+  host.fileExists = (path) => resolve(path) === LINK_FILE || fileExists(path);
+  host.readFile = (path) => (isSource(path) ? sourceOf(resolve(path), read(path)) : read(path));
   host.getSourceFile = (path, version) => {
     const text = host.readFile(path);
     return text === undefined ? undefined : ts.createSourceFile(path, text, version, true);
@@ -147,7 +155,7 @@ function* shortNames() {
     for (let k = 0; k < count; k++) {
       let [name, left] = [letters[k % letters.length], Math.floor(k / letters.length)];
       for (let i = 1; i < length; i++, left = Math.floor(left / rest.length)) name += rest[left % rest.length];
-      if (!["as", "do", "if", "in", "is", "of"].includes(name)) yield name;
+      if (!/^(as|do|if|in|is|of|for|let|new|try|var)$/.test(name)) yield name;
     }
   }
 }
@@ -297,7 +305,6 @@ async function pieces() {
         const isCalled = ts.isCallExpression(at.parent) && at.parent.expression === at;
         for (const { member } of namesakes) {
           if (ts.isMethodDeclaration(member) && !isCalled) continue;
-          debug("any", at, name);
           refs.add(/** @type {number} */ (indices.get(member)));
         }
         return;
@@ -312,7 +319,6 @@ async function pieces() {
         if (ts.isMethodDeclaration(member) !== isMethod) continue;
         const subclasses = classes.filter(({ node }) => extendsClass(node, owning.node));
         if (![owning, ...subclasses].some((each) => wanted.every((word) => memberNames(each).has(word)))) continue;
-        debug("interface", at, `${owning.name}.${name}`);
         refs.add(/** @type {number} */ (indices.get(member)));
       }
     };
@@ -681,10 +687,6 @@ function typePieces() {
   }
   return { pieces: result, names: publicNames };
 }
-
-const debug = (/** @type {string} */ kind, /** @type {ts.Node} */ at, /** @type {string} */ what) => {
-  if (process.env.CASTELJAU_PIECES) console.log(kind, placeOf(at), what);
-};
 
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 await rm("dist/custom", { recursive: true, force: true });

@@ -5,7 +5,7 @@ import { spawn } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { join, posix } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import ts from "typescript-api";
@@ -15,11 +15,42 @@ import { namesIn } from "../../custom/suggest.js";
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const skip = !existsSync(join(root, "dist/custom")) && "dist/custom is part of a release: npm run test:all";
 
-/** The tests whose values have types, and names that they call on other values. @type {Record<string, string[]>} */
+/** Tests of the package, and names that they call on values without a type. @type {Record<string, string[]>} */
 const FILES = {
   arc: [],
   curve: [],
   "curve-queries": [],
+  "curves-parts": ["Curve.derivativeAt", "Curve.curvature"],
+  dicing: [],
+  easing: [],
+  "golden-curves": [],
+  "ink-stroke": [],
+  intersections: [],
+  "path-builder": ["Path.intersect", "Path.exclude"],
+  "path-queries": [],
+  "path-shapes": [],
+  points: [],
+  "ray-tracer": ["Surface.patch"],
+  spline: [],
+  "spline-interpolation": ["Spline.eval"],
+  "spline-queries": [],
+  "spline-split": ["Spline.controlPoints", "Spline.eval"],
+  surface: ["Patch.toJSON"],
+  "surface-lines": [
+    "Curve.controlPoints",
+    "Curve.deCasteljau",
+    "Curve.sample",
+    "Patch.controlPoints",
+    "Patch.isocurveAtU",
+  ],
+  "surface-network": [],
+  "surface-queries": [],
+  "surface-text": [],
+  teaset: ["Patch.controlPoints", "Surface.patch"],
+  tessellate: [],
+  "three-shapes": ["Curve.pointAtLength", "Spline.pointAtLength"],
+  trace: [],
+  wireframe: [],
 };
 
 /** A program with the tests, checked against dist/types. */
@@ -43,10 +74,15 @@ else {
   const source = sourceOf(json("pieces.json"), json("needs.json"), readFileSync(join(root, "dist/casteljau.wasm")));
   const pathOf = (name) => join(root, "tests/js", `${name}.test.js`).replaceAll("\\", "/");
   const program = programOf(Object.keys(FILES).map(pathOf));
+  /** A test and the files that it imports by their places. @param {string} path */
+  const used = (path) => {
+    const imports = ts.preProcessFile(readFileSync(path, "utf8")).importedFiles.map(({ fileName }) => fileName);
+    return [path, ...imports.filter((each) => each.startsWith(".")).map((each) => posix.join(path, "..", each))];
+  };
   for (const [name, more] of Object.entries(FILES))
     test(`custom: ${name}.test.js with a module of what it names`, async () => {
-      const file = program.getSourceFile(pathOf(name));
-      const list = [...namesIn(source.pieces.names, ts, program, file ? [file] : []), ...more];
+      const files = program.getSourceFiles().filter(({ fileName }) => used(pathOf(name)).includes(fileName));
+      const list = [...namesIn(source.pieces.names, ts, program, files), ...more];
       assert.ok(list.length > 0);
       const path = join(folder, `${name}.mjs`);
       await writeFile(path, customModule(source, list, `npx casteljau custom ${list.join(" ")}`).code);
