@@ -31,15 +31,13 @@ test("console.log shows what surfaces, meshes and other values are", () => {
   for (const Class of [Surface, surfaces.Surface]) {
     const teapot = Class.teapot();
     const count = teapot.vertices.length / 3;
-    const start = `Surface { patches: 32, degrees: [ '3 × 3' ], vertices: ${count}, bounds: { min: { x: -3, y: -2, z: 0 }`;
-    assert.ok(oneLine(teapot).startsWith(start), oneLine(teapot));
+    assert.equal(oneLine(teapot), `Surface { patches: 32, degrees: [ '3 × 3' ], vertices: ${count} }`);
     const quad = Class.fromJSON({
       vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0],
       patches: [[0, 1, 2, 3]],
       degrees: [[1, 1]],
     });
-    const box = "bounds: { min: { x: 0, y: 0, z: 0 }, max: { x: 1, y: 1, z: 0 } }";
-    assert.equal(oneLine(quad), `Surface { patches: 1, degrees: [ '1 × 1' ], vertices: 4, ${box} }`);
+    assert.equal(oneLine(quad), "Surface { patches: 1, degrees: [ '1 × 1' ], vertices: 4 }");
     const points = "[ 0, 0, 0 ], [ 1, 0, 0 ], [ 0, 1, 0 ], [ 1, 1, 0 ]";
     assert.equal(oneLine(quad.patch(0)), `Patch { net: [ ${points} ], degreeU: 1, degreeV: 1 }`);
     assert.equal(oneLine(quad.grid({ segments: 2 })), "Mesh { vertices: 9, triangles: 8, patches: 1 }");

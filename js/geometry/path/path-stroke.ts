@@ -243,12 +243,13 @@ function cornersOf(path: Float64Array): PathTime[] {
   return Array.from({ length: numbers.length / 2 }, (_, k) => ({ subpath: numbers[2 * k], t: numbers[2 * k + 1] }));
 }
 
-/** One radius for each corner; the core checks that they are not negative. */
+/** One radius for each corner; the core checks that those of a list are not negative. */
 function radiiAt(places: PathTime[], radius: CornerRadius): ArrayLike<number> {
   if (typeof radius === "function")
     return places.map((place, k) => check.finite(radius({ ...place }, k), `radius[${k}]`));
   if (!check.isList(radius)) {
     const one = check.finite(radius, "radius");
+    if (one < 0) throw new RangeError(`radius: expected a finite number, at least 0, got ${one}`);
     return places.map(() => one);
   }
   const radii = check.numbers(radius, "radius");

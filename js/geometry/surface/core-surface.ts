@@ -485,8 +485,7 @@ export function surfaceFrom<S>(Class: SurfaceClass<S>, network: Network): S {
 function summary(surface: CoreSurface) {
   const { degrees, vertices } = surface.casteljauData();
   const nets = new Set(degrees.flatMap((degree, k) => (k % 2 ? [`${degrees[k - 1]} × ${degree}`] : [])));
-  const bounds = surface.bounds();
-  return { patches: surface.patchCount, degrees: [...nets], vertices: vertices.length / 3, bounds };
+  return { patches: surface.patchCount, degrees: [...nets], vertices: vertices.length / 3 };
 }
 
 function checkedNetwork(
