@@ -122,9 +122,7 @@ export const types = () =>
         ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)), // these have no types
         ...["tsconfig.json", "package-lock.json", "xtask/types.js"],
       ],
-      outputs: ["index", "paths", "core", "surfaces", "easing", "applet/classic"].map(
-        (name) => `dist/types/${name}.d.ts`,
-      ),
+      outputs: ["index", "core", "surfaces", "easing", "applet/classic"].map((name) => `dist/types/${name}.d.ts`),
     },
     async () => {
       await rm(join(root, "dist/types"), { recursive: true, force: true }); // declarations of deleted files

@@ -1,10 +1,11 @@
 // The site. Eleventy renders its pages (eleventy.config.js); Vite bundles their scripts, serves them while working, and builds
 // site/ with relative URLs, so that it works in any folder.
 import { build } from "esbuild";
-import { readdirSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { customModule, sourceOf } from "../custom/module.js";
 import { developmentModule, MODULE_FILES, replacedModules } from "../xtask/complete-module.js";
 import { referenceSamples } from "./api/build/vite-samples.js";
 import { mathFontLicense } from "./build/math-font.js";
@@ -18,7 +19,7 @@ const js = (/** @type {string} */ name) => fileURLToPath(new URL(`../js/${name}`
 /** The built site takes the package from dist/. */
 const BUILT_PACKAGE = [
   { find: /^casteljau$/, replacement: dist("index.js") },
-  { find: /^casteljau\/(core|easing|slim|surfaces|paths|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
+  { find: /^casteljau\/(core|easing|slim|surfaces|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
 ];
 
 /** While working, the package is its sources in js/: a change there shows at once. */
@@ -26,7 +27,7 @@ const SOURCES = [
   { find: /^casteljau$/, replacement: js("index.ts") },
   { find: /^casteljau\/(applet|elements)$/, replacement: js("$1/index.ts") },
   { find: /^casteljau\/elements\/(\w+)$/, replacement: js("elements/define/$1.ts") },
-  { find: /^casteljau\/(core|easing|slim|surfaces|paths)$/, replacement: js("$1.ts") },
+  { find: /^casteljau\/(core|easing|slim|surfaces)$/, replacement: js("$1.ts") },
   { find: /^#js\/(.*)\.js$/, replacement: js("$1.ts") },
 ];
 
@@ -74,6 +75,27 @@ const pageSideEffects = {
     id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null,
 };
 
+/** What the first page uses of the package before the reader does something. */
+const HOME = ["setJoint", "movePoint", "continuity", "segments", "segmentCount", "sample", "controlPoints", "toSVG"];
+
+/** Gives the built first page a module of its own, with what it uses; a package that is built for development has no tables for it. @type {import("vite").Plugin} */
+const homeModule = {
+  name: "home-module",
+  apply: "build",
+  load(id) {
+    if (!id.endsWith("www/home/core.js") || !existsSync(dist("custom/pieces.json"))) return;
+    const [pieces, needs] = ["pieces", "needs"].map((name) =>
+      JSON.parse(readFileSync(dist(`custom/${name}.json`), "utf8")),
+    );
+    const list = ["Spline", ...HOME.map((name) => `Spline.${name}`), "Curve.deCasteljau"];
+    return customModule(
+      sourceOf(pieces, needs, readFileSync(dist("casteljau.wasm"))),
+      list,
+      "custom module of this page",
+    ).code;
+  },
+};
+
 export default defineConfig(({ command }) => ({
   root: www,
   base: "./",
@@ -90,6 +112,7 @@ export default defineConfig(({ command }) => ({
     mathFontLicense,
     classicScript,
     oneModule,
+    homeModule,
     pageSideEffects,
     rustDocs(),
   ],
