@@ -169,6 +169,7 @@ export const site = () =>
         name: "site",
         inputs: [
           ...filesBelow("www"),
+          ...filesBelow("custom"),
           ...filesBelow("src"),
           ...filesBelow("kernels/src"),
           ...SITE_SCRIPTS,
