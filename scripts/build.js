@@ -139,7 +139,7 @@ const custom = () =>
       inputs: [
         ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)),
         ...filesBelow("custom"),
-        ...["xtask/pieces.js", "tsconfig.json", "package.json", "package-lock.json"],
+        ...["xtask/pieces.js", "xtask/types.js", "tsconfig.json", "package.json", "package-lock.json"],
       ],
       outputs: ["command.js", "needs.json", "pieces.json"].map((name) => `dist/custom/${name}`),
     },
