@@ -41,7 +41,7 @@ function sourceOf(path, text) {
       export const curvesModule = registerModule(link, ${WASM_TEXT});`;
   if (name) return `export { curvesModule as ${name}Module } from "./curves-module.js";`;
   return text
-    ?.replace(/^ *if \(!isShown\) isShown = showInNode\(.*\);$/m, "")
+    ?.replace(/^ *if \(!isShown\) show\(\);$/m, "")
     .replace(/^const \[([\w, ]+)\] = \[([^\]]*)\];$/gm, (_, names, values) => {
       const numbers = values.split(", ");
       return names

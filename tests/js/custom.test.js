@@ -8,13 +8,11 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
-import { gzipSync } from "node:zlib";
 import * as complete from "casteljau";
 import { Module } from "../../custom/cut.js";
 import { encode } from "../../custom/encode.js";
 import { allNames } from "../../custom/list.js";
 import { customModule, sourceOf } from "../../custom/module.js";
-import { MEASURED_LISTS } from "../../xtask/sizes.js";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const dist = join(root, "dist");
@@ -232,13 +230,6 @@ test("custom: every name can be listed alone", { skip }, async () => {
     "",
   );
 });
-
-for (const { name, list, targetKb } of MEASURED_LISTS)
-  test(`${name} takes at most ${targetKb} kB`, { skip }, () => {
-    const { code } = customModule(source, list, "npx casteljau custom");
-    const size = gzipSync(code, { level: 9 }).length;
-    assert.ok(size <= 1000 * targetKb, `${size} bytes`);
-  });
 
 test("custom: bytes become the text that xtask makes of them", { skip }, async () => {
   const { alphabet, frequent, length, text } = await import("../../js/glue/core-bytes.js");
