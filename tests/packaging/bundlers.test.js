@@ -76,15 +76,9 @@ const MAX_EASING_KB = 6.5;
  */
 const ENTRIES = {
   casteljau: { program: PROGRAM, printed: PRINTED, has: marks.curves, lacks: [marks.surfaces] },
-  "casteljau/paths": {
-    program: 'import { Path } from "casteljau/paths";\nconsole.log(Path.rect([0, 0], 2, 3).area());\n',
-    printed: "6",
-    has: marks.curves,
-    lacks: [marks.surfaces],
-  },
   "casteljau/core": {
-    program: PROGRAM.replace('"casteljau"', '"casteljau/core"'),
-    printed: PRINTED,
+    program: 'import { Path } from "casteljau/core";\nconsole.log(Path.rect([0, 0], 2, 3).length());\n',
+    printed: "10",
     lacks: Object.values(marks),
   },
   "casteljau/surfaces": {
