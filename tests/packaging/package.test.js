@@ -58,8 +58,10 @@ test("declarations do not show the parameters that refuse surplus arguments", as
  * Hints in messages, arcs of many cubics, and the search for discs in thin contours added 20 kB.
  * Trees of boxes for many subpaths and `Path.index` added 10 kB, in each bundle with paths and its source map.
  * The command `casteljau custom` added 110 kB: the package as pieces, and the command.
+ * Paths and measures in casteljau/core added 80 kB: its module, and their sources in its source map. Strokes with two widths, a
+ * radius for each corner and lists of parameters added 20 kB, colours and full screen of the elements 20 kB.
  */
-const MAX_TARBALL_KB = 3360;
+const MAX_TARBALL_KB = 3510;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);
