@@ -231,7 +231,7 @@ test("custom: every name can be listed alone", { skip }, async () => {
   );
 });
 
-test("custom: bytes become the text that xtask makes of them", { skip }, async () => {
+test("custom: bytes are encoded as xtask encodes them", { skip }, async () => {
   const { alphabet, frequent, length, text } = await import("../../js/glue/core-bytes.js");
   assert.deepEqual(encode(readFileSync(join(root, "js/glue/core.wasm"))), { alphabet, frequent, length, text });
 });

@@ -1,4 +1,4 @@
-// The colours of the elements and of the site are the same, and can be told from what is behind them.
+// The colours of the elements and of the site are the same, and contrast enough with what is behind them.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

@@ -156,7 +156,7 @@ impl<'a> Outline<'a> {
         let has_sides = to.slope.abs() < 1.0;
         if !is_corner || pen.join == OffsetJoin::Round || !has_sides {
             let turn = sin.atan2(before_turn.tangent.dot(to.tangent));
-            // Around the outer side, which the sign of a sine near 0 does not tell.
+            // The arc goes around the outer side; rounding decides the sign of a sine near 0.
             let turn = match is_left_turn {
                 true if turn < 0.0 => turn + 2.0 * PI,
                 false if turn > 0.0 => turn - 2.0 * PI,
