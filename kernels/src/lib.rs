@@ -17,6 +17,7 @@ pub mod numeric {
     pub mod lanes;
     pub mod order;
     pub mod trigonometry;
+    pub mod vector;
     pub mod work_limit;
     pub mod zero;
 }

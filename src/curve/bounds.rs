@@ -1,7 +1,7 @@
 //! Bounding boxes of a curve.
 
 use super::Curve;
-use crate::bernstein::evaluate::{cubic_scalar, evaluate_scalar};
+use crate::bernstein::evaluate::{evaluate_scalar, weigh4};
 use crate::bernstein::roots::{quadratic_roots, roots_inside};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
@@ -36,7 +36,7 @@ impl<P: Point> Curve<P> {
                 let [a, b, c, d] = [a, b, c, d].map(|p| p.coordinate(axis));
                 let extrema = quadratic_roots([b - a, c - b, d - c]);
                 for t in extrema.into_iter().filter(|&t| t > 0.0 && t < 1.0) {
-                    include(cubic_scalar([a, b, c, d], t));
+                    include(weigh4([a, b, c, d], t));
                 }
             } else {
                 let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();

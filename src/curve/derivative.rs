@@ -5,6 +5,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::list::Points;
+use casteljau_kernels::numeric::vector::Vector;
 use std::cmp::Ordering;
 
 /// A derivative counts as zero if it is below this part of the largest value that its control points allow. Rounding of
@@ -189,7 +190,7 @@ impl<P: Point> Taylor<P> {
 }
 
 /// The differences Pᵢ₊₁ − Pᵢ, one fewer than the points; zero for a single point.
-fn differences<P: Point>(points: &[P]) -> Points<P> {
+fn differences<P: Vector>(points: &[P]) -> Points<P> {
     if points.len() < 2 {
         return Points::from([P::default()].as_slice());
     }

@@ -1,11 +1,12 @@
 //! Degree elevation, and its inverse for curves that are elevated.
 
 use super::Curve;
-use crate::bernstein::de_casteljau::{Vector, lerp};
+use crate::bernstein::de_casteljau::lerp;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, points_of};
+use casteljau_kernels::numeric::vector::Vector;
 
 impl<P: Point> Curve<P> {
     /// The same curve with degree n + 1, and so with one more control point.
@@ -45,7 +46,7 @@ pub(crate) fn elevate_once<T: Vector>(points: &mut Points<T>) {
 
 /// The control points of the curve whose elevation is given, computed from both ends to the middle, where errors do not
 /// grow.
-pub(crate) fn unelevated<P: Point>(high: &[P]) -> Points<P> {
+pub(crate) fn unelevated<P: Vector>(high: &[P]) -> Points<P> {
     let n = high.len() - 1;
     let mut low: Points<P> = points_of(&high[..n]);
     for i in 1..n.div_ceil(2) {

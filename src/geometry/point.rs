@@ -1,14 +1,41 @@
 //! The sealed trait [`Point`] for `DVec2` and `DVec3`: the operations that curves need.
 
+use casteljau_kernels::numeric::vector::Vector;
 use casteljau_kernels::spline::fit_run::{FitRun, plane_handles, space_handles};
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for glam::DVec2 {}
-    impl Sealed for glam::DVec3 {}
+    use super::{DVec2, DVec3, FitRun, Vector, plane_handles, space_handles};
+
+    /// What the crate needs of a point and programs do not: the kernels for the plane or for space.
+    pub trait Kernels: Vector {
+        /// The same points, if they are points in the plane.
+        fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]>;
+        /// The inner control points of a cubic along a run of points, or `None` if none was found.
+        fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]>;
+    }
+
+    impl Kernels for DVec2 {
+        #[inline]
+        fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]> {
+            Some(points)
+        }
+        fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
+            plane_handles(run)
+        }
+    }
+
+    impl Kernels for DVec3 {
+        #[inline]
+        fn plane_points(_points: &mut [Self]) -> Option<&mut [DVec2]> {
+            None
+        }
+        fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
+            space_handles(run)
+        }
+    }
 }
 
 /// A point or a vector in the plane or in space: glam's `DVec2` or `DVec3`. The trait is sealed.
@@ -18,7 +45,7 @@ mod sealed {
     note = "a `Vec2` or `Vec3` converts with `as_dvec2()` or `as_dvec3()`, a pair or an array with `DVec2::from`"
 )]
 pub trait Point:
-    sealed::Sealed
+    sealed::Kernels
     + Copy
     + Debug
     + Default
@@ -46,12 +73,6 @@ pub trait Point:
     fn to_3d(self) -> DVec3;
     /// The point in the plane; drops the z of a point in space.
     fn to_2d(self) -> DVec2;
-    /// The same points, if they are points in the plane.
-    #[doc(hidden)]
-    fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]>;
-    /// The inner control points of a cubic along a run of points, or `None` if none was found.
-    #[doc(hidden)]
-    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]>;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
     /// This point with one coordinate replaced.
@@ -67,10 +88,6 @@ pub trait Point:
     fn min(self, other: Self) -> Self;
     /// The component-wise maximum.
     fn max(self, other: Self) -> Self;
-    /// Σ wᵢ pᵢ of three points.
-    fn blend3(points: [Self; 3], weights: [f64; 3]) -> Self;
-    /// Σ wᵢ pᵢ of four points.
-    fn blend4(points: [Self; 4], weights: [f64; 4]) -> Self;
     /// The image of this point under an affine map.
     fn transform(self, map: &Self::Affine) -> Self;
     /// The normal of a unit tangent: the tangent rotated by +90° in the plane; in space the normalized component of
@@ -191,13 +208,6 @@ impl Point for DVec2 {
         self
     }
     #[inline]
-    fn plane_points(points: &mut [Self]) -> Option<&mut [DVec2]> {
-        Some(points)
-    }
-    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
-        plane_handles(run)
-    }
-    #[inline]
     fn coordinate(self, axis: usize) -> f64 {
         if axis == 0 { self.x } else { self.y }
     }
@@ -229,21 +239,6 @@ impl Point for DVec2 {
     fn max(self, other: Self) -> Self {
         DVec2::max(self, other)
     }
-    // Written out, because a build optimized for size would call every operator.
-    #[inline(always)]
-    fn blend3([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
-        Self {
-            x: a.x * u + b.x * v + c.x * w,
-            y: a.y * u + b.y * v + c.y * w,
-        }
-    }
-    #[inline(always)]
-    fn blend4([a, b, c, d]: [Self; 4], [u, v, w, s]: [f64; 4]) -> Self {
-        Self {
-            x: a.x * u + b.x * v + c.x * w + d.x * s,
-            y: a.y * u + b.y * v + c.y * w + d.y * s,
-        }
-    }
     #[inline]
     fn transform(self, map: &DAffine2) -> Self {
         map.transform_point2(self)
@@ -272,13 +267,6 @@ impl Point for DVec3 {
     #[inline]
     fn to_2d(self) -> DVec2 {
         self.truncate()
-    }
-    #[inline]
-    fn plane_points(_points: &mut [Self]) -> Option<&mut [DVec2]> {
-        None
-    }
-    fn fit_handles(run: &FitRun<Self>) -> Option<[Self; 2]> {
-        space_handles(run)
     }
     #[inline]
     fn coordinate(self, axis: usize) -> f64 {
@@ -312,22 +300,6 @@ impl Point for DVec3 {
     #[inline]
     fn max(self, other: Self) -> Self {
         DVec3::max(self, other)
-    }
-    #[inline(always)]
-    fn blend3([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
-        Self {
-            x: a.x * u + b.x * v + c.x * w,
-            y: a.y * u + b.y * v + c.y * w,
-            z: a.z * u + b.z * v + c.z * w,
-        }
-    }
-    #[inline(always)]
-    fn blend4([a, b, c, d]: [Self; 4], [u, v, w, s]: [f64; 4]) -> Self {
-        Self {
-            x: a.x * u + b.x * v + c.x * w + d.x * s,
-            y: a.y * u + b.y * v + c.y * w + d.y * s,
-            z: a.z * u + b.z * v + c.z * w + d.z * s,
-        }
     }
     #[inline]
     fn transform(self, map: &DAffine3) -> Self {

@@ -2,11 +2,13 @@
 
 use super::Spline;
 use super::knots::Knots;
+use crate::bernstein::de_casteljau::lerp;
 use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
+use casteljau_kernels::numeric::vector::Vector;
 
 /// The maximum number of knot insertions, which take a few seconds. A segment of degree p needs p (p − 1).
 const MAX_STEPS: usize = 1 << 28;
@@ -252,19 +254,19 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
 ///
 /// With f the blossom of the segment, point i is initially f(uᵢ₊₁ … uᵢ₊ₚ). Inserting a gives f(a … a uₚ₊₁ … uₚ₊ᵢ), with
 /// i knots from b on; inserting b gives f(a … a b … b).
-fn to_bezier<P: Point>(points: &mut [P], u: &[f64]) {
+fn to_bezier<P: Vector>(points: &mut [P], u: &[f64]) {
     let p = points.len() - 1;
     let (a, b) = (u[p], u[p + 1]);
     for level in 1..p {
         for i in 0..p - level {
             let (from, to) = (u[i + level], u[i + p + 1]);
-            points[i] = points[i].lerp(points[i + 1], (a - from) / (to - from));
+            points[i] = lerp(points[i], points[i + 1], (a - from) / (to - from));
         }
     }
     for level in 1..p {
         for i in (level + 1..=p).rev() {
             let to = u[p + i - level + 1];
-            points[i] = points[i - 1].lerp(points[i], (b - a) / (to - a));
+            points[i] = lerp(points[i - 1], points[i], (b - a) / (to - a));
         }
     }
 }

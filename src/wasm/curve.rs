@@ -4,7 +4,7 @@ use super::arena;
 use super::arena::Arena;
 use super::by_dimension;
 use crate::bernstein::de_casteljau::split_net_with;
-use crate::bernstein::evaluate::{cubic_scalar, evaluate};
+use crate::bernstein::evaluate::{evaluate, weigh4};
 use crate::bernstein::polynomials::bernstein;
 use crate::curve::Curve;
 use crate::curve::basis::Basis;
@@ -42,7 +42,7 @@ pub fn curve_eval(dimension: usize, count: usize, t: f64) {
 /// it is exported without `wasm_bindgen`, whose wrapper, compiled for size, would take longer than the formula.
 #[unsafe(no_mangle)]
 pub extern "C" fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
-    cubic_scalar([a, b, c, d], t)
+    weigh4([a, b, c, d], t)
 }
 
 /// Writes `segments` + 1 points; returns the number of f64.

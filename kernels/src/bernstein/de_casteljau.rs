@@ -9,12 +9,7 @@
 //! The control points are numbers, points, or groups of lanes. The halves at ½ are sums times ½, with one
 //! multiplication instead of two.
 
-use std::ops::{Add, Mul};
-
-/// A control point: a number, a point or a vector.
-pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
-
-impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Vector for T {}
+use crate::numeric::vector::Vector;
 
 /// (1 − t)·a + t·b.
 #[inline(always)]

@@ -1,8 +1,8 @@
 //! One cubic along a run of points: least squares for the lengths of its handles.
 
 use crate::numeric::order::larger;
+use crate::numeric::vector::Euclidean;
 use glam::{DVec2, DVec3};
-use std::ops::{Add, Mul, Sub};
 
 /// The maximum number of points used for least squares; all points are checked.
 const MAX_SAMPLES: usize = 16;
@@ -31,66 +31,6 @@ const NOISE: f64 = 0.25;
 
 /// How far, in tolerances, a point may lie from the part of the cubic after the feet of the points before it.
 const MAX_STEP_BACK: f64 = 3.0;
-
-/// A vector in the plane or in space.
-pub trait Vector:
-    Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
-{
-    /// The scalar product.
-    fn dot(self, other: Self) -> f64;
-
-    /// The largest absolute coordinate.
-    fn max_abs(self) -> f64;
-
-    /// The length; it overflows or underflows only if the true value does.
-    #[inline(always)]
-    fn norm(self) -> f64 {
-        let square = self.dot(self);
-        if (1e-280..1e280).contains(&square) {
-            return square.sqrt();
-        }
-        let scale = self.max_abs();
-        if scale == 0.0 {
-            return 0.0;
-        }
-        let unit = self * (1.0 / scale);
-        unit.dot(unit).sqrt() * scale
-    }
-
-    /// The vector of length 1 in this direction; zero for the zero vector.
-    #[inline(always)]
-    fn unit(self) -> Self {
-        let length = self.norm();
-        if length == 0.0 {
-            return Self::default();
-        }
-        self * (1.0 / length)
-    }
-}
-
-impl Vector for DVec2 {
-    #[inline(always)]
-    fn dot(self, other: Self) -> f64 {
-        self.x * other.x + self.y * other.y
-    }
-
-    #[inline(always)]
-    fn max_abs(self) -> f64 {
-        larger(self.x.abs(), self.y.abs())
-    }
-}
-
-impl Vector for DVec3 {
-    #[inline(always)]
-    fn dot(self, other: Self) -> f64 {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-
-    #[inline(always)]
-    fn max_abs(self) -> f64 {
-        larger(larger(self.x.abs(), self.y.abs()), self.z.abs())
-    }
-}
 
 /// A run of points along which a cubic is fitted, and what it must satisfy.
 pub struct FitRun<'a, V> {
@@ -122,7 +62,7 @@ pub fn space_handles(run: &FitRun<DVec3>) -> Option<[DVec3; 2]> {
     run.handles()
 }
 
-impl<V: Vector> FitRun<'_, V> {
+impl<V: Euclidean> FitRun<'_, V> {
     fn handles(&self) -> Option<[V; 2]> {
         let last = self.points.len() - 1;
         let chord_length = self.lengths[last] - self.lengths[0];
@@ -254,7 +194,7 @@ struct Equations {
 impl Equations {
     /// Adds the residual `off` of a point; only the components perpendicular to `along` count.
     #[inline(always)]
-    fn add<V: Vector>(&mut self, off: V, along: V, (t0, t1): (V, V), u: f64) {
+    fn add<V: Euclidean>(&mut self, off: V, along: V, (t0, t1): (V, V), u: f64) {
         let r = 1.0 - u;
         let across = |v: V| v - along * v.dot(along);
         let (ja, jb) = (
@@ -280,7 +220,7 @@ impl Equations {
 
 /// The value and the first two derivatives of a cubic.
 #[inline(always)]
-fn at<V: Vector>(p: &[V; 4], u: f64) -> (V, V, V) {
+fn at<V: Euclidean>(p: &[V; 4], u: f64) -> (V, V, V) {
     let (d0, d1, d2) = (p[1] - p[0], p[2] - p[1], p[3] - p[2]);
     let r = 1.0 - u;
     (
@@ -295,7 +235,7 @@ fn at<V: Vector>(p: &[V; 4], u: f64) -> (V, V, V) {
 
 /// The parameter of the foot of a point on a cubic, by Newton's method from the guess `u`.
 #[inline]
-fn foot<V: Vector>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
+fn foot<V: Euclidean>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
     for _ in 0..FOOT_ROUNDS {
         let (q, w, b) = at(cubic, u);
         let gap = p - q;
@@ -310,7 +250,7 @@ fn foot<V: Vector>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
 /// A bound of the Hausdorff distance between a cubic and its chord over [u0, u1]: h²/8 times the maximum of the second
 /// derivative, of its component across the chord if the cubic advances along the chord throughout.
 #[inline]
-fn sag<V: Vector>(cubic: &[V; 4], u0: f64, u1: f64) -> f64 {
+fn sag<V: Euclidean>(cubic: &[V; 4], u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
     let [(p, v0, a0), (q, v1, a1)] = [at(cubic, u0), at(cubic, u1)];
     let chord = (q - p).unit();

@@ -33,7 +33,7 @@ use crate::bernstein::vector_products::{
     cubic_by_linear, cubic_by_quadratic, cubic_square, quadratic_by_quadratic,
 };
 use crate::numeric::order::{larger, range, smaller};
-use crate::spline::fit_run::Vector;
+use crate::numeric::vector::Euclidean;
 use glam::DVec3;
 
 /// The bound between two pairs, for the Bernstein coefficients of M and of W; infinite or NaN if there is none.
