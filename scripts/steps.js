@@ -44,12 +44,21 @@ const structure = async () => {
 const DENY = ["--", "--deny", "warnings"];
 const BINDINGS = ["--package", "casteljau-wasm", "--target", "wasm32-unknown-unknown"];
 
+/** Curves, splines and paths alone, each feature alone, and pairs of which one has code for the other. */
+const FEATURE_SETS = [
+  ...["", "count-work", "easing", "fast", "fit", "io", "kurbo", "rayon", "regions", "serde", "surfaces"],
+  ...["count-work,regions", "io,surfaces", "serde,easing", "serde,regions", "serde,surfaces"],
+];
+
 const clippy = () => {
   const all = ["casteljau", "casteljau-benches", "casteljau-kernels"].flatMap((name) => ["--package", name]);
   return runAll([
     () => cargo("clippy", "--quiet", "--all-targets", ...all, "--all-features", ...DENY),
-    // Curves alone, with the library only, because the tests need all features.
-    () => cargo("clippy", "--quiet", "--package", "casteljau", "--lib", "--no-default-features", ...DENY),
+    // The library only, because the tests need all subjects.
+    ...FEATURE_SETS.map((features) => () => {
+      const words = ["--package", "casteljau", "--lib", "--no-default-features", "--features", features];
+      return cargo("clippy", "--quiet", ...words, ...DENY);
+    }),
     () => cargo("clippy", "--quiet", "--all-targets", "--package", "xtask", ...DENY),
     // The bindings, with the sources of the crate.
     () => cargo("clippy", "--quiet", ...BINDINGS, ...DENY),
@@ -90,8 +99,7 @@ function native(context, features = FEATURES) {
 }
 
 /** What the wasm modules contain: the crate without its feature `fast`. @param {Context} context */
-const nativeSmall = (context) =>
-  native({ ...context, amount: "few" }, ["--no-default-features", "--features", "surfaces,serde,kurbo"]);
+const nativeSmall = (context) => native({ ...context, amount: "few" }, ["--no-default-features"]);
 
 /** The Rust tests as wasm, in Node. @param {Context} context */
 async function wasmNode(context) {

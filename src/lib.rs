@@ -44,12 +44,20 @@
 //!
 //! # Features
 //!
-//! `fast` and `surfaces` are on by default. Without `surfaces` and `fast`, glam is the only dependency, and the
-//! crate builds in less than half the time.
+//! Curves, splines and paths need no feature; with `default-features = false` glam is the only dependency. These features
+//! are on by default:
 //!
+//! - `regions`: Boolean operations ([`Path::union`]), strokes ([`Path::stroke`]), dashes, offsets of regions, rounded
+//!   corners and ink ([`path::InkStroke`]). It includes `fit`, because ink is fitted.
+//! - `fit`: fitting points ([`Spline::fit`]) and simplification ([`Spline::simplify`]).
+//! - `easing`: CSS timing functions ([`Easing`]).
+//! - `io`: SVG path data ([`Path::from_svg`]); with `surfaces` also their text forms, and meshes as OBJ, STL and GLB.
+//! - `surfaces`: patches, surfaces, meshes and the teapot.
 //! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
 //!   results are the same. The npm package does without it.
-//! - `surfaces`: patches, surfaces, meshes and the teapot.
+//!
+//! These are off by default:
+//!
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
 //!   checked as by the constructors; options that are left out have their defaults. JSON keeps every bit of a number only if
 //!   the crate `serde_json` has its feature `float_roundtrip`.
@@ -57,7 +65,6 @@
 //! - `rayon`: `grid`, `tessellate`, `area`, `volume` and `intersect_ray` of a surface use all cores, through the global
 //!   thread pool of the crate rayon or the pool in which they are called. The results are the same bit for bit. It pays
 //!   off for surfaces with many patches.
-//!
 //! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), and the segments that lines replace in
 //!   Boolean operations (`path::take_replaced_segments`), for tests.
 //!
@@ -77,12 +84,15 @@
 //! assert_eq!(line.ts.first(), Some(&0.0));
 //! # Ok::<(), casteljau::Error>(())
 //! ```
+#![cfg_attr(docsrs, feature(doc_cfg))] // docs.rs writes the feature that an item needs beside it
 #![deny(clippy::disallowed_methods)]
 
 mod bernstein;
 pub mod curve;
+#[cfg(feature = "easing")]
 mod easing;
 mod geometry;
+#[cfg(feature = "io")]
 mod io;
 #[cfg(feature = "surfaces")]
 pub mod mesh;
@@ -97,6 +107,8 @@ pub mod path;
 pub mod spline;
 #[cfg(feature = "surfaces")]
 pub mod surface;
+#[cfg(any(feature = "easing", feature = "io"))]
+mod text;
 
 #[cfg(feature = "kurbo")]
 mod kurbo;
@@ -106,6 +118,7 @@ mod serde;
 mod wasm;
 
 pub use curve::Curve;
+#[cfg(feature = "easing")]
 pub use easing::{Easing, EasingError};
 pub use geometry::check::MAX_COORDINATE;
 pub use geometry::error::{Error, MAX_DEGREE};
@@ -119,7 +132,9 @@ pub use models::TeapotOptions;
 pub use numeric::work_limit::take_steps;
 #[cfg(feature = "surfaces")]
 pub use patch::Patch;
-pub use path::{FillRule, Path, PathBuilder, PathTime, StrokeOptions};
+#[cfg(feature = "regions")]
+pub use path::StrokeOptions;
+pub use path::{FillRule, Path, PathBuilder, PathTime};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

@@ -278,6 +278,7 @@ macro_rules! copy_curve {
                 fn offset_within(distance: f64, tolerance: f64) -> Result<Spline<DVec2>, Error>;
 
                 /// The curve as SVG path data, see [`Curve::to_svg`].
+                #[cfg(feature = "io")]
                 fn to_svg() -> String;
             }
 

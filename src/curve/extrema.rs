@@ -6,7 +6,6 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::list::Scalars;
-use crate::numeric::sort::sort_by;
 
 impl<P: Point> Curve<P> {
     /// The parameters inside (0, 1) where a coordinate (0 is x, 1 is y, 2 is z) has a local extremum, in ascending
@@ -62,24 +61,6 @@ impl<P: Point> Curve<P> {
             });
         }
         Ok(times_of(&self.coordinates(axis)?, value))
-    }
-
-    /// Appends the parts along which each coordinate increases or decreases, in order.
-    pub(crate) fn push_monotone_pieces(&self, pieces: &mut Vec<Self>) {
-        let mut ts = vec![0.0, 1.0];
-        for axis in 0..P::DIMENSION {
-            let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
-            ts.extend(extrema_of(&values));
-        }
-        sort_by(&mut ts, f64::total_cmp);
-        ts.dedup();
-        if ts.len() == 2 {
-            pieces.push(self.clone());
-            return;
-        }
-        for pair in ts.windows(2) {
-            pieces.push(self.part(pair[0], pair[1]));
-        }
     }
 
     fn coordinates(&self, axis: usize) -> Result<Scalars, Error> {

@@ -25,14 +25,14 @@ pub(crate) mod moments;
 pub(crate) mod nearest;
 mod reduce;
 pub(crate) mod split;
-mod straight;
+pub(crate) mod straight;
 pub(crate) mod subdivide;
 mod torsion;
 pub(crate) mod trace;
 mod turning;
 pub(crate) mod with_derivatives;
 
-pub(crate) use casteljau_kernels::curve::{curvature, plane_cubic, sample_plane_cubic};
+pub(crate) use casteljau_kernels::curve::sample_plane_cubic;
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;

@@ -4,7 +4,7 @@
 use super::piecewise::{Linear, StepPosition, Steps, Stop};
 use super::scanner::Scanner;
 use super::{Easing, EasingError, Kind};
-use crate::io::text_write::written_number;
+use crate::text::number::written_number;
 use std::fmt;
 use std::str::FromStr;
 

@@ -1,7 +1,7 @@
 //! Tokens of CSS timing functions: blanks, comments, words, numbers, percentages.
 
 use super::EasingError;
-use crate::io::shown_text::{END, shown};
+use crate::text::shown::{END, shown};
 
 /// The text of a timing function, read from front to back.
 pub(crate) struct Scanner<'a> {

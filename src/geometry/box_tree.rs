@@ -101,7 +101,10 @@ impl BoxTree {
             stack.extend([(k, 2 * l), (k, 2 * l + 1)]);
         }
     }
+}
 
+#[cfg(feature = "regions")]
+impl BoxTree {
     /// Calls `act` for each item whose box contains a point, until the work is used up. A comparison is one step.
     pub(crate) fn around_point(
         &self,

@@ -1,10 +1,10 @@
 //! Binary glTF 2.0 (GLB) export of meshes; `js/io/glb.ts` produces the same bytes.
 
 use super::file_size::checked_length;
-use super::text_write::{push, written};
 use crate::geometry::error::Error;
 use crate::mesh::Indices;
 use crate::numeric::order::to_u32;
+use crate::text::number::{push, written};
 
 /// The version of glTF, and the sizes of the file header and of the header of a chunk.
 const VERSION: u32 = 2;

@@ -2,12 +2,12 @@
 
 use super::file_size::checked_length;
 use super::glb::glb;
-use super::text_write::{push, written};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::mesh::Mesh;
 use crate::mesh::buffers::to_f32;
 use crate::numeric::order::to_u32;
+use crate::text::number::{push, written};
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 

@@ -6,7 +6,6 @@ mod file_size;
 mod glb;
 #[cfg(feature = "surfaces")]
 mod mesh_export;
-pub(crate) mod shown_text;
 #[cfg(feature = "surfaces")]
 mod surface_arrays;
 #[cfg(feature = "surfaces")]
@@ -18,4 +17,3 @@ mod svg_read;
 pub(crate) mod svg_write;
 #[cfg(feature = "surfaces")]
 pub(crate) mod text_reader;
-pub(crate) mod text_write;

@@ -1,9 +1,9 @@
 //! Parsing a surface from arrays of C source code; `js/io/surface-arrays.ts` does the same with the same messages.
 
-use super::shown_text::{END, shown};
 use super::text_reader::{ParseError, number, refuse, whole};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::order::to_u32;
+use crate::text::shown::{END, shown};
 use glam::DVec3;
 
 const VERTEX_ROW: usize = 3;

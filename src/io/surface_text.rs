@@ -1,13 +1,13 @@
 //! Writing surfaces as text, and parsing them.
 
-use super::shown_text::{END, shown};
 use super::surface_arrays::read_arrays;
 use super::text_reader::{ParseError, Reader, number, refuse, whole};
-use super::text_write::{push, written_number};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
+use crate::text::number::{push, written_number};
+use crate::text::shown::{END, shown};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::ops::Range;

@@ -1,6 +1,6 @@
 //! Tokens of SVG path data: separators, numbers, flags. `js/io/svg-number.ts` reads the same grammar.
 
-use super::shown_text::{END, shown};
+use crate::text::shown::{END, shown};
 
 /// A syntax error: its offset and what was expected.
 pub(crate) struct Refusal {

@@ -7,6 +7,7 @@ use crate::path::Path;
 use crate::path::arc::Arc;
 use crate::path::builder::PathBuilder;
 use glam::DVec2;
+use std::str::FromStr;
 
 /// The number of arguments of a command; the arc is handled separately.
 fn arguments(command: u8) -> Option<usize> {
@@ -70,6 +71,15 @@ impl Path {
         let mut builder = PathBuilder::new();
         builder.arc_tolerance(arc_tolerance);
         read_path(d, builder)
+    }
+}
+
+impl FromStr for Path {
+    type Err = SvgError;
+
+    /// Parses SVG path data; see [`Path::from_svg`].
+    fn from_str(d: &str) -> Result<Self, SvgError> {
+        Self::from_svg(d)
     }
 }
 

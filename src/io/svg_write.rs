@@ -1,7 +1,6 @@
 //! Writing paths as SVG path data.
 
 use super::svg_arcs::Run;
-use super::text_write::{push, push_number, written_number};
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
@@ -9,7 +8,9 @@ use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::arc::Arc;
 use crate::spline::Spline;
+use crate::text::number::{push, push_number, written_number};
 use glam::DVec2;
+use std::fmt;
 
 /// The maximum number of digits, the limit of JavaScript's `toFixed`.
 const MAX_DIGITS: u8 = 100;
@@ -118,7 +119,7 @@ impl Path {
             let last = part.points.len() - 2;
             // `Z` draws this line. It is also omitted if it is the only segment, even with length 0.
             let closing = part.closed
-                && part.ends_with_line()
+                && part.segment(part.segment_count() - 1).len() == 2
                 && (last == 0 || part.points[last] != part.points[last + 1]);
             let count = part.segment_count() - usize::from(closing);
             let mut k = 0;
@@ -136,6 +137,17 @@ impl Path {
             }
         }
         writer.text
+    }
+}
+
+impl fmt::Display for Path {
+    /// Writes SVG path data, as [`Path::to_svg`] without options; the precision of the format (`{:.2}`) is the number
+    /// of digits after the decimal point.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut options = SvgOptions::new();
+        let digits = f.precision();
+        options.precision = digits.map(|digits| digits.try_into().unwrap_or(u8::MAX));
+        f.write_str(&self.to_svg_with(&options).map_err(|_| fmt::Error)?)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reading text by rows, and parse errors.
 
-use super::shown_text::END;
 use crate::geometry::error::Error;
+use crate::text::shown::END;
 use std::fmt;
 
 /// A parse error: its line, the expected and the actual text.

@@ -1,15 +1,11 @@
-//! Conversion of curves, splines and text to paths, and multiplication of affine maps by paths.
+//! Conversion of curves and splines to paths, and multiplication of affine maps by paths.
 
 use super::{Path, Subpaths};
 use crate::curve::Curve;
 use crate::geometry::check::expect_image;
-use crate::io::svg_error::SvgError;
-use crate::io::svg_write::SvgOptions;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
-use std::fmt;
 use std::ops::Mul;
-use std::str::FromStr;
 
 impl From<Spline<DVec2>> for Path {
     /// A path with one subpath.
@@ -50,26 +46,6 @@ impl Extend<Spline<DVec2>> for Path {
         for spline in splines {
             self.push_spline(&spline);
         }
-    }
-}
-
-impl FromStr for Path {
-    type Err = SvgError;
-
-    /// Parses SVG path data; see [`Path::from_svg`].
-    fn from_str(d: &str) -> Result<Self, SvgError> {
-        Self::from_svg(d)
-    }
-}
-
-impl fmt::Display for Path {
-    /// Writes SVG path data, as [`Path::to_svg`] without options; the precision of the format (`{:.2}`) is the number
-    /// of digits after the decimal point.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut options = SvgOptions::new();
-        let digits = f.precision();
-        options.precision = digits.map(|digits| digits.try_into().unwrap_or(u8::MAX));
-        f.write_str(&self.to_svg_with(&options).map_err(|_| fmt::Error)?)
     }
 }
 

@@ -7,36 +7,43 @@
 
 pub(crate) mod arc;
 mod arcs;
+#[cfg(feature = "regions")]
 mod boolean;
 mod bounds;
 pub(crate) mod builder;
 mod convert;
 mod elements;
 mod evaluate;
+#[cfg(feature = "regions")]
 mod ink;
 pub(crate) mod intersect;
 pub(crate) mod length;
 mod moments;
 mod nearest;
 mod shapes;
+#[cfg(feature = "fit")]
 mod simplify;
+#[cfg(feature = "regions")]
 mod stroke;
 mod trace;
 pub(crate) mod winding;
 
-pub use crate::io::svg_error::SvgError;
-pub use crate::io::svg_write::SvgOptions;
+#[cfg(feature = "io")]
+pub use crate::io::{svg_error::SvgError, svg_write::SvgOptions};
 pub use crate::spline::OffsetJoin;
 pub use arcs::CircularArc;
-#[cfg(feature = "count-work")]
+#[cfg(all(feature = "count-work", feature = "regions"))]
 pub use boolean::take_replaced_segments;
+#[cfg(feature = "regions")]
 pub use boolean::{BooleanOperation, Face};
 pub use builder::{BuildError, PathBuilder};
 pub use elements::PathElement;
+#[cfg(feature = "regions")]
 pub use ink::{InkChanges, InkOptions, InkPressure, InkSample, InkStroke};
 pub use intersect::PathIntersection;
 pub use length::PathLengths;
 pub use nearest::PathPoint;
+#[cfg(feature = "regions")]
 pub use stroke::{
     CornerOptions, OffsetOptions, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition,
     WidthProfile,
@@ -181,10 +188,6 @@ impl<'a> Subpath<'a> {
     /// The degree of each segment.
     pub(crate) fn degrees(self) -> impl Iterator<Item = usize> + 'a {
         self.segments().map(|points| points.len() - 1)
-    }
-
-    pub(crate) fn ends_with_line(self) -> bool {
-        self.segment(self.segment_count() - 1).len() == 2
     }
 
     /// The first and the last point.

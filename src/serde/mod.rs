@@ -3,11 +3,12 @@
 //! Curves and paths have the form of JavaScript's `toJSON`. Deserialised values are validated by the constructors.
 //! Results and options are plain values and derive their form from their fields.
 
+#[cfg(feature = "easing")]
+mod easing;
 #[cfg(feature = "surfaces")]
 mod surfaces;
 
 use crate::curve::{Cubic, Curve, Line, Quad};
-use crate::easing::{Easing, Kind};
 use crate::geometry::point::Point;
 use crate::path::Path;
 use crate::spline::Spline;
@@ -101,33 +102,5 @@ impl<'de> Deserialize<'de> for Path {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let form = PathForm::deserialize(deserializer)?;
         Ok(Self::new(&form.subpaths))
-    }
-}
-
-/// `[x1, y1, x2, y2]`, or CSS text for `steps()` and `linear()`.
-#[derive(Read)]
-#[serde(untagged)]
-enum EasingForm {
-    Handles([f64; 4]),
-    Css(String),
-}
-
-impl Write for Easing {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match &self.kind {
-            Kind::Cubic(cubic) => cubic.handles.serialize(serializer),
-            _ => serializer.collect_str(self),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Easing {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match EasingForm::deserialize(deserializer)? {
-            EasingForm::Handles([x1, y1, x2, y2]) => {
-                Self::new(x1, y1, x2, y2).map_err(D::Error::custom)
-            }
-            EasingForm::Css(text) => text.parse().map_err(D::Error::custom),
-        }
     }
 }

@@ -9,25 +9,33 @@ mod build;
 mod continuity;
 mod convert;
 mod coordinates;
+#[cfg(feature = "fit")]
 mod corners;
+#[cfg(feature = "fit")]
 pub(crate) mod cubics;
 mod derivative;
 mod edit;
+#[cfg(feature = "fit")]
 pub(crate) mod fit;
 mod frames;
+#[cfg(feature = "fit")]
 mod grid;
 mod interpolate;
 mod intersect;
 pub(crate) mod joint;
 mod knots;
 mod length;
+#[cfg(feature = "fit")]
 mod local_fit;
 mod measure;
 mod nearest;
 pub(crate) mod offset;
+#[cfg(feature = "fit")]
 mod polyline;
 mod repair;
+#[cfg(feature = "fit")]
 mod simplify;
+#[cfg(feature = "fit")]
 mod smoothing;
 pub(crate) mod spline_builder;
 pub(crate) mod spline_set;
@@ -35,13 +43,17 @@ mod split;
 
 pub use bspline::BSpline;
 pub use continuity::Continuity;
+#[cfg(feature = "fit")]
 pub use cubics::FitEffort;
+#[cfg(feature = "fit")]
 pub use fit::FitOptions;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;
 pub use offset::OffsetJoin;
+#[cfg(feature = "fit")]
 pub use simplify::SimplifyOptions;
 
+#[cfg(feature = "fit")]
 pub(crate) use casteljau_kernels::spline::fit_run;
 
 use crate::curve::Curve;

@@ -6,11 +6,14 @@ use super::cubics::{FitEffort, ROUNDING_SHARE, is_monotone};
 use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, check_corner_angle};
 use super::grid::Grid;
 use crate::curve::Curve;
+use crate::curve::extrema::extrema_of;
 use crate::curve::flatten::Polyline;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
+use crate::numeric::list::Scalars;
+use crate::numeric::sort::sort_by;
 
 /// The ratio of the tolerance that is spent on the polyline that approximates the spline.
 const POLYLINE_SHARE: f64 = 1.0 / 32.0;
@@ -156,7 +159,7 @@ impl<P: Point> Spline<P> {
         let divided = if extrema {
             let mut pieces = Vec::new();
             for segment in self.segments() {
-                segment.push_monotone_pieces(&mut pieces);
+                push_monotone_pieces(&segment, &mut pieces);
             }
             Self::from_curves(&pieces, self.closed)?
         } else {
@@ -288,5 +291,24 @@ impl<P: Point> Spline<P> {
             });
         }
         Self::from_curves(&cubics, self.closed)
+    }
+}
+
+/// Appends the parts of a curve along which each coordinate increases or decreases, in order.
+fn push_monotone_pieces<P: Point>(curve: &Curve<P>, pieces: &mut Vec<Curve<P>>) {
+    let mut ts = vec![0.0, 1.0];
+    for axis in 0..P::DIMENSION {
+        let points = curve.control_points().iter();
+        let values: Scalars = points.map(|p| p.coordinate(axis)).collect();
+        ts.extend(extrema_of(&values));
+    }
+    sort_by(&mut ts, f64::total_cmp);
+    ts.dedup();
+    if ts.len() == 2 {
+        pieces.push(curve.clone());
+        return;
+    }
+    for pair in ts.windows(2) {
+        pieces.push(curve.part(pair[0], pair[1]));
     }
 }

@@ -27,7 +27,10 @@ impl SplineBuilder {
         self.points.push(p);
         self.degrees.push(1);
     }
+}
 
+#[cfg(feature = "regions")]
+impl SplineBuilder {
     /// Adds a line unless it has no length.
     pub(crate) fn connect_to(&mut self, p: DVec2) {
         if self.points.last() != Some(&p) {

@@ -18,6 +18,7 @@ pub(crate) mod surface_point;
 pub(crate) mod topology;
 mod zeros;
 
+#[cfg(feature = "io")]
 pub use crate::io::text_reader::ParseError;
 pub use network::Surface;
 pub use surface_point::SurfacePoint;

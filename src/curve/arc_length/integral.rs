@@ -104,6 +104,7 @@ impl ArcLengthTable {
     }
 
     /// The arc length up to t, for 0 ≤ t ≤ 1.
+    #[cfg(feature = "regions")]
     pub(crate) fn length_at(&self, t: f64) -> f64 {
         let k = self.intervals.partition_point(|interval| interval.t < t);
         match self.intervals.get(k) {

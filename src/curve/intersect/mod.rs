@@ -18,8 +18,6 @@ mod tolerances;
 
 pub(crate) use casteljau_kernels::curve::intersect::clipping;
 
-pub(crate) use stationary::straight_turns;
-
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 
 use super::Curve;

@@ -2,8 +2,6 @@
 
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
-use crate::curve::extrema::extrema_of;
-use crate::curve::straight::Chord;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use crate::numeric::sort::sort_by;
@@ -14,9 +12,6 @@ const VANISHING_RATIO: f64 = 1e-12;
 
 /// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
 const NEVER_RATIO: f64 = 1e-9;
-
-/// A curve is straight if its control points are within this part of its largest coordinate of a line.
-const STRAIGHT: f64 = 4.0 * f64::EPSILON;
 
 /// Parameters closer than this are one: the accuracy of a double root.
 const ONE_ROOT: f64 = 1e-7;
@@ -69,20 +64,4 @@ pub(crate) fn with_ends(inside: &[f64]) -> Vec<f64> {
     all.extend(inside);
     all.push(1.0);
     all
-}
-
-/// The parameters at which a straight curve reverses its direction; `None` for a curve that is not straight.
-pub(crate) fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
-    if points.len() == 2 {
-        return Some(Scalars::new());
-    }
-    let chord = Chord::of(points);
-    let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
-    (chord.width <= STRAIGHT * largest).then(|| {
-        let along: Scalars = points
-            .iter()
-            .map(|p| chord.direction.dot(*p - points[0]))
-            .collect();
-        extrema_of(&along).into_iter().collect()
-    })
 }

@@ -1,11 +1,13 @@
 //! The input of Boolean operations as one list of segments, scaled to size 1.
 
 use crate::bernstein::evaluate::evaluate;
-use crate::curve::intersect::straight_turns;
+use crate::curve::extrema::extrema_of;
+use crate::curve::straight::Chord;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
-use crate::numeric::list::{Points, points_of};
+use crate::numeric::list::{Points, Scalars, points_of};
 use crate::path::Path;
 use glam::DVec2;
 
@@ -17,6 +19,9 @@ const EPSILON: f64 = 1e-9;
 
 /// No distance below this many roundings of the largest coordinate is resolved.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;
+
+/// A curve is straight if its control points are within this part of its largest coordinate of a line.
+const STRAIGHT: f64 = 4.0 * f64::EPSILON;
 
 /// What a path contributes to an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,4 +207,20 @@ impl Segments {
             part.reverse();
         }
     }
+}
+
+/// The parameters at which a straight curve reverses its direction; `None` for a curve that is not straight.
+fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
+    if points.len() == 2 {
+        return Some(Scalars::new());
+    }
+    let chord = Chord::of(points);
+    let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    (chord.width <= STRAIGHT * largest).then(|| {
+        let along: Scalars = points
+            .iter()
+            .map(|p| chord.direction.dot(*p - points[0]))
+            .collect();
+        extrema_of(&along).into_iter().collect()
+    })
 }

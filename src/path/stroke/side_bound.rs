@@ -2,10 +2,10 @@
 //! points, with halvings where it is too large.
 
 use super::section::{Disc, SectionEvaluator};
-use crate::curve::plane_cubic::point_and_derivative;
 use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
-use crate::spline::offset::side_bound::side_bound;
+use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::spline::offset::side_bound::side_bound;
 use glam::{DVec2, DVec3};
 
 /// Maximum number of bounds evaluated for one cubic before it is rejected.

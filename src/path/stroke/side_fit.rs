@@ -6,11 +6,11 @@
 
 use super::section::{COMPARED, Compared, Disc, Run, SectionEvaluator};
 use super::side_bound::{Pair, SideBound, foot_step};
-use crate::curve::plane_cubic::point_and_derivative;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
 use crate::spline::spline_builder::SplineBuilder;
+use casteljau_kernels::curve::plane_cubic::point_and_derivative;
 use glam::DVec2;
 
 /// Maximum depth of halvings of a side.

@@ -132,17 +132,6 @@ impl SplineBuilder {
         Ok(())
     }
 
-    /// [`add_offset`](Self::add_offset) for a distance other than 0 and a curve that is not straight, if neither the curve
-    /// nor its offset curve has a cusp.
-    pub(crate) fn add_smooth_offset(
-        &mut self,
-        curve: &Curve<DVec2>,
-        distance: f64,
-        tolerance: f64,
-    ) -> Result<(), Error> {
-        NormalizedCurve::new(curve, farthest(curve), distance, tolerance).add_to(self, false)
-    }
-
     /// Appends the offset of a straight curve: lines in both directions, and half circles about the points where the
     /// curve reverses.
     fn add_offset_of_straight(
@@ -218,6 +207,20 @@ impl SplineBuilder {
         );
         let pieces = (self.points.len() - before) / 3;
         self.degrees.extend(std::iter::repeat_n(3, pieces));
+    }
+}
+
+#[cfg(feature = "regions")]
+impl SplineBuilder {
+    /// [`add_offset`](Self::add_offset) for a distance other than 0 and a curve that is not straight, if neither the curve
+    /// nor its offset curve has a cusp.
+    pub(crate) fn add_smooth_offset(
+        &mut self,
+        curve: &Curve<DVec2>,
+        distance: f64,
+        tolerance: f64,
+    ) -> Result<(), Error> {
+        NormalizedCurve::new(curve, farthest(curve), distance, tolerance).add_to(self, false)
     }
 }
 

@@ -2,7 +2,7 @@
 
 pub(crate) mod curve;
 
-pub(crate) use casteljau_kernels::spline::offset::{offset_curve, side_bound};
+pub(crate) use casteljau_kernels::spline::offset::offset_curve;
 
 use super::Spline;
 use super::spline_builder::SplineBuilder;
@@ -96,10 +96,7 @@ pub(crate) fn offset_of_curves(
     let tolerance = offset_tolerance(distance, tolerance, largest, box_of)?;
     let own = tolerance * (1.0 - SMOOTH_PART);
     let mut builder = SplineBuilder::default();
-    let moves = |curve: &&Curve<DVec2>| {
-        let points = curve.control_points();
-        distance == 0.0 || points.iter().any(|&p| p != points[0])
-    };
+    let moves = |curve: &&Curve<DVec2>| distance == 0.0 || curve.has_size();
     let mut moving: Vec<&Curve<DVec2>> = curves.iter().filter(moves).collect();
     if moving.is_empty() {
         moving.extend(&curves[..1]);
