@@ -1,32 +1,16 @@
 //! Classification of contact intervals as crossings, tangencies or overlaps.
 
 use super::super::Curve;
+use super::constants::{
+    END_OF_CONTACT, HIDDEN_TURN, MIN_OVERLAP, NEAR_END, ROTATION, TWO_CROSSINGS,
+};
 use super::contact_interval::ContactInterval;
 use super::intersection::IntersectionKind;
 use super::pair::{ClassifiedPoint, NormalizedPair};
-use super::tolerances::MIN_OVERLAP;
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
-
-/// Maximum difference of a parameter from an end to which it is snapped: the cube root of rounding (1e-15), because the
-/// distance grows with the third power of the parameter where both B′ and B″ vanish at the end.
-const NEAR_END: f64 = 1e-5;
-
-/// The two points at an end of an overlap are closer together than this many times the slack: heights of up to four
-/// slacks count as contact, and rounding of the parameters may double that.
-const SHARED_END: f64 = 8.0;
-
-/// Two crossings in one interval are distinct if they are farther apart than this.
-const TWO_CROSSINGS: f64 = 1e-10;
-
-/// Directions closer than this count as equal where rounding hides the difference: at a distance of 1e-8 from a cusp,
-/// directions change by as much.
-const HIDDEN_TURN: f64 = 1e-6;
-
-/// Rounding by the slack rotates the direction of a curve by at most this many times the slack divided by its speed.
-const ROTATION: f64 = 16.0;
 
 impl NormalizedPair {
     /// Appends the intersections of an interval with their kinds.
@@ -134,7 +118,7 @@ impl NormalizedPair {
     /// curve.
     fn at_end(&self, interval: &ContactInterval, location: (f64, f64)) -> Option<(f64, f64)> {
         let both = |&(t, u): &(f64, f64)| self.ends(0).contains(&t) && self.ends(1).contains(&u);
-        let met = |&(t, u): &(f64, f64)| self.apart(t, u) <= SHARED_END * self.slack;
+        let met = |&(t, u): &(f64, f64)| self.apart(t, u) <= END_OF_CONTACT * self.slack;
         let first = Some(location).filter(both);
         let mut all = first
             .into_iter()

@@ -1,32 +1,14 @@
 //! Contact intervals: contacts that belong together, joined.
 
+use super::constants::{
+    CONTACT, DOUBLE_ROOT, LARGEST_GAP, MANY_DOUBLE_ROOTS, MAX_CURVING, MIN_OVERLAP, ONE_CROSSING,
+    ONE_END_OF_CONTACTS,
+};
 use super::pair::NormalizedPair;
-use super::tolerances::{LARGEST_GAP, MIN_OVERLAP, NO_HEIGHT};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::intersect::clipping::Contact;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
-
-/// Parameters this close are equal; some roundings.
-const SAME: f64 = 1e-13;
-
-/// A crossing at a common end of two segments is found in both, with a difference of some roundings.
-const ONE_CROSSING: f64 = 1e-12;
-
-/// A contact shorter than this in t has no direction. A tangency is a contact of a length of about the square root of
-/// rounding, some 1e-7, whatever the directions of the curves.
-const MIN_DIRECTED: f64 = 1e-6;
-
-/// The amount by which an interval is widened in addition to its width: the accuracy of the parameters of a tangency,
-/// some square roots of rounding.
-const INTERVAL_MARGIN: f64 = 1e-7;
-
-/// The deviation of u from a linear function of t within a contact, as a part of the square of its width.
-const MAX_CURVING: f64 = 0.01;
-
-/// The ends of contacts correspond only roughly, so the boxes of the segments between them are widened by their size
-/// and this: ten times the accuracy of the parameters of a tangency. Tuned: results do not change within a factor of 2.
-const BOX_MARGIN: f64 = 1e-6;
 
 /// A parameter interval on which two curves cannot be distinguished.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +27,7 @@ pub(crate) struct ContactInterval {
 impl ContactInterval {
     fn new(contact: Contact) -> Self {
         let [u0, u1] = contact.u;
-        let wide = contact.t[1] - contact.t[0] > MIN_DIRECTED;
+        let wide = contact.t[1] - contact.t[0] > MANY_DOUBLE_ROOTS;
         Self {
             t: contact.t,
             u: [u0.min(u1), u0.max(u1)],
@@ -68,7 +50,7 @@ impl ContactInterval {
     /// Whether an intersection lies in the interval, widened by its width on each side.
     pub(crate) fn holds(&self, (t, u): (f64, f64)) -> bool {
         let within = |[from, to]: [f64; 2], x: f64| {
-            let margin = (to - from) + INTERVAL_MARGIN;
+            let margin = (to - from) + DOUBLE_ROOT;
             x >= from - margin && x <= to + margin
         };
         within(self.t, t) && within(self.u, u)
@@ -96,16 +78,16 @@ impl ContactInterval {
             u: last_u,
             ..
         } = self.last;
-        if t < last_t[1] - SAME {
+        if t < last_t[1] - ONE_END_OF_CONTACTS {
             // Inside the last contact: compare with the corresponding parameter.
             let width = last_u[1] - last_u[0];
             let expected_u = last_u[0] + width * (t - last_t[0]) / (last_t[1] - last_t[0]);
-            let max = MAX_CURVING * width * width + INTERVAL_MARGIN;
+            let max = MAX_CURVING * width * width + DOUBLE_ROOT;
             return distance([expected_u, expected_u], start).abs() <= max;
         }
         let end = self.edges()[1];
         let (gap_t, gap_u) = (t - self.t[1], distance(end, start));
-        if gap_t <= SAME && gap_u.abs() <= SAME {
+        if gap_t <= ONE_END_OF_CONTACTS && gap_u.abs() <= ONE_END_OF_CONTACTS {
             return true;
         }
         let from = if gap_u > 0.0 { end[1] } else { end[0] };
@@ -114,10 +96,10 @@ impl ContactInterval {
             && !pair.turns_back(0, self.t[1], t)
             && !pair.turns_back(1, from, from + gap_u)
             && [0.25, 0.5, 0.75].iter().all(|&part| {
-                pair.height(self.t[1] + part * gap_t, from + part * gap_u) <= NO_HEIGHT * pair.slack
+                pair.height(self.t[1] + part * gap_t, from + part * gap_u) <= CONTACT * pair.slack
             })
             && pair.have_equal_boxes([self.t[1], t], [from, from + gap_u], |size| {
-                size + BOX_MARGIN
+                size + MANY_DOUBLE_ROOTS
             })
     }
 

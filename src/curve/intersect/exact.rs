@@ -1,22 +1,14 @@
 //! Final corrections of intersections: makes intersections at ends and stops exact, merges intersections that rounding
 //! separates, and handles pairs of lines.
 
+use super::constants::{
+    CLEAR_HEIGHT, CONTACT, LARGEST_GAP, MIN_OVERLAP, NEARBY_PARAMETERS, SAME_POINT_DISTANCE,
+};
 use super::intersection::IntersectionKind;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use super::tolerances::{LARGEST_GAP, MIN_OVERLAP, NO_HEIGHT};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
-
-/// Intersections closer than this, at size 1, are one if an end or a stop lies between them.
-const SAME_POINT_DISTANCE: f64 = 1e-8;
-
-/// The largest parameter difference of such intersections: the square root of their distance, because next to a stop the
-/// distance grows with the square of the parameter.
-const NEARBY_PARAMETERS: f64 = 1e-4;
-
-/// A height is certainly not 0 if it exceeds the heights that count as 0 by this factor.
-const CLEAR_HEIGHT: f64 = 4.0;
 
 impl NormalizedPair {
     /// Whether both curves are lines of non-zero length.
@@ -231,7 +223,7 @@ impl NormalizedPair {
             && gap_t.abs() < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
             && [0.25, 0.5, 0.75].iter().all(|&part| {
-                self.height(p.t + part * gap_t, p.u + part * gap_u) <= NO_HEIGHT * self.slack
+                self.height(p.t + part * gap_t, p.u + part * gap_u) <= CONTACT * self.slack
             })
     }
 
@@ -259,7 +251,7 @@ impl NormalizedPair {
             let [b, direction, _] = of_b.jet(u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
             let height = Point::unit(direction).perp_dot(gap);
-            if height.abs() > CLEAR_HEIGHT * NO_HEIGHT * self.slack {
+            if height.abs() > CLEAR_HEIGHT * self.slack {
                 return height.signum();
             }
         }

@@ -6,6 +6,7 @@
 //! tangency, an overlap, or crossings that are too close for the search.
 
 mod classify;
+mod constants;
 mod contact_interval;
 mod exact;
 pub(crate) mod intersection;
@@ -14,7 +15,6 @@ mod pair;
 mod self_intersections;
 mod solve;
 mod stationary;
-mod tolerances;
 
 pub(crate) use casteljau_kernels::curve::intersect::clipping;
 

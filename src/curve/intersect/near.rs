@@ -1,5 +1,9 @@
 //! Distances between two curves, and local searches for nearest points, crossings and tangencies.
 
+use super::constants::{
+    BOX_SAMPLES, CROSSING_STEPS, END_OF_CONTACT, EQUAL_POINTS, NEARLY_PARALLEL, PARALLEL,
+    TANGENCY_STEPS,
+};
 use super::pair::NormalizedPair;
 use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
@@ -11,26 +15,6 @@ use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use glam::DVec2;
 
-/// At a contact of higher order each step of Newton's method at least about halves the error.
-const TANGENCY_STEPS: usize = 60;
-
-/// From a good starting point, Newton's method for crossings ends much sooner.
-const CROSSING_STEPS: usize = 20;
-
-/// Directions closer than this are equal up to rounding.
-const PARALLEL: f64 = 4.0 * f64::EPSILON;
-
-/// Points of an overlap lie outside its box by at most this many times the slack: four times for a contact, twice that
-/// for an end.
-const SAME_BOX: f64 = 8.0;
-
-/// Number of parts of a segment for the comparison with a box.
-const BOX_SAMPLES: usize = 8;
-
-/// The largest sine of the angle between the directions at a contact of higher order after Newton's method has
-/// converged.
-const NEARLY_PARALLEL: f64 = 1e-7;
-
 impl NormalizedPair {
     /// The distance between A(t) and B(u) in the maximum norm.
     pub(crate) fn apart(&self, t: f64, u: f64) -> f64 {
@@ -39,7 +23,7 @@ impl NormalizedPair {
 
     /// Whether the points A(t) and B(u) are equal up to rounding.
     pub(crate) fn coincide(&self, (t, u): (f64, f64)) -> bool {
-        self.apart(t, u) <= 2.0 * self.slack
+        self.apart(t, u) <= EQUAL_POINTS * self.slack
     }
 
     /// The distance of A(t) from the tangent of B at u.
@@ -63,7 +47,8 @@ impl NormalizedPair {
     ) -> bool {
         let inside = |first: usize, [from, to]: [f64; 2], second: usize, ends: [f64; 2]| {
             let bounds = self.bounds_of(second, ends);
-            let margin = SAME_BOX * self.slack + margin((bounds.max - bounds.min).max_element());
+            let margin =
+                END_OF_CONTACT * self.slack + margin((bounds.max - bounds.min).max_element());
             (1..BOX_SAMPLES).all(|k| {
                 let point = evaluate(
                     &self.curves[first],

@@ -1,6 +1,7 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
 use super::clipping::Contact;
+use super::constants::{INPUT_ROUNDING, MAX_PAIRS, MAX_PAIRS_PER_DEGREE, STEP_ROUNDING};
 use super::intersection::IntersectionKind;
 use super::stationary::derivative_zeros;
 use crate::curve::elevate::elevate_once;
@@ -9,18 +10,6 @@ use crate::geometry::bounds::Bounds;
 use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
-
-/// Maximum number of pairs of segments: a fixed number, and an additional one for each degree above 3. This is more
-/// than ten times what 999 of 1000 curves with moderate numbers need, also if one of them nearly coincides with the
-/// other.
-const MAX_PAIRS: usize = 4096;
-const MAX_PAIRS_PER_DEGREE: usize = 256;
-
-/// The rounding of an input coordinate: up to one ulp in each coordinate of both curves.
-const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
-
-/// Rounding of evaluation and subdivision at size 1, for each degree.
-const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// The parameters of an intersection, and its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Self-intersections of a curve.
 
 use super::super::Curve;
+use super::constants::{LOOP_HALVINGS, MAX_SEGMENTS, MIN_LOOP};
 use super::intersection::{Intersection, IntersectionKind, SelfIntersection};
 use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::stationary::{derivative_zeros, is_monotone_along_chord};
@@ -10,16 +11,6 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use glam::DVec2;
-
-/// A loop shorter than this, in parameters, is a cusp up to rounding: next to a cusp the branches separate with the
-/// third power of the parameter.
-const MIN_LOOP: f64 = 2e-5;
-
-/// Maximum depth of halving; a segment that still reverses then contains a cusp smaller than rounding.
-const HALVINGS: usize = 30;
-
-/// Maximum number of segments: about one on each side of every halving next to the cusps of a curve of degree 64.
-const MAX_SEGMENTS: usize = 1 << 12;
 
 impl Curve<DVec2> {
     /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1.
@@ -126,7 +117,7 @@ fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f
     let small = piece
         .iter()
         .all(|p| (*p - piece[0]).max_abs() <= pair.slack);
-    let is_last = depth == HALVINGS || cuts.len() >= MAX_SEGMENTS;
+    let is_last = depth == LOOP_HALVINGS || cuts.len() >= MAX_SEGMENTS;
     if is_last || small || is_monotone_along_chord(&piece) {
         return cuts.push(to);
     }

@@ -2,20 +2,12 @@
 
 use super::super::Curve;
 use super::clipping::Contact;
+use super::constants::{DOUBLE_ROOT, ONE_PARAMETER, TWO_CROSSINGS};
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
 use super::stationary::with_ends;
 use glam::DVec2;
-
-/// Parameters this close are equal: a few roundings of numbers up to 1.
-const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
-
-/// A crossing at a common end of two segments is found in both, with a difference of some roundings.
-const SAME_PARAMETERS: f64 = 1e-10;
-
-/// A contact this close to an end of an overlap is that end.
-const ONE_END: f64 = 1e-7;
 
 impl NormalizedPair {
     /// All intersections of the curves, in order, and the number of steps of the search.
@@ -88,7 +80,7 @@ fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         let again = kept
             .iter()
             .rev()
-            .any(|q| near(location, q.times(), SAME_PARAMETERS) && q.is_point());
+            .any(|q| near(location, q.times(), TWO_CROSSINGS) && q.is_point());
         if !(location.is_point() && (again || ends_piece(location, &locations))) {
             kept.push(location);
         }
@@ -106,7 +98,7 @@ fn ends_piece(location: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
         let IntersectionKind::Overlap { t_end, u_end } = q.kind else {
             return false;
         };
-        near(location, q.times(), ONE_END) || near(location, (t_end, u_end), ONE_END)
+        near(location, q.times(), DOUBLE_ROOT) || near(location, (t_end, u_end), DOUBLE_ROOT)
     })
 }
 

@@ -1,20 +1,12 @@
 //! Zeros of the derivative, and segments without reversals.
 
+use super::constants::{DOUBLE_ROOT, NEVER_RATIO, VANISHING_RATIO};
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use crate::numeric::sort::sort_by;
 use glam::DVec2;
-
-/// The derivative counts as zero below this part of its largest coefficient: a root is accurate to some roundings.
-const VANISHING_RATIO: f64 = 1e-12;
-
-/// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
-const NEVER_RATIO: f64 = 1e-9;
-
-/// Parameters closer than this are one: the accuracy of a double root.
-const ONE_ROOT: f64 = 1e-7;
 
 /// The parameters inside (0, 1) where the derivative vanishes: cusps, and reversals of a straight curve.
 pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
@@ -30,7 +22,7 @@ pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
         found.extend(roots_inside(&row).into_iter().filter(still));
     }
     sort_by(&mut found, f64::total_cmp);
-    found.dedup_by(|next, last| *next - *last <= ONE_ROOT);
+    found.dedup_by(|next, last| *next - *last <= DOUBLE_ROOT);
     found
 }
 

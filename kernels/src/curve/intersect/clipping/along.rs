@@ -7,14 +7,11 @@
 //! Both shrink as the segments get shorter. If the whole height is below rounding, the segments are in contact. Two
 //! curves with a common segment are detected immediately, since their parameters correspond.
 
+use super::constants::{CONTACT, SPLIT};
 use super::crossing::cross_product;
 use super::piece::{Coefficients, Piece, time_at};
-use super::solver::{ClippingSolver, Contact, SPLIT};
+use super::solver::{ClippingSolver, Contact};
 use crate::numeric::order::range;
-
-/// Heights up to this many times the slack count as contact if a segment cannot be discarded. The factor is above 1 so
-/// that halving terminates.
-const CONTACT: f64 = 4.0;
 
 impl<C: Coefficients> ClippingSolver<C> {
     /// Finds the contacts if the segments have about the same direction (or the opposite one); otherwise returns false.

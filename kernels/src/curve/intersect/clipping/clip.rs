@@ -1,11 +1,8 @@
 //! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
 
+use super::constants::WORTH_CLIPPING;
 use super::piece::{Coefficients, Piece};
 use crate::numeric::order::range;
-
-/// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
-/// and Nishita.
-pub(super) const WORTH_CLIPPING: f64 = 0.8;
 
 /// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
 /// remaining part, 1 for all; `None` if nothing remains.

@@ -1,5 +1,8 @@
 //! Crossings of two segments that intersect at most once.
 
+use super::constants::{
+    MAX_LAST_STEP, MAX_OVERSHOOT, MIN_CROSSING_SINE, NEWTON_STEPS, QUADRATIC_STEP,
+};
 use super::piece::{Coefficients, Piece};
 use super::solver::{ClippingSolver, Contact};
 
@@ -11,23 +14,6 @@ pub(super) enum Crossing {
     /// The segments may intersect more than once.
     Many,
 }
-
-/// Newton's method doubles the number of digits with each step; if it needs more steps, there is no crossing nearby.
-const NEWTON_STEPS: usize = 8;
-
-/// After a step this small, in parameters of the segment, the next step is of the order of its square and is the last
-/// one.
-const QUADRATIC_STEP: f64 = 1e-4;
-
-/// The search is abandoned if a parameter leaves the segment by more than this, in parameters of the segment.
-const MAX_OVERSHOOT: f64 = 0.5;
-
-/// The last step, on the whole curves, is shorter than this.
-const MAX_LAST_STEP: f64 = 1e-8;
-
-/// The smallest sine of the angle of a crossing, in the 1-norm; at a smaller angle the contact is returned as not crossing, and
-/// the caller decides its kind.
-const MIN_CROSSING_SINE: f64 = 1e-5;
 
 #[inline(always)]
 pub(super) fn cross_product([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {

@@ -9,21 +9,18 @@
 
 mod along;
 mod clip;
+mod constants;
 mod crossing;
 mod piece;
 mod solver;
 
+pub use constants::CONTACT;
 pub use piece::{Coefficients, Piece};
 pub use solver::{ClippingSolver, Contact};
 
 use clip::clip;
+use constants::{SPLIT, WORTH_GOING_ON};
 use crossing::Crossing;
-use solver::SPLIT;
-
-/// If clipping leaves more than this part of both segments, they are halved instead. Only the cost depends on it, but it
-/// must be below [`WORTH_CLIPPING`](clip::WORTH_CLIPPING): a clip that leaves more changes nothing, and repeating it
-/// would not end.
-const WORTH_GOING_ON: f64 = 0.6;
 
 impl<C: Coefficients> ClippingSolver<C> {
     /// Finds all contacts of the two curves between the given parameters.

@@ -15,10 +15,6 @@ pub struct Contact {
     pub crossing: bool,
 }
 
-/// The parameter at which a segment is halved. It is not the middle, where symmetric curves often intersect, because
-/// both halves would find that intersection.
-pub(crate) const SPLIT: f64 = 0.484375;
-
 /// The search and its results.
 pub struct ClippingSolver<C> {
     /// The whole curves.
