@@ -18,8 +18,8 @@ use glam::DVec3;
 
 /// Maximum number of halvings of steps on the first curve, and for each further curve. Moderate curves need less than a
 /// tenth.
-const MAX_HALVINGS: usize = 1 << 12;
-const MAX_HALVINGS_PER_CURVE: usize = 64;
+const MAX_HALVED_STEPS: usize = 1 << 12;
+const MAX_HALVED_STEPS_PER_CURVE: usize = 64;
 
 /// A point on a curve in space with an orthonormal frame: tangent, normal and binormal.
 ///
@@ -137,8 +137,8 @@ pub(crate) fn frames_along(
     let first = first_frame(sequence, normal);
     let mut carried = first;
     let mut found = vec![first; ts.len()];
-    let further = MAX_HALVINGS_PER_CURVE.saturating_mul(count - 1);
-    let mut work = WorkLimit::new(MAX_HALVINGS.saturating_add(further));
+    let further = MAX_HALVED_STEPS_PER_CURVE.saturating_mul(count - 1);
+    let mut work = WorkLimit::new(MAX_HALVED_STEPS.saturating_add(further));
     let mut order: Vec<usize> = (0..ts.len()).collect();
     sort_by(&mut order, |&a, &b| locations[a].0.cmp(&locations[b].0));
     let mut order = order.into_iter().peekable();

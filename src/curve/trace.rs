@@ -72,7 +72,7 @@ impl<P: Point> Curve<P> {
             return act(self);
         }
         let hidden = hidden_by_rounding(self.degree(), self.max_abs());
-        self.halve_to_cubics(tolerance.max(hidden), MAX_HALVINGS, act);
+        self.halve_to_cubics(tolerance.max(hidden), CUBIC_HALVINGS, act);
     }
 
     fn halve_to_cubics(&self, tolerance: f64, halvings: usize, act: &mut impl FnMut(&Self)) {
@@ -127,5 +127,5 @@ pub(crate) fn hidden_by_rounding(degree: usize, largest: f64) -> f64 {
 }
 
 /// The error of the cubic is at most n⁴/4! times the largest coordinate, and falls by a factor of 16 with each halving: to
-/// n² ulps by 13 halvings for the 52 bits of f64 and 3 for n = 64, and some as a reserve for rounding.
-pub(crate) const MAX_HALVINGS: usize = 20;
+/// n² ulps by 13 halvings for the 53 bits of f64 and 3 for n = 64, and 4 as a reserve for rounding.
+pub(crate) const CUBIC_HALVINGS: usize = f64::MANTISSA_DIGITS as usize / 4 + 3 + 4;

@@ -8,7 +8,7 @@
 
 use crate::bernstein::polynomials::binomials;
 use crate::curve::Curve;
-use crate::curve::trace::{MAX_HALVINGS, PathSink, hidden_by_rounding};
+use crate::curve::trace::{CUBIC_HALVINGS, PathSink, hidden_by_rounding};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
@@ -49,7 +49,7 @@ impl Projection {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
         let mut stroke = ProjectedSubpath { sink, down: false };
-        self.draw_piece(&Curve::from_points(image), &mut stroke, MAX_HALVINGS);
+        self.draw_piece(&Curve::from_points(image), &mut stroke, CUBIC_HALVINGS);
     }
 
     /// Draws a piece of a curve (X, Y, W), or its halves.

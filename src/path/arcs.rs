@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// The largest number of lines and arcs.
 const MAX_ARCS: usize = 1 << 22;
 /// Halvings of a step along a curve: shorter steps are below the rounding of the parameter.
-const MAX_HALVINGS: i32 = 52;
+const STEP_HALVINGS: u32 = f64::MANTISSA_DIGITS - 1;
 /// Bisections of the search for the longest part that two arcs approximate, between a length and its double.
 const REFINEMENTS: usize = 8;
 /// Halvings of a polynomial whose coefficients do not decide yet whether it keeps a bound.
@@ -265,7 +265,7 @@ fn parameter_across(points: &[DVec2], through: DVec2, direction: DVec2) -> f64 {
         .map(|&p| (p - through).dot(direction))
         .collect();
     let (mut from, mut to) = (0.0, 1.0);
-    for _ in 0..MAX_HALVINGS {
+    for _ in 0..STEP_HALVINGS {
         let mut right = along.clone();
         halve(&mut along, &mut right);
         let middle = 0.5 * (from + to);
@@ -325,7 +325,7 @@ fn longest(
     let mut best = None;
     let mut too_far = None;
     step = step.min(1.0 - from);
-    for _ in 0..2 * MAX_HALVINGS {
+    for _ in 0..2 * STEP_HALVINGS {
         let to = end_of(step);
         if to == from {
             break;

@@ -45,11 +45,11 @@ impl FillRule {
 /// Parts smaller than this many ulps of the segment's largest coordinate count as lines; halving moves points by as
 /// much.
 const SMALLEST_ULPS: f64 = 4.0;
-/// After this many halvings a part covers 2⁻⁶⁴ of the parameter range.
-const MAX_HALVINGS: u32 = 64;
+/// After this many halvings a part covers 2⁻⁶⁴ of the parameter range: more than the 53 bits of a parameter.
+const MAX_DEPTH: u32 = 64;
 /// The maximum number of halvings per segment, enough for every crossing that f64 can distinguish: 64 for each of at
 /// most 64 crossings.
-const MAX_PIECES: u32 = 4096;
+const MAX_PIECES: u32 = 64 * MAX_DEPTH;
 /// A determinant of rounded differences has the right sign if it exceeds this ratio of the sum of its terms. Source:
 /// Shewchuk, "Adaptive precision floating-point arithmetic", 1997, (3 + 16ε)ε.
 const CERTAIN: f64 = 4.0 * f64::EPSILON;
@@ -88,7 +88,7 @@ pub(crate) fn crossings(points: &[DVec2], p: DVec2) -> i32 {
             min: SMALLEST_ULPS * ulp(max_abs(points)),
             pieces: MAX_PIECES,
         }
-        .crossings(points, MAX_HALVINGS),
+        .crossings(points, MAX_DEPTH),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::numeric::order::{larger, range};
 use glam::DVec2;
 
 /// Halvings after which a limit is not proved.
-const MAX_HALVINGS: usize = 5;
+const PROOF_HALVINGS: usize = 5;
 
 /// A derivative below this part of the longest of its control points may be 0.
 const VANISHING: f64 = 1e-12;
@@ -23,7 +23,7 @@ pub fn curvature_is_within(derivative: &[DVec2; 3], limits: [f64; 2]) -> bool {
         slowest: VANISHING * longest,
         limits,
     };
-    test.holds(derivative, 1.0, MAX_HALVINGS)
+    test.holds(derivative, 1.0, PROOF_HALVINGS)
 }
 
 struct Test {

@@ -20,8 +20,9 @@ use glam::DVec3;
 /// A part is halved if that may save more than about half this number of steps: one is lost at each end.
 const WASTE: f64 = 1.5;
 
-/// Halvings after which the bounds are used as they are: a part of 2⁻⁴⁸ is a point up to rounding.
-const MAX_HALVINGS: u32 = 48;
+/// Halvings after which the bounds are used as they are: a part of 2⁻⁴⁸, 32 roundings of the parameter, is a point up to
+/// rounding.
+const PART_HALVINGS: u32 = f64::MANTISSA_DIGITS - 5;
 
 /// A part of a curve, and the number of equal steps in it.
 #[derive(Clone, Copy)]
@@ -62,7 +63,7 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         let (steps, min_squared) = self.steps_and_min_squared(&points[..=n]);
         let waste_squared = steps * steps - min_squared;
         let is_flat = steps <= 1.0 || is_flat(&points[..=n], self.tolerance);
-        if is_flat || waste_squared <= WASTE * steps || halvings == MAX_HALVINGS {
+        if is_flat || waste_squared <= WASTE * steps || halvings == PART_HALVINGS {
             let count = if is_flat { 1.0 } else { steps.ceil() };
             return (self.visit)(Steps {
                 from,

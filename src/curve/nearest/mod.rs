@@ -40,8 +40,9 @@ pub struct Nearest<P> {
     pub distance: f64,
 }
 
-/// Halvings after which several roots count as one: their squared distances then differ by the square of the width.
-const MAX_HALVINGS: usize = 26;
+/// Halvings after which several roots count as one: their squared distances then differ by the square of the width, which
+/// needs half of the bits.
+const ROOT_HALVINGS: usize = f64::MANTISSA_DIGITS as usize / 2;
 
 /// Maximum number of segments: a fixed number, and an additional one for each degree. More than ten times what curves
 /// with moderate numbers need.
@@ -191,7 +192,7 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
         end: points[n].norm(),
         work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
-    search.run(points, [0.0, 1.0], MAX_HALVINGS);
+    search.run(points, [0.0, 1.0], ROOT_HALVINGS);
     search.consider(1.0);
     (search.t, search.work.used())
 }

@@ -13,8 +13,8 @@ use crate::spline::spline_builder::SplineBuilder;
 use casteljau_kernels::curve::plane_cubic::point_and_derivative;
 use glam::DVec2;
 
-/// Maximum depth of halvings of a side.
-const MAX_HALVINGS: usize = 40;
+/// Maximum depth of halvings of a side: a limit for the recursion; its work has one of its own.
+const MAX_DEPTH: usize = 40;
 
 /// Maximum number of attempted cubics for one side of a section.
 const MAX_STEPS: usize = 1 << 17;
@@ -44,7 +44,7 @@ impl SideFit<'_> {
     /// Appends cubics along an interval to a chain that ends at its start.
     pub(super) fn add(&self, run: &Run, chain: &mut SplineBuilder) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
-        self.add_between(run.span, run.ends, MAX_HALVINGS, chain, &mut work);
+        self.add_between(run.span, run.ends, MAX_DEPTH, chain, &mut work);
         Error::unless_within("steps of a stroke", &work)
     }
 

@@ -8,7 +8,7 @@ const ROUGH_HALVINGS: u32 = 5;
 
 /// Further halvings, after which several roots count as one: their squared distances then differ by the square of the
 /// width.
-const MAX_HALVINGS: u32 = 24;
+const CLOSE_HALVINGS: u32 = 24;
 
 /// Maximum number of segments. In exact arithmetic at most two segments of each width have more than one sign change,
 /// which makes about 120 segments; if the distance is constant up to rounding, every segment has sign changes.
@@ -159,7 +159,7 @@ impl<const D: usize> Cubic<D> {
             // Because of rounding, a root at an end may lie on neither side.
             let piece = self.piece(lo, hi);
             best.take(lo, dot(&piece[0], &piece[0]));
-            search_closely(piece, [lo, hi], MAX_HALVINGS, best);
+            search_closely(piece, [lo, hi], CLOSE_HALVINGS, best);
             best.take(hi, dot(&piece[3], &piece[3]));
             return;
         }
