@@ -21,6 +21,9 @@ use crate::numeric::zero::regula_falsi;
 /// rounding cannot separate.
 const SMALLEST_INTERVAL: f64 = f64::EPSILON;
 
+/// The accuracy of a double root, about the square root of the rounding error: parameters closer than this are one root.
+pub(crate) const DOUBLE_ROOT: f64 = 1e-7;
+
 /// The roots strictly inside (0, 1), in ascending order, each once. The zero polynomial gives none.
 ///
 /// Every sign change is included; a double root is included only if the coefficients show it. Use [`crossings`] or

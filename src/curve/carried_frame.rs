@@ -2,7 +2,7 @@
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
-use crate::curve::arc_length::length::hodograph;
+use crate::curve::hodograph::Hodograph;
 use crate::geometry::point::Point;
 use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
@@ -98,7 +98,7 @@ impl FrameStep {
 
 impl FrameCurve {
     pub(crate) fn new(curve: &Curve<DVec3>) -> Self {
-        let (slopes, _) = hodograph(curve.control_points());
+        let slopes = Hodograph::of(curve.control_points()).vectors;
         let mut point = DVec3::ZERO;
         let later = slopes.iter().map(|&slope| {
             point += slope;

@@ -2,10 +2,10 @@
 
 use super::Curve;
 use super::elevate::unelevated;
-use super::inflections::{cusps_of, inflections_of};
+use super::hodograph::Hodograph;
+use super::inflections::inflections_of;
 use super::turning::turning;
 use crate::bernstein::roots::discriminant;
-use crate::curve::arc_length::length::hodograph;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
@@ -60,7 +60,7 @@ impl<P: Point> Curve<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn classify(&self) -> CurveKind {
-        let (_, unit) = hodograph(&self.points);
+        let unit = Hodograph::of(&self.points).unit;
         let rounding = ulp(self.max_abs());
         if unit <= 2.0 * rounding {
             return CurveKind::Point;
@@ -146,7 +146,7 @@ fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
 fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
     if points.len() == 3 {
         CurveKind::Quadratic
-    } else if !cusps_of(points, rounding).is_empty() {
+    } else if !Hodograph::of(points).cusps(rounding).is_empty() {
         CurveKind::Cusp
     } else if meets_itself(points) {
         CurveKind::Loop
@@ -160,8 +160,7 @@ fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
 /// Whether the curve has a double point inside. For a cubic its two parameters are −B/A ± √(−3 (B² − aA)) / A, where
 /// B′×B″ = a + 2Bt + At². Coincident end points count as a double point.
 fn meets_itself(points: &[DVec3]) -> bool {
-    let (slopes, _) = hodograph(points);
-    let (turning, _) = turning(&slopes, 0.0);
+    let (turning, _) = turning(&Hodograph::of(points).vectors, 0.0);
     let [a, b, c] = *turning else {
         let plane: Points<DVec2> = points.iter().map(|p| p.to_2d()).collect();
         let closed = points[0] == points[points.len() - 1];

@@ -1,11 +1,10 @@
 //! Inflections, cusps, and tangent lines through a point.
 
 use super::Curve;
+use super::hodograph::Hodograph;
 use super::turning::{turning, turning_of_quadratic};
 use crate::bernstein::evaluate::evaluate;
-use crate::bernstein::product::product_of;
-use crate::bernstein::roots::{contacts, crossings, crossings_of_quadratic, roots_inside};
-use crate::curve::arc_length::length::hodograph;
+use crate::bernstein::roots::{DOUBLE_ROOT, contacts, crossings, crossings_of_quadratic};
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -13,12 +12,6 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
-
-/// The step in t on both sides of a zero of B′ at which the incoming and the outgoing direction are compared.
-const ASIDE: f64 = 1e-4;
-
-/// Double roots are accurate to about the square root of the rounding error.
-const HALF_THE_DIGITS: f64 = 1e-7;
 
 /// In this range of steps between control points, products of them stay in the range of f64.
 const PLAIN_RANGE: std::ops::Range<f64> = 1e-70..1e70;
@@ -85,7 +78,8 @@ impl<P: Point> Curve<P> {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn cusps(&self) -> Vec<f64> {
-        cusps_of(&self.points, ulp(self.max_abs())).to_vec()
+        let rounding = ulp(self.max_abs());
+        Hodograph::of(&self.points).cusps(rounding).to_vec()
     }
 
     /// [`tangents_from`](Curve::tangents_from) of the projection along z, for a finite point.
@@ -97,11 +91,11 @@ impl<P: Point> Curve<P> {
         let Some(ts) = contacts(&turning, slack) else {
             return vec![0.0, 1.0];
         };
-        let (slopes, _) = hodograph(&self.points);
-        let goes = |t: f64| evaluate(&slopes, t).norm() > HALF_THE_DIGITS;
+        let Hodograph { vectors, .. } = Hodograph::of(&self.points);
+        let goes = |t: f64| evaluate(&vectors, t).norm() > DOUBLE_ROOT;
         let passes = |t: f64| {
             let (direction, tangent) = (evaluate(&about, t).to_2d(), self.tangent(t).to_2d());
-            direction.perp_dot(tangent).abs() <= HALF_THE_DIGITS * max_abs(&about)
+            direction.perp_dot(tangent).abs() <= DOUBLE_ROOT * max_abs(&about)
         };
         ts.into_iter().filter(|&t| goes(t) || passes(t)).collect()
     }
@@ -118,25 +112,10 @@ pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
             return crossings_of_quadratic(turning, slack);
         }
     }
-    let (slopes, unit) = hodograph(points);
+    let Hodograph { vectors, unit } = Hodograph::of(points);
     if unit == 0.0 {
         return Scalars::new();
     }
-    let (turning, slack) = turning(&slopes, rounding / unit);
+    let (turning, slack) = turning(&vectors, rounding / unit);
     crossings(&turning, slack)
-}
-
-/// See [`Curve::cusps`]. `rounding` is the error bound of a coordinate.
-pub(crate) fn cusps_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
-    let (slopes, unit) = hodograph(points);
-    let m = slopes.len() - 1;
-    if unit == 0.0 || m == 0 {
-        return Scalars::new();
-    }
-    let rate = product_of(m, m - 1, |i, j| slopes[i].dot(slopes[j + 1] - slopes[j]));
-    let slack = 8.0 * (m + 2) as f64 * (rounding / unit + f64::EPSILON);
-    let slope = |t: f64| evaluate(&slopes, t);
-    let is_cusp = |t: f64| slope(t).norm() <= slack && slope(t - ASIDE).dot(slope(t + ASIDE)) < 0.0;
-    let stops = roots_inside(&rate).into_iter();
-    stops.filter(|&t| is_cusp(t)).collect()
 }

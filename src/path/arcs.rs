@@ -8,7 +8,6 @@ use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
-use crate::spline::offset::{end_tangent, start_tangent};
 use casteljau_kernels::bernstein::de_casteljau::halve;
 use glam::DVec2;
 use std::f64::consts::PI;
@@ -225,7 +224,7 @@ fn keeps(mut coefficients: Scalars, min: f64, max: f64, depth: usize) -> bool {
 fn biarc(part: &Curve<DVec2>, tolerance: f64) -> Option<[Piece; 2]> {
     let points = part.control_points();
     let [p0, p1] = [points[0], points[points.len() - 1]];
-    let [t0, t1] = [start_tangent(part), end_tangent(part)];
+    let [t0, t1] = [part.start_tangent(), part.end_tangent()];
     // The two tangents have the same length d: |V|² = 2 d V·(T₀ + T₁) + 2 d² (1 − T₀·T₁).
     let v = p1 - p0;
     let (a, b, c) = (

@@ -1,10 +1,10 @@
 //! The parameter at a given arc length.
 
 use super::integral::ArcLengthTable;
-use super::length::hodograph;
 use crate::curve::Curve;
 use crate::curve::arc_length::plane_cubic::PlaneCubicInverse;
 use crate::curve::eval::check_segments;
+use crate::curve::hodograph::Hodograph;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -50,8 +50,8 @@ pub(crate) struct InverseByTable {
 
 impl InverseByTable {
     fn new<P: Point>(curve: &Curve<P>, slack: f64) -> Self {
-        let (slopes, unit) = hodograph(curve.control_points());
-        let arc = (unit > 0.0).then(|| ArcLengthTable::new(&slopes, f64::INFINITY));
+        let Hodograph { vectors, unit } = Hodograph::of(curve.control_points());
+        let arc = (unit > 0.0).then(|| ArcLengthTable::new(&vectors, f64::INFINITY));
         let in_table = arc.as_ref().map_or(0.0, ArcLengthTable::length);
         Self {
             slack: (slack / unit).max(DEFAULT_SLACK * in_table),

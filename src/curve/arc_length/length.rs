@@ -7,11 +7,10 @@
 use super::integral::ArcLengthTable;
 use crate::curve::Curve;
 use crate::curve::arc_length::plane_cubic::plane_cubic_length;
-use crate::geometry::check::{check_tolerance, max_abs};
+use crate::curve::hodograph::Hodograph;
+use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
-use crate::numeric::float::unit_scale;
-use crate::numeric::list::Points;
 
 impl<P: Point> Curve<P> {
     /// The length of the curve from t = 0 to 1.
@@ -57,14 +56,14 @@ impl<P: Point> Curve<P> {
                 return length;
             }
         }
-        let (slopes, unit) = hodograph(&self.points);
+        let Hodograph { vectors, unit } = Hodograph::of(&self.points);
         if unit == 0.0 {
             return 0.0;
         }
-        let length = match *slopes {
+        let length = match *vectors {
             [d] => d.norm(),
             [d, e] => line_integral(d, e),
-            _ => ArcLengthTable::new(&slopes, tolerance / unit).length(),
+            _ => ArcLengthTable::new(&vectors, tolerance / unit).length(),
         };
         length * unit
     }
@@ -84,21 +83,6 @@ impl<P: Point> Curve<P> {
             _ => None,
         }
     }
-}
-
-/// The differences Pᵢ₊₁ − Pᵢ divided by a unit. The unit is the power of two that makes the largest coordinate 1 to 2;
-/// it is 0 if all points coincide.
-pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
-    let mut slopes: Points<P> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let largest = max_abs(&slopes);
-    if largest == 0.0 {
-        return (slopes, 0.0);
-    }
-    let scale = unit_scale(largest);
-    for slope in &mut slopes {
-        *slope = *slope * scale;
-    }
-    (slopes, 1.0 / scale)
 }
 
 /// 2 ∫ |d (1 − t) + e t| dt over [0, 1]: the length of the quadratic with the differences d and e.

@@ -6,6 +6,7 @@
 //! origin σ is about 2·10⁻¹⁵, √σ 5·10⁻⁸, ³√σ 10⁻⁵ and ⁴√σ 2·10⁻⁴.
 
 pub(super) use super::clipping::CONTACT;
+use crate::bernstein::roots::DOUBLE_ROOT;
 
 // The slack.
 
@@ -48,19 +49,12 @@ pub(super) const ONE_END_OF_CONTACTS: f64 = 1e-13;
 /// A crossing at a common end of two segments, which is found in both.
 pub(super) const ONE_CROSSING: f64 = 1e-12;
 
-/// The derivative counts as zero below this part of its largest coefficient: a root is accurate to some roundings.
-pub(super) const VANISHING_RATIO: f64 = 1e-12;
-
 /// Crossings of one interval are two, and intersections after all steps are not the same one.
 pub(super) const TWO_CROSSINGS: f64 = 1e-10;
 
 // Roots of the slack.
 
-/// The accuracy of a double root, some √σ: parameters closer than this are one root, a contact this close to an end of an
-/// overlap is that end, and an interval is widened by it in addition to its width, because a tangency is known so well.
-pub(super) const DOUBLE_ROOT: f64 = 1e-7;
-
-/// Ten double roots. A shorter contact has no direction: it may be one tangency, whatever the directions of the curves. The
+/// Ten times the accuracy of a double root, which is some √σ. A shorter contact has no direction: it may be one tangency, whatever the directions of the curves. The
 /// boxes of the segments between contacts are widened by their size and this, because the ends of contacts correspond
 /// only roughly.
 pub(super) const MANY_DOUBLE_ROOTS: f64 = 10.0 * DOUBLE_ROOT;
@@ -89,9 +83,6 @@ pub(super) const NEAR_END: f64 = 1e-5;
 pub(super) const MIN_LOOP: f64 = 2e-5;
 
 // Ratios that are far from both cases that they distinguish.
-
-/// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
-pub(super) const NEVER_RATIO: f64 = 1e-9;
 
 /// The deviation of u from a linear function of t within a contact, as a part of the square of its width.
 pub(super) const MAX_CURVING: f64 = 0.01;

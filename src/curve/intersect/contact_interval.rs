@@ -1,11 +1,12 @@
 //! Contact intervals: contacts that belong together, joined.
 
 use super::constants::{
-    CONTACT, DOUBLE_ROOT, LARGEST_GAP, MANY_DOUBLE_ROOTS, MAX_CURVING, MIN_OVERLAP, ONE_CROSSING,
+    CONTACT, LARGEST_GAP, MANY_DOUBLE_ROOTS, MAX_CURVING, MIN_OVERLAP, ONE_CROSSING,
     ONE_END_OF_CONTACTS,
 };
 use super::pair::NormalizedPair;
 use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::roots::DOUBLE_ROOT;
 use crate::curve::intersect::clipping::Contact;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;

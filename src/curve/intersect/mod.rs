@@ -14,7 +14,6 @@ mod near;
 mod pair;
 mod self_intersections;
 mod solve;
-mod stationary;
 
 pub(crate) use casteljau_kernels::curve::intersect::clipping;
 

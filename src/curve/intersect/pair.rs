@@ -3,8 +3,8 @@
 use super::clipping::Contact;
 use super::constants::{INPUT_ROUNDING, MAX_PAIRS, MAX_PAIRS_PER_DEGREE, STEP_ROUNDING};
 use super::intersection::IntersectionKind;
-use super::stationary::derivative_zeros;
 use crate::curve::elevate::elevate_once;
+use crate::curve::hodograph::derivative_zeros;
 use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
 use crate::geometry::bounds::Bounds;
 use crate::numeric::float::unit_scale;

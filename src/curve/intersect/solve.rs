@@ -2,11 +2,11 @@
 
 use super::super::Curve;
 use super::clipping::Contact;
-use super::constants::{DOUBLE_ROOT, ONE_PARAMETER, TWO_CROSSINGS};
+use super::constants::{ONE_PARAMETER, TWO_CROSSINGS};
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use super::stationary::with_ends;
+use crate::bernstein::roots::DOUBLE_ROOT;
 use glam::DVec2;
 
 impl NormalizedPair {
@@ -109,4 +109,12 @@ fn point_at(a: &Curve<DVec2>, b: &Curve<DVec2>, t: f64, u: f64) -> DVec2 {
     } else {
         a.eval(t)
     }
+}
+
+/// The given parameters with 0 and 1 added: the ends of the segments between them.
+fn with_ends(inside: &[f64]) -> Vec<f64> {
+    let mut all = vec![0.0];
+    all.extend(inside);
+    all.push(1.0);
+    all
 }

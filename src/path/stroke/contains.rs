@@ -14,7 +14,6 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use crate::path::Path;
-use crate::spline::offset::{end_tangent, start_tangent};
 use crate::spline::{OffsetJoin, Spline};
 use glam::DVec2;
 
@@ -96,8 +95,8 @@ fn covers(spline: &Spline<DVec2>, tangent: DVec2, p: DVec2, pen: &Pen) -> bool {
     let ends = if spline.is_closed() {
         in_join(last, first, p, pen)
     } else {
-        in_cap(p - last.end(), end_tangent(last), pen)
-            || in_cap(p - first.start(), -start_tangent(first), pen)
+        in_cap(p - last.end(), last.end_tangent(), pen)
+            || in_cap(p - first.start(), -first.start_tangent(), pen)
     };
     ends || curves
         .windows(2)
@@ -118,7 +117,11 @@ fn in_cap(q: DVec2, tangent: DVec2, pen: &Pen) -> bool {
 
 /// Whether the join of two segments contains a point: the part ahead of the first and behind the second one.
 fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> bool {
-    let (q, from, to) = (p - after.start(), end_tangent(before), start_tangent(after));
+    let (q, from, to) = (
+        p - after.start(),
+        before.end_tangent(),
+        after.start_tangent(),
+    );
     if q.dot(from) < 0.0 || q.dot(to) > 0.0 {
         return false;
     }
@@ -155,8 +158,8 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
         let along = (curve.eval(t) - p).dot(curve.tangent(t));
         near(t) && along.abs() <= PERPENDICULAR * size
     };
-    beside_end(curve.start(), start_tangent(curve))
-        || beside_end(curve.end(), end_tangent(curve))
+    beside_end(curve.start(), curve.start_tangent())
+        || beside_end(curve.end(), curve.end_tangent())
         || feet(points, p).into_iter().any(is_foot)
         || reversals(curve)
             .into_iter()

@@ -10,7 +10,6 @@ use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
-use crate::spline::offset::start_tangent;
 use glam::DVec2;
 
 /// A joint is a corner if the sine of its turn is larger. This holds for turns of 0.06° to 179.94°.
@@ -71,7 +70,7 @@ pub(super) fn corner_arc(
     limits: [f64; 2],
 ) -> Option<CornerArc> {
     let corner = sides[1][0].start();
-    let tangents = [-start_tangent(&sides[0][0]), start_tangent(&sides[1][0])];
+    let tangents = [-sides[0][0].start_tangent(), sides[1][0].start_tangent()];
     let (scaled, unit) = scaled(sides, corner);
     let sign = 1.0_f64.copysign(tangents[0].perp_dot(tangents[1]));
     let side = |k: usize, sign: f64| Side {

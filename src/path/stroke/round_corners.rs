@@ -10,7 +10,6 @@ use crate::numeric::order::larger;
 use crate::numeric::sort::sort_by;
 use crate::path::{Path, PathTime, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
-use crate::spline::offset::{end_tangent, start_tangent};
 use glam::DVec2;
 
 /// The largest distance of the cubics from an arc, as a part of its radius.
@@ -199,7 +198,7 @@ impl<'a> RoundedSubpath<'a> {
         let count = curves.len();
         let tangents = |k: usize| {
             let next = &curves[(k + 1) % count];
-            [end_tangent(&curves[k]), start_tangent(next)]
+            [curves[k].end_tangent(), next.start_tangent()]
         };
         let is_corner_after = |k| (part.closed || k + 1 < count) && is_corner(tangents(k));
         let turns_back_after = |k| {

@@ -3,7 +3,7 @@
 use super::profile::{Radii, RadiusPolynomial, WidthPosition};
 use crate::curve::Curve;
 use crate::curve::arc_length::integral::ArcLengthTable;
-use crate::curve::arc_length::length::hodograph;
+use crate::curve::hodograph::Hodograph;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
@@ -11,7 +11,6 @@ use crate::numeric::list::{List, Points, Scalars, points_of};
 use crate::numeric::order::{larger, range, smaller};
 use crate::numeric::zero::{ROOT_WIDTH, regula_falsi};
 use crate::spline::offset::offset_curve::fourth_bound;
-use crate::spline::offset::{end_tangent, start_tangent};
 use casteljau_kernels::curve::curvature::curvature_is_within;
 use glam::DVec2;
 use std::borrow::Cow;
@@ -178,8 +177,8 @@ impl PositionedCurve {
             _ if self.curve.degree() == 1 => t * self.length,
             WidthPosition::Length => {
                 let (table, unit) = &**self.table.get_or_init(|| {
-                    let (slopes, unit) = hodograph(self.curve.control_points());
-                    Box::new((ArcLengthTable::new(&slopes, f64::INFINITY), unit))
+                    let Hodograph { vectors, unit } = Hodograph::of(self.curve.control_points());
+                    Box::new((ArcLengthTable::new(&vectors, f64::INFINITY), unit))
                 });
                 unit * table.length_at(t)
             }
@@ -300,11 +299,11 @@ impl Section<'_> {
             rates(0.0, points[1] - points[0]),
             rates(1.0, points[n] - points[n - 1]),
         ];
-        let start = start_tangent(&self.curve);
+        let start = self.curve.start_tangent();
         let end = if n == 1 {
             start
         } else {
-            end_tangent(&self.curve)
+            self.curve.end_tangent()
         };
         [from.disc(points[0], start), to.disc(points[n], end)]
     }
@@ -312,8 +311,8 @@ impl Section<'_> {
     #[inline]
     fn disc(&self, t: f64, center: DVec2, rates: &Rates) -> Disc {
         let tangent = match t {
-            0.0 => start_tangent(&self.curve),
-            1.0 => end_tangent(&self.curve),
+            0.0 => self.curve.start_tangent(),
+            1.0 => self.curve.end_tangent(),
             _ => Point::unit(rates.first),
         };
         rates.disc(center, tangent)

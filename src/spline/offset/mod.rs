@@ -102,7 +102,7 @@ pub(crate) fn offset_of_curves(
         moving.extend(&curves[..1]);
     }
     let corner = |builder: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
-        let (from, to) = (end_tangent(before), start_tangent(after));
+        let (from, to) = (before.end_tangent(), after.start_tangent());
         if Point::norm(to - from) * distance.abs() > SMOOTH_PART * tolerance {
             builder.join(after.start(), from, to, distance, own, join);
         }
@@ -145,35 +145,3 @@ impl SplineBuilder {
         self.line_to(corner + to.perp() * distance);
     }
 }
-
-/// The tangent at the start: the direction to the first control point that differs from the start.
-pub(crate) fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
-    let points = curve.control_points();
-    first_direction(points[0], points.iter())
-}
-
-pub(crate) fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
-    let points = curve.control_points();
-    -first_direction(points[points.len() - 1], points.iter().rev())
-}
-
-/// The direction from a point to the first of other points that is not negligibly close to it.
-fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
-    let step = |p: &DVec2| *p - from;
-    let far = others
-        .clone()
-        .map(|p| Point::max_abs(step(p)))
-        .fold(0.0, f64::max);
-    let rounding = ROUNDING_ULPS * f64::EPSILON * Point::max_abs(from);
-    let negligible = rounding.clamp(NOTHING * far, 0.5 * far);
-    let mut steps = others.map(step);
-    steps
-        .find(|&v| Point::max_abs(v) > negligible)
-        .map_or(DVec2::ZERO, Point::unit)
-}
-
-/// Points of a part of a curve that are this close together, in ulps of the coordinates, may be the same point.
-const ROUNDING_ULPS: f64 = 4.0;
-
-/// A handle shorter than this ratio of the curve's size has no direction.
-const NOTHING: f64 = 1e-13;
