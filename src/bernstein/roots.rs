@@ -126,7 +126,7 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
         }
         match (last_nonzero, smallest) {
             (Some((before, old)), _) if (old < 0.0) != (height < 0.0) => {
-                report(ZeroCrossing::Cross(polynomial.close_in(before, t, old)));
+                report(ZeroCrossing::Cross(polynomial.refine_root(before, t, old)));
             }
             (Some(_), Some((lowest, _))) => report(ZeroCrossing::Touch(lowest)),
             (None, Some(_)) => report(ZeroCrossing::Touch(0.0)),
@@ -179,7 +179,7 @@ pub(crate) fn crossings_of_quadratic(coefficients: [f64; 3], slack: f64) -> Scal
         let [from, old] = before;
         if (value < 0.0) != (old < 0.0) {
             let root = roots.into_iter().find(|root| (from..=t).contains(root));
-            let root = root.unwrap_or_else(|| polynomial().close_in(from, t, old));
+            let root = root.unwrap_or_else(|| polynomial().refine_root(from, t, old));
             push_inside(&mut crossings, root);
         }
         before = [t, value];
@@ -247,7 +247,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
         let plain = changes == 0 || changes == 1 && is_monotone(piece);
         if !work.spend(1) || plain || hi - lo <= SMALLEST_INTERVAL {
             if changes == 1 {
-                push_inside(roots, polynomial.close_in(lo, hi, sign));
+                push_inside(roots, polynomial.refine_root(lo, hi, sign));
             } else if changes > 1 {
                 push_inside(roots, 0.5 * (lo + hi));
             }
@@ -311,7 +311,7 @@ impl Polynomial {
     }
 
     /// The only root in (lo, hi), where the sign at lo is that of `before`.
-    fn close_in(&self, lo: f64, hi: f64, before: f64) -> f64 {
+    fn refine_root(&self, lo: f64, hi: f64, before: f64) -> f64 {
         if let [a, b, c] = *self.0 {
             let mut roots = quadratic_roots([a, 0.5 * b, c]).into_iter();
             if let Some(root) = roots.find(|&t| lo <= t && t <= hi) {

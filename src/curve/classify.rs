@@ -1,10 +1,10 @@
 //! Classification of a curve: line, quadratic, arch, serpentine, loop, cusp, twisted.
 
 use super::Curve;
+use super::curvature_numerator::curvature_numerator;
 use super::elevate::unelevated;
 use super::hodograph::Hodograph;
 use super::inflections::inflections_of;
-use super::turning::turning;
 use crate::bernstein::roots::discriminant;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
@@ -160,7 +160,7 @@ fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
 /// Whether the curve has a double point inside. For a cubic its two parameters are −B/A ± √(−3 (B² − aA)) / A, where
 /// B′×B″ = a + 2Bt + At². Coincident end points count as a double point.
 fn meets_itself(points: &[DVec3]) -> bool {
-    let (turning, _) = turning(&Hodograph::of(points).vectors, 0.0);
+    let (turning, _) = curvature_numerator(&Hodograph::of(points).vectors, 0.0);
     let [a, b, c] = *turning else {
         let plane: Points<DVec2> = points.iter().map(|p| p.to_2d()).collect();
         let closed = points[0] == points[points.len() - 1];

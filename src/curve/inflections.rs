@@ -1,8 +1,8 @@
 //! Inflections, cusps, and tangent lines through a point.
 
 use super::Curve;
+use super::curvature_numerator::{curvature_numerator, curvature_numerator_of_quadratic};
 use super::hodograph::Hodograph;
-use super::turning::{turning, turning_of_quadratic};
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::{DOUBLE_ROOT, contacts, crossings, crossings_of_quadratic};
 use crate::geometry::check::{check_points, max_abs};
@@ -87,7 +87,7 @@ impl<P: Point> Curve<P> {
         let size = self.max_abs().max(p.max_abs());
         let normalized = Normalized::new(p, size);
         let about: Points<P> = normalized.points(&self.points);
-        let (turning, slack) = turning(&about, ulp(size * normalized.scale));
+        let (turning, slack) = curvature_numerator(&about, ulp(size * normalized.scale));
         let Some(ts) = contacts(&turning, slack) else {
             return vec![0.0, 1.0];
         };
@@ -108,7 +108,8 @@ pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     {
         let steps = [b - a, c - b, d - c];
         if PLAIN_RANGE.contains(&max_abs(&steps)) {
-            let (turning, slack) = turning_of_quadratic(steps.map(|p| p.to_2d()), rounding);
+            let (turning, slack) =
+                curvature_numerator_of_quadratic(steps.map(|p| p.to_2d()), rounding);
             return crossings_of_quadratic(turning, slack);
         }
     }
@@ -116,6 +117,6 @@ pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     if unit == 0.0 {
         return Scalars::new();
     }
-    let (turning, slack) = turning(&vectors, rounding / unit);
+    let (turning, slack) = curvature_numerator(&vectors, rounding / unit);
     crossings(&turning, slack)
 }

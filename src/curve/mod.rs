@@ -11,6 +11,7 @@ pub(crate) mod carried_frame;
 mod classify;
 mod convert;
 mod copy;
+mod curvature_numerator;
 mod derivative;
 mod elevate;
 pub(crate) mod eval;
@@ -30,7 +31,6 @@ pub(crate) mod straight;
 pub(crate) mod subdivide;
 mod torsion;
 pub(crate) mod trace;
-mod turning;
 pub(crate) mod with_derivatives;
 
 pub(crate) use casteljau_kernels::curve::sample_plane_cubic;

@@ -8,7 +8,7 @@
 //! Pottmann and Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance minimization", ACM
 //! TOG 25 (2006), for the iterations after it.
 
-use super::fit_run::{BETWEEN, FitRun};
+use super::fit_run::{EDGE_ALLOWANCE, FitRun};
 use super::grid::NormalizedGrid;
 use crate::geometry::point::{CrossProduct, Point};
 
@@ -23,7 +23,7 @@ pub(crate) struct FitCriteria<P> {
     /// Whether the polyline between the points counts too: the bound of the distance between the cubic and its chord
     /// from foot to foot is then added to the distances of the points. Otherwise the cubic may be farther from an edge
     /// than the tolerance, by a sixth of its length or a quarter of the tolerance.
-    pub(crate) between: bool,
+    pub(crate) bound_edges: bool,
     /// Whether each coordinate of the control points must be in order, so that the ends have its extrema.
     pub(crate) monotone: bool,
     /// The grid on which all control points must lie.
@@ -76,7 +76,7 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
 
 /// The cubics along a run: for each one the index of its end point and its two inner control points.
 #[derive(Default)]
-struct Cover<P> {
+struct GreedyFit<P> {
     cubics: Vec<(usize, [P; 2])>,
     /// The number of edges along which no cubic satisfies the criteria.
     failures: usize,
@@ -100,8 +100,8 @@ impl<P: Point> FitSamples<P> {
     }
 
     /// The cubics from index `first` to `last`.
-    fn cover(&self, first: usize, last: usize) -> Cover<P> {
-        let mut cover = Cover::default();
+    fn cover(&self, first: usize, last: usize) -> GreedyFit<P> {
+        let mut cover = GreedyFit::default();
         let (mut from, mut step) = (first, last - first);
         while from < last {
             let (to, handles) = self.longest(from, last, step);
@@ -118,10 +118,10 @@ impl<P: Point> FitSamples<P> {
     /// the distance that is allowed between samples, with the tangents of both ends.
     fn short_handles(&self, from: usize, to: usize) -> [P; 2] {
         let (start, end) = (self.joints[from], self.joints[to]);
-        if self.criteria.between {
+        if self.criteria.bound_edges {
             return [start, end];
         }
-        let length = BETWEEN * (end - start).norm();
+        let length = EDGE_ALLOWANCE * (end - start).norm();
         [
             start + self.tangents[from] * length,
             end - self.tangents[to] * length,
@@ -129,14 +129,14 @@ impl<P: Point> FitSamples<P> {
     }
 
     /// The cubics for the tolerance; with the best effort for the smallest one that needs no more of them.
-    fn closest_cover(&mut self, first: usize, last: usize, effort: FitEffort) -> Cover<P> {
+    fn closest_cover(&mut self, first: usize, last: usize, effort: FitEffort) -> GreedyFit<P> {
         let tolerance = self.criteria.tolerance;
         let bisections = match effort {
             FitEffort::Fast => 0,
             FitEffort::Best => TOLERANCE_BISECTIONS,
         };
         let (mut low, mut high) = (0.0, tolerance);
-        let mut best: Option<Cover<P>> = None;
+        let mut best: Option<GreedyFit<P>> = None;
         for _ in 0..=bisections {
             let next = self.cover(first, last);
             let is_worse = best.as_ref().is_some_and(|best| {
@@ -183,7 +183,7 @@ impl<P: Point> FitSamples<P> {
     fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
         let FitCriteria {
             tolerance,
-            between,
+            bound_edges,
             monotone,
             grid,
         } = self.criteria;
@@ -204,7 +204,7 @@ impl<P: Point> FitSamples<P> {
             ends: [from, to].map(|k| self.joints[k]),
             tangents: [from, to].map(|k| self.tangents[k]),
             tolerance,
-            between,
+            bound_edges,
             is_line,
             rounded: &rounded,
         })

@@ -242,7 +242,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         let normalized = self.normalized;
         self.criteria = FitCriteria {
             tolerance: distance * normalized.scale,
-            between: true,
+            bound_edges: true,
             monotone: extrema,
             grid: grid.map(|grid| NormalizedGrid { grid, normalized }),
         };

@@ -3,7 +3,7 @@
 mod descent;
 mod distance;
 mod extent;
-pub(crate) mod first_of;
+pub(crate) mod hash_index;
 mod measure;
 mod minimum;
 pub(crate) mod nearest;

@@ -1,6 +1,6 @@
 //! Surfaces: networks of patches that share control points.
 
-use super::first_of::joined;
+use super::hash_index::joined;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, images};
 use crate::geometry::error::Error;

@@ -94,7 +94,11 @@ pub(crate) fn touch(
 }
 
 /// The nearest point where the component of the pair along its largest derivative is zero, by Newton's method.
-pub(crate) fn slid(whole: &PolynomialPiece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
+pub(crate) fn project_to_zero_set(
+    whole: &PolynomialPiece,
+    mut at: [f64; 2],
+    work: &mut WorkLimit,
+) -> [f64; 2] {
     for _ in 0..4 {
         if !work.spend(2 * whole.jet_steps()) {
             break;

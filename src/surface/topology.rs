@@ -4,7 +4,7 @@
 //! joined when the surface was created stay joined when a point moves. An edge whose control points are all equal is
 //! collapsed: it is a point.
 
-use super::first_of::{FirstOf, mix};
+use super::hash_index::{HashIndex, mix};
 use super::network::Surface;
 use crate::numeric::order::to_u32;
 
@@ -120,7 +120,7 @@ impl Surface {
     /// The relation of each edge to all edges; see [`SideUse`].
     pub(crate) fn side_uses(&self) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
-        let mut first = FirstOf::new(count);
+        let mut first = HashIndex::new(count);
         (0..count)
             .map(|number| {
                 let side = || self.side(number);

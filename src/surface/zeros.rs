@@ -4,7 +4,9 @@
 //! on which the pair is one-to-one contains at most one zero, and Newton's method finds it. The remaining zeros are
 //! those where the pair only touches zero: pieces so small that rounding decides.
 
-use super::newton::{SAME, distance_from_zero, greater, onto_square, slid, touch, zero_near};
+use super::newton::{
+    SAME, distance_from_zero, greater, onto_square, project_to_zero_set, touch, zero_near,
+};
 use super::piece::{PolynomialPiece, search};
 use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
@@ -153,7 +155,7 @@ impl Finder<'_> {
         }
         if self.on_face {
             let touch = touch(self.whole, zero.at, work);
-            let slid = slid(self.whole, zero.at, work);
+            let slid = project_to_zero_set(self.whole, zero.at, work);
             for at in [touch, Some(slid)].into_iter().flatten() {
                 zero = zero.union(&Zero::at(self.whole, onto_square(self.whole, at)));
             }

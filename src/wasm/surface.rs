@@ -12,7 +12,7 @@ use super::optional;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
 use crate::models::teapot::{Height, TeapotOptions, Up};
-use crate::surface::first_of::joined;
+use crate::surface::hash_index::joined;
 use crate::surface::network::Surface;
 use crate::surface::surface_point::SurfacePoint;
 use glam::DMat4;

@@ -24,7 +24,7 @@ const LONGEST_HANDLE: f64 = 1.5;
 
 /// How much farther than the tolerance a cubic may be from the edge between two sampled points, in lengths of the edge:
 /// the height of an arc that turns by 74°.
-pub const BETWEEN: f64 = 1.0 / 6.0;
+pub const EDGE_ALLOWANCE: f64 = 1.0 / 6.0;
 
 /// The same in tolerances, where the points are as close together as their noise is large.
 const NOISE: f64 = 0.25;
@@ -45,7 +45,7 @@ pub struct FitRun<'a, V> {
     /// The maximum distance between a point and its foot on the cubic.
     pub tolerance: f64,
     /// Whether the edges between the points must be within the tolerance, too.
-    pub between: bool,
+    pub bound_edges: bool,
     /// Whether the cubic is a line.
     pub is_line: bool,
     /// The cubic as it is returned, with rounded control points; `None` if it is refused.
@@ -92,7 +92,7 @@ impl<V: Euclidean> FitRun<'_, V> {
             }
             if worst <= self.tolerance
                 && let Some(cubic) = (self.rounded)(cubic)
-                && self.keeps(&cubic, samples)
+                && self.is_within_tolerance(&cubic, samples)
             {
                 return Some(if self.is_line {
                     [start, end]
@@ -139,7 +139,7 @@ impl<V: Euclidean> FitRun<'_, V> {
     }
 
     /// Whether the cubic satisfies the criteria at all points.
-    fn keeps(&self, cubic: &[V; 4], samples: &[(usize, f64)]) -> bool {
+    fn is_within_tolerance(&self, cubic: &[V; 4], samples: &[(usize, f64)]) -> bool {
         let to = self.points.len() - 1;
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((0, 0.0), known.next().unwrap_or((to, 1.0)));
@@ -159,18 +159,18 @@ impl<V: Euclidean> FitRun<'_, V> {
             let distance = |u: f64| (at(cubic, u).0 - p).norm();
             let forward = larger(u, last.0);
             let tolerance = self.tolerance;
-            let (u, off) = if self.between {
+            let (u, off) = if self.bound_edges {
                 (forward, distance(forward))
             } else if forward > u && distance(forward) > MAX_STEP_BACK * tolerance {
                 return false;
             } else {
                 (forward, distance(u))
             };
-            let room = if self.between {
+            let room = if self.bound_edges {
                 0.0
             } else {
                 let edge = (p - self.points[index - 1]).norm();
-                larger(BETWEEN * edge, NOISE * tolerance)
+                larger(EDGE_ALLOWANCE * edge, NOISE * tolerance)
             };
             if off > tolerance || larger(off, last.1) + sag(cubic, last.0, u) > tolerance + room {
                 return false;

@@ -76,7 +76,7 @@ impl<P: Point> Taylor<P> {
     /// Whether the chord from here to s keeps the tolerance: the distance from the chord is s²·σ(1 − σ) times a linear
     /// function of σ from 0 to 1, divided by the length of the chord.
     #[inline]
-    fn keeps(&self, s: f64, tolerance: f64) -> bool {
+    fn chord_is_within(&self, s: f64, tolerance: f64) -> bool {
         let Self {
             first,
             second,
@@ -184,7 +184,7 @@ impl<P: Point> CubicParts<P> {
             let (first, step) = (left * per_rate, share * per_rate);
             // A vertex may be at a boundary, before or after rounding.
             let inside = usize::from(start + first > start);
-            self.cross(from, start + first, boundary..k + inside, vertex);
+            self.emit_boundary_vertices(from, start + first, boundary..k + inside, vertex);
             let more = (((within - left) * per_share) as u32).min(remaining - 1);
             for i in 0..=more {
                 let t = start + (first + f64::from(i) * step);
@@ -195,15 +195,21 @@ impl<P: Point> CubicParts<P> {
             remaining -= more + 1;
             left += f64::from(more + 1) * share - within;
         }
-        self.cross(from, 1.0, boundary..PARTS, vertex);
+        self.emit_boundary_vertices(from, 1.0, boundary..PARTS, vertex);
     }
 
     /// Adds boundaries inside a chord as vertices, so that the parts of the chord keep the tolerance.
     #[inline]
-    fn cross(&self, from: f64, to: f64, boundaries: Range<usize>, vertex: &mut impl FnMut(f64, P)) {
+    fn emit_boundary_vertices(
+        &self,
+        from: f64,
+        to: f64,
+        boundaries: Range<usize>,
+        vertex: &mut impl FnMut(f64, P),
+    ) {
         if let Some(before) = boundaries.clone().next().map(|first| first - 1) {
             let at = self.parts[before].moved(from - before as f64 * LENGTH);
-            if !at.keeps(to - from, self.tolerance) {
+            if !at.chord_is_within(to - from, self.tolerance) {
                 self.divide(from, to, boundaries, vertex);
             }
         }
@@ -219,8 +225,8 @@ impl<P: Point> CubicParts<P> {
     ) {
         let middle = usize::midpoint(start, end - 1);
         let t = middle as f64 * LENGTH;
-        self.cross(from, t, start..middle, vertex);
+        self.emit_boundary_vertices(from, t, start..middle, vertex);
         vertex(t, self.starts[middle]);
-        self.cross(t, to, middle + 1..end, vertex);
+        self.emit_boundary_vertices(t, to, middle + 1..end, vertex);
     }
 }

@@ -108,7 +108,7 @@ impl<P: Point> Curve<P> {
             1.0 / size
         };
         let straight = (STRAIGHT_ULPS * ulp(size)).max(NEARLY_STRAIGHT * tolerance);
-        if !(scale == 1.0 && self.bends_by(straight))
+        if !(scale == 1.0 && self.is_clearly_bent(straight))
             && let Some(turns) = self.turns_of_straight(tolerance)
         {
             return turns.into_iter().for_each(|t| vertex(t, self.eval(t)));
@@ -166,7 +166,7 @@ impl<P: Point> Curve<P> {
 
     /// A quick test that the control points are not within a distance w of a common line: its angle with the line
     /// through the end points would be at most 2w / |chord|.
-    fn bends_by(&self, w: f64) -> bool {
+    fn is_clearly_bent(&self, w: f64) -> bool {
         let start = self.start();
         let chord = self.end() - start;
         self.points.iter().any(|&p| {

@@ -6,7 +6,7 @@ use super::constants::{
 };
 use super::contact_interval::ContactInterval;
 use super::intersection::IntersectionKind;
-use super::pair::{ClassifiedPoint, NormalizedPair};
+use super::pair::{ClassifiedContact, NormalizedPair};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
@@ -17,11 +17,11 @@ impl NormalizedPair {
     pub(crate) fn classify(
         &self,
         interval: &ContactInterval,
-        locations: &mut Vec<ClassifiedPoint>,
+        locations: &mut Vec<ClassifiedContact>,
     ) {
         if interval.crossing {
             let times = self.snapped(interval.ends()[0]);
-            return locations.push(ClassifiedPoint::new(times, IntersectionKind::Cross));
+            return locations.push(ClassifiedContact::new(times, IntersectionKind::Cross));
         }
         if let Some(overlap) = self.overlap(interval) {
             return locations.push(overlap);
@@ -37,7 +37,7 @@ impl NormalizedPair {
             .tangency(middle)
             .filter(|&location| interval.holds(location))
         {
-            return locations.push(ClassifiedPoint::new(times, IntersectionKind::Tangent));
+            return locations.push(ClassifiedContact::new(times, IntersectionKind::Tangent));
         }
         let crossing = |location| {
             self.crossing(location)
@@ -45,7 +45,7 @@ impl NormalizedPair {
         };
         match self.paired(interval).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
-                let cross = |times| ClassifiedPoint::new(times, IntersectionKind::Cross);
+                let cross = |times| ClassifiedContact::new(times, IntersectionKind::Cross);
                 locations.extend([p, q].map(cross));
             }
             [Some((t, u)), _] | [None, Some((t, u))] => locations.push(self.with_kind(t, u)),
@@ -89,7 +89,7 @@ impl NormalizedPair {
     }
 
     /// An interval is an overlap if it has a length and if each of its ends is at an end of a curve.
-    fn overlap(&self, interval: &ContactInterval) -> Option<ClassifiedPoint> {
+    fn overlap(&self, interval: &ContactInterval) -> Option<ClassifiedContact> {
         if !(self.is_long(0, interval.t) && self.is_long(1, interval.u)) {
             return None;
         }
@@ -101,7 +101,7 @@ impl NormalizedPair {
             && self.is_long(1, [u, u_end])
             && self.have_equal_boxes([t, t_end], [u, u_end], |_| 0.0);
         let kind = IntersectionKind::Overlap { t_end, u_end };
-        shared.then_some(ClassifiedPoint::new(start, kind))
+        shared.then_some(ClassifiedContact::new(start, kind))
     }
 
     /// Whether a segment of a curve is longer than the effect of rounding.
@@ -176,8 +176,8 @@ impl NormalizedPair {
     }
 
     /// The intersection at the given parameters, with its kind.
-    pub(crate) fn with_kind(&self, t: f64, u: f64) -> ClassifiedPoint {
-        ClassifiedPoint::new((t, u), self.kind(t, u))
+    pub(crate) fn with_kind(&self, t: f64, u: f64) -> ClassifiedContact {
+        ClassifiedContact::new((t, u), self.kind(t, u))
     }
 
     /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.

@@ -69,7 +69,7 @@ impl ContactInterval {
     }
 
     /// Whether a contact that starts later is a part or a continuation of this one.
-    fn absorbs(&self, pair: &NormalizedPair, next: &ContactInterval) -> bool {
+    fn continues_into(&self, pair: &NormalizedPair, next: &ContactInterval) -> bool {
         if self.direction * next.direction < 0.0 {
             return false;
         }
@@ -148,7 +148,7 @@ pub(crate) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<C
     for contact in contacts {
         let next = ContactInterval::new(contact);
         let near = intervals.iter().rposition(|interval| {
-            next.t[0] - interval.t[1] < LARGEST_GAP && interval.absorbs(pair, &next)
+            next.t[0] - interval.t[1] < LARGEST_GAP && interval.continues_into(pair, &next)
         });
         match near {
             Some(k) => intervals[k].join(&next),

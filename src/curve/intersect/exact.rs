@@ -5,7 +5,7 @@ use super::constants::{
     CLEAR_HEIGHT, CONTACT, LARGEST_GAP, MIN_OVERLAP, NEARBY_PARAMETERS, SAME_POINT_DISTANCE,
 };
 use super::intersection::IntersectionKind;
-use super::pair::{ClassifiedPoint, NormalizedPair, sort};
+use super::pair::{ClassifiedContact, NormalizedPair, sort};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
@@ -17,7 +17,7 @@ impl NormalizedPair {
     }
 
     /// The intersections of two lines. If they overlap, the ends of the overlap are ends of the lines.
-    pub(crate) fn lines(&self) -> Vec<ClassifiedPoint> {
+    pub(crate) fn lines(&self) -> Vec<ClassifiedContact> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
             for location in [self.foot(1, end), self.foot(0, end)] {
@@ -39,7 +39,7 @@ impl NormalizedPair {
             if long > MIN_OVERLAP * self.slack {
                 let (t_end, u_end) = last;
                 let kind = IntersectionKind::Overlap { t_end, u_end };
-                return vec![ClassifiedPoint::new(first, kind)];
+                return vec![ClassifiedContact::new(first, kind)];
             }
             // Prefer an intersection at ends of both lines.
             let both = |&(t, u): &(f64, f64)| t.fract() == 0.0 && u.fract() == 0.0;
@@ -47,7 +47,7 @@ impl NormalizedPair {
             return vec![self.with_kind(t, u)];
         }
         self.lines_crossing()
-            .map(|times| ClassifiedPoint::new(times, IntersectionKind::Cross))
+            .map(|times| ClassifiedContact::new(times, IntersectionKind::Cross))
             .into_iter()
             .collect()
     }
@@ -82,7 +82,10 @@ impl NormalizedPair {
     }
 
     /// The intersections with exact parameters at ends and stops, and without duplicates.
-    pub(crate) fn exact(&self, mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+    pub(crate) fn snap_and_merge(
+        &self,
+        mut locations: Vec<ClassifiedContact>,
+    ) -> Vec<ClassifiedContact> {
         if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
             return locations; // a point has no ends of its own
         }
@@ -105,11 +108,11 @@ impl NormalizedPair {
 
     /// Moves the intersections next to a stop to the stop. Each of them is processed once: the replacement may be too
     /// far from it on the other curve to remove it.
-    fn merge_at_stop(&self, locations: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
-        let near = |location: &&ClassifiedPoint| {
+    fn merge_at_stop(&self, locations: &mut Vec<ClassifiedContact>, curve: usize, stop: f64) {
+        let near = |location: &&ClassifiedContact| {
             location.is_point() && self.is_next_to(curve, location, stop)
         };
-        let all: Vec<ClassifiedPoint> = locations.iter().filter(near).copied().collect();
+        let all: Vec<ClassifiedContact> = locations.iter().filter(near).copied().collect();
         for location in all {
             let tip = if curve == 0 {
                 self.project_onto_b(stop, location.u)
@@ -123,7 +126,7 @@ impl NormalizedPair {
     }
 
     /// Whether the parameter of an intersection on a curve is next to a given one, but not equal.
-    fn is_next_to(&self, curve: usize, location: &ClassifiedPoint, at: f64) -> bool {
+    fn is_next_to(&self, curve: usize, location: &ClassifiedContact, at: f64) -> bool {
         let t = if curve == 0 { location.t } else { location.u };
         t != at && self.is_near(curve, t, at)
     }
@@ -141,7 +144,7 @@ impl NormalizedPair {
     /// unless an overlap ends there. Returns whether any were replaced.
     fn merge(
         &self,
-        locations: &mut Vec<ClassifiedPoint>,
+        locations: &mut Vec<ClassifiedContact>,
         (t, u): (f64, f64),
         always: bool,
     ) -> bool {
@@ -171,7 +174,7 @@ impl NormalizedPair {
 
     /// Merges consecutive crossings between which the curves are separated only by rounding. The result is a crossing,
     /// or a tangency if the curves are on the same side before and after.
-    fn one_crossing_each(&self, locations: &mut Vec<ClassifiedPoint>) {
+    fn one_crossing_each(&self, locations: &mut Vec<ClassifiedContact>) {
         let mut k = 1;
         let mut first = 0;
         while k < locations.len() {
@@ -181,7 +184,7 @@ impl NormalizedPair {
                     k + 1 == locations.len() || !self.is_continued(locations[k], locations[k + 1]);
                 if run_ends {
                     let times = self.between(p, q);
-                    locations[first] = ClassifiedPoint::new(times, self.kind_between(p, q));
+                    locations[first] = ClassifiedContact::new(times, self.kind_between(p, q));
                     locations.drain(first + 1..=k);
                     k = first + 1;
                     first = k;
@@ -198,7 +201,7 @@ impl NormalizedPair {
     /// An intersection between two others, if the curves coincide between them. If the curves have different speeds, as
     /// next to a reversal, the mean parameters may not match; then the nearest point of one curve to the other's is
     /// used.
-    fn between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> (f64, f64) {
+    fn between(&self, p: ClassifiedContact, q: ClassifiedContact) -> (f64, f64) {
         let middle = (0.5 * (p.t + q.t), 0.5 * (p.u + q.u));
         if self.coincide(middle) {
             return middle;
@@ -212,7 +215,7 @@ impl NormalizedPair {
         .unwrap_or(p.times())
     }
 
-    fn is_continued(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> bool {
+    fn is_continued(&self, p: ClassifiedContact, q: ClassifiedContact) -> bool {
         let (gap_t, gap_u) = (q.t - p.t, q.u - p.u);
         // A point that a curve passes twice gives two intersections.
         let [a, _] = &self.curves;
@@ -228,7 +231,7 @@ impl NormalizedPair {
     }
 
     /// A crossing if the sides before and after differ, otherwise a tangency.
-    fn kind_between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> IntersectionKind {
+    fn kind_between(&self, p: ClassifiedContact, q: ClassifiedContact) -> IntersectionKind {
         let (before, after) = (self.side(p, p.t - q.t), self.side(q, q.t - p.t));
         if before * after > 0.0 {
             IntersectionKind::Tangent
@@ -239,7 +242,7 @@ impl NormalizedPair {
 
     /// The side of the second curve on which the first one is, at some distance from an intersection; 0 if the curve
     /// ends before the distance exceeds rounding.
-    fn side(&self, ClassifiedPoint { t, u, .. }: ClassifiedPoint, mut step: f64) -> f64 {
+    fn side(&self, ClassifiedContact { t, u, .. }: ClassifiedContact, mut step: f64) -> f64 {
         let of_b = self.with_derivatives(1);
         loop {
             step *= 2.0;
@@ -258,6 +261,6 @@ impl NormalizedPair {
     }
 }
 
-fn is_crossing(location: &ClassifiedPoint) -> bool {
+fn is_crossing(location: &ClassifiedContact) -> bool {
     location.kind == IntersectionKind::Cross
 }

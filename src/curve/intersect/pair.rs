@@ -13,13 +13,13 @@ use glam::DVec2;
 
 /// The parameters of an intersection, and its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ClassifiedPoint {
+pub(crate) struct ClassifiedContact {
     pub(crate) t: f64,
     pub(crate) u: f64,
     pub(crate) kind: IntersectionKind,
 }
 
-impl ClassifiedPoint {
+impl ClassifiedContact {
     pub(crate) fn new((t, u): (f64, f64), kind: IntersectionKind) -> Self {
         Self { t, u, kind }
     }
@@ -150,8 +150,8 @@ fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
 
 /// Insertion sort: the lists are short, or nearly sorted.
 pub(crate) fn sort(
-    locations: &mut [ClassifiedPoint],
-    before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
+    locations: &mut [ClassifiedContact],
+    before: impl Fn(&ClassifiedContact, &ClassifiedContact) -> bool,
 ) {
     for k in 1..locations.len() {
         let mut i = k;

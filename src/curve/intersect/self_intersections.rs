@@ -3,7 +3,7 @@
 use super::super::Curve;
 use super::constants::{LOOP_HALVINGS, MAX_SEGMENTS, MIN_LOOP};
 use super::intersection::{Intersection, IntersectionKind, SelfIntersection};
-use super::pair::{ClassifiedPoint, NormalizedPair};
+use super::pair::{ClassifiedContact, NormalizedPair};
 use crate::bernstein::de_casteljau::keep_between;
 use crate::curve::hodograph::{derivative_zeros, is_monotone_along_chord};
 use crate::curve::straight::Chord;
@@ -42,12 +42,12 @@ impl Curve<DVec2> {
         }
         let found = if self.degree() == 3 {
             // The branches of a double point of a cubic have different directions.
-            let cross = |times| ClassifiedPoint::new(times, IntersectionKind::Cross);
+            let cross = |times| ClassifiedContact::new(times, IntersectionKind::Cross);
             double_point(&pair).map(cross).into_iter().collect()
         } else {
             crossings(&pair)
         };
-        let contact = |location: ClassifiedPoint| {
+        let contact = |location: ClassifiedContact| {
             let (t, u) = location.times();
             Intersection {
                 t,
@@ -80,7 +80,7 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
 }
 
 /// The self-intersections of a curve of any degree.
-fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedPoint> {
+fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedContact> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
     for to in derivative_zeros(&pair.curves[0]).into_iter().chain([1.0]) {
@@ -106,7 +106,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedPoint> {
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
-        .filter(ClassifiedPoint::is_point)
+        .filter(ClassifiedContact::is_point)
         .collect()
 }
 

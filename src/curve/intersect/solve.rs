@@ -5,7 +5,7 @@ use super::clipping::Contact;
 use super::constants::{ONE_PARAMETER, TWO_CROSSINGS};
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
-use super::pair::{ClassifiedPoint, NormalizedPair, sort};
+use super::pair::{ClassifiedContact, NormalizedPair, sort};
 use crate::bernstein::roots::DOUBLE_ROOT;
 use glam::DVec2;
 
@@ -16,11 +16,11 @@ impl NormalizedPair {
             (self.lines(), 0)
         } else {
             let (contacts, steps) = self.contacts();
-            (self.exact(self.locations(contacts)), steps)
+            (self.snap_and_merge(self.locations(contacts)), steps)
         };
         let intersections = locations
             .into_iter()
-            .map(|ClassifiedPoint { t, u, kind }| Intersection {
+            .map(|ClassifiedContact { t, u, kind }| Intersection {
                 t,
                 u,
                 point: point_at(a, b, t, u),
@@ -46,7 +46,7 @@ impl NormalizedPair {
     }
 
     /// The classified intersections of contacts, in order.
-    pub(crate) fn locations(&self, found: Vec<Contact>) -> Vec<ClassifiedPoint> {
+    pub(crate) fn locations(&self, found: Vec<Contact>) -> Vec<ClassifiedContact> {
         let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
             let snap = |contact: &Contact| self.snapped((contact.t[0], contact.u[0]));
@@ -54,7 +54,7 @@ impl NormalizedPair {
                 found
                     .iter()
                     .map(snap)
-                    .map(|times| ClassifiedPoint::new(times, IntersectionKind::Cross)),
+                    .map(|times| ClassifiedContact::new(times, IntersectionKind::Cross)),
             );
         } else {
             for interval in joined(self, found) {
@@ -67,7 +67,7 @@ impl NormalizedPair {
 
 /// The intersections sorted by t, then by u, with parameters that differ by rounding made equal, and without
 /// duplicates.
-fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
     sort(&mut locations, |p, q| p.t < q.t);
     for k in 1..locations.len() {
         if locations[k].t - locations[k - 1].t <= ONE_PARAMETER {
@@ -75,7 +75,7 @@ fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         }
     }
     sort(&mut locations, |p, q| p.times() < q.times());
-    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
+    let mut kept: Vec<ClassifiedContact> = Vec::with_capacity(locations.len());
     for &location in &locations {
         let again = kept
             .iter()
@@ -88,12 +88,12 @@ fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
     kept
 }
 
-fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
+fn near(p: ClassifiedContact, (t, u): (f64, f64), within: f64) -> bool {
     (p.t - t).abs() <= within && (p.u - u).abs() <= within
 }
 
 /// Whether an intersection is an end of an overlap.
-fn ends_piece(location: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
+fn ends_piece(location: ClassifiedContact, all: &[ClassifiedContact]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.kind else {
             return false;

@@ -5,7 +5,7 @@
 //! segments. Pairs of segments that cannot be nearer than the best distance found are dropped, and the others are
 //! halved. Newton's method finds the exact parameters.
 
-use super::counted_parameter;
+use super::nearest_with_steps;
 use super::segment_tree::{Bounded, Heap, SegmentTree};
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
@@ -186,7 +186,7 @@ impl<'a, P: Point> Search<'a, P> {
 
     /// The parameter of the nearest point on a curve.
     fn foot(&mut self, points: &[P], p: P) -> f64 {
-        let (t, steps) = counted_parameter(points, p);
+        let (t, steps) = nearest_with_steps(points, p);
         self.within &= self.work.spend(steps);
         t
     }

@@ -1,7 +1,7 @@
 //! Hausdorff distance of two curves.
 
 use super::segment_tree::{Bounded, Heap};
-use super::{counted_parameter, nearest_parameter};
+use super::{nearest_parameter, nearest_with_steps};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::elevate::elevate_once;
@@ -120,7 +120,7 @@ fn farthest<P: Point>(
 ) -> f64 {
     let mut work = WorkLimit::new(MAX_STEPS);
     let mut look = |p: P, greatest: &mut f64| {
-        let (u, steps) = counted_parameter(b, p);
+        let (u, steps) = nearest_with_steps(b, p);
         let within = work.spend(steps);
         *greatest = greatest.max((evaluate(b, u) - p).norm());
         (u, within)

@@ -132,11 +132,11 @@ pub(crate) fn nearest_of_curves<P: Point, C: AsRef<[P]>>(
 
 /// The parameter of the nearest point of the curve with the given control points.
 pub(crate) fn nearest_parameter<P: Point>(points: &[P], p: P) -> f64 {
-    counted_parameter(points, p).0
+    nearest_with_steps(points, p).0
 }
 
 /// The parameter of the nearest point and the number of processed segments; up to degree 3 an equivalent number.
-pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
+pub(crate) fn nearest_with_steps<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
     }
@@ -213,7 +213,7 @@ struct Search<'a, P: Point> {
 
 impl<P: Point> Search<'_, P> {
     fn consider(&mut self, t: f64) {
-        let (t, distance) = closer(&self.curve, t);
+        let (t, distance) = polish(&self.curve, t);
         if distance < self.min - self.slack {
             (self.t, self.min) = (t, distance);
         }
@@ -256,7 +256,7 @@ impl<P: Point> Search<'_, P> {
 /// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the
 /// origin. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
 /// moves.
-fn closer<P: Point>(curve: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
+fn polish<P: Point>(curve: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
     let mut p = curve.at(t);
     for _ in 0..MAX_STEPS {
         let [first, second] = curve.derivatives(t);

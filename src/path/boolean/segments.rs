@@ -107,7 +107,7 @@ impl Segments {
                 segments.push_subpath(curves.map(|curve| (curve, false)), index, closed);
             }
         }
-        segments.epsilon = segments.distance_of_one();
+        segments.epsilon = segments.coincidence_distance();
         Ok(segments)
     }
 
@@ -170,7 +170,7 @@ impl Segments {
         boxes.reduce(Bounds::union)
     }
 
-    fn distance_of_one(&self) -> f64 {
+    fn coincidence_distance(&self) -> f64 {
         let Some(all) = self.bounds() else {
             return 0.0;
         };

@@ -25,7 +25,7 @@ pub(super) type Compared<T> = [T; 6];
 
 /// The parameters at which a cubic is compared with the side, as parts of an interval: Chebyshev points, which are dense
 /// at the ends, where a side may start with a high speed.
-pub(super) const COMPARED: Compared<f64> = [0.0170, 0.1464, 0.3706, 0.6294, 0.8536, 0.9830];
+pub(super) const CHEBYSHEV_NODES: Compared<f64> = [0.0170, 0.1464, 0.3706, 0.6294, 0.8536, 0.9830];
 
 /// The number of regular parameters at which the sides are examined, for each degree.
 const SAMPLES_PER_DEGREE: usize = 8;
@@ -423,7 +423,7 @@ impl<'a> SectionEvaluator<'a> {
     }
 
     /// Whether bounds show that no disc contains another and that no side runs backwards.
-    fn is_gentle(&self) -> bool {
+    fn is_proved_regular(&self) -> bool {
         let section = self.section;
         let [radius, slope, change, _] = section.radius.bounds(section.ends);
         if section.whole.by != WidthPosition::Length && !section.radius.is_constant() {
@@ -436,7 +436,7 @@ impl<'a> SectionEvaluator<'a> {
 
     /// The discs with which a cubic is compared in an interval.
     pub(super) fn compared(&self, [a, b]: [f64; 2]) -> Compared<Disc> {
-        let discs = || COMPARED.map(|part| self.at(a + (b - a) * part));
+        let discs = || CHEBYSHEV_NODES.map(|part| self.at(a + (b - a) * part));
         if [a, b] == [0.0, 1.0] {
             *self.compared.get_or_init(discs)
         } else {
@@ -467,7 +467,7 @@ impl<'a> SectionEvaluator<'a> {
     /// parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds show that no value
     /// changes its sign.
     pub(super) fn samples(&self) -> AdvanceSamples {
-        if self.is_gentle() {
+        if self.is_proved_regular() {
             return AdvanceSamples(Vec::new());
         }
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();

@@ -4,7 +4,7 @@
 //! from some points of the side; then the distance of both curves is bounded, and where the bound is too large the interval
 //! is halved.
 
-use super::section::{COMPARED, Compared, Disc, Run, SectionEvaluator};
+use super::section::{CHEBYSHEV_NODES, Compared, Disc, Run, SectionEvaluator};
 use super::side_bound::{Pair, SideBound, foot_step};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -63,12 +63,12 @@ impl SideFit<'_> {
                 u: 0.0,
                 t: a,
                 disc: ends[0],
-            }; COMPARED.len() + 2];
+            }; CHEBYSHEV_NODES.len() + 2];
             for (k, pair) in pairs[1..].iter_mut().enumerate() {
                 *pair = match inside.get(k) {
                     Some(&disc) => Pair {
                         u: us[k],
-                        t: a + (b - a) * COMPARED[k],
+                        t: a + (b - a) * CHEBYSHEV_NODES[k],
                         disc,
                     },
                     None => Pair {
@@ -124,7 +124,7 @@ impl SideFit<'_> {
         let chord = end - start;
         let length = Point::norm(chord);
         let max = STRAIGHT_PART * self.tolerance;
-        let mut us = COMPARED;
+        let mut us = CHEBYSHEV_NODES;
         let mut last = 0.0;
         for (u, disc) in us.iter_mut().zip(inside) {
             let gap = disc.point(self.side) - start;
@@ -157,13 +157,13 @@ impl SideFit<'_> {
         let [start, end] = ends.map(|disc| disc.point(self.side));
         let [d0, d1] = ends.map(|disc| disc.forward(self.side) * self.sign);
         let points = inside.map(|disc| disc.point(self.side));
-        let mut us = [0.0; COMPARED.len()];
+        let mut us = [0.0; CHEBYSHEV_NODES.len()];
         let mut length = 0.0;
         for (k, &p) in points.iter().enumerate() {
             length += Point::norm(p - if k == 0 { start } else { points[k - 1] });
             us[k] = length;
         }
-        length += Point::norm(end - points[COMPARED.len() - 1]);
+        length += Point::norm(end - points[CHEBYSHEV_NODES.len() - 1]);
         us.iter_mut().for_each(|u| *u /= length);
         let mut worst = f64::INFINITY;
         for _ in 0..FIT_ROUNDS {

@@ -184,7 +184,7 @@ impl Speed {
     /// The speed at z.
     #[inline(always)]
     fn at(&self, z: f64) -> f64 {
-        let [x, y] = self.about(z, 0.0).m;
+        let [x, y] = self.substituted(z, 0.0).m;
         (x * x + y * y).sqrt()
     }
 
@@ -224,7 +224,7 @@ impl Speed {
     }
 
     /// The speed after the substitution z = middle + half·x.
-    fn about(&self, middle: f64, half: f64) -> Self {
+    fn substituted(&self, middle: f64, half: f64) -> Self {
         let slope = |k: usize| self.d[k] + self.e[k] * middle;
         let [x, y] = [0, 1].map(|k| self.m[k] + middle * (self.d[k] + slope(k)));
         Self {
@@ -237,7 +237,7 @@ impl Speed {
     /// The integral over [lo, lo + 2·half] by the smallest sufficient rule.
     #[inline]
     fn by_rule(&self, lo: f64, half: f64, axis: f64) -> f64 {
-        let here = self.about(lo + half, half);
+        let here = self.substituted(lo + half, half);
         let sum = if axis >= MIN_AXIS[2] * half {
             if axis >= MIN_AXIS[0] * half {
                 here.sum(&GAUSS_8)

@@ -188,7 +188,7 @@ impl<const D: usize> Cubic<D> {
             let k = changes.trailing_zeros() as usize;
             let (before, after) = (quintic[k], quintic[k + 1]);
             let guess = 0.2 * (k as f64 + before / (before - after));
-            let (t, square) = self.close_in([lo, hi], lo + (hi - lo) * guess, best.slack);
+            let (t, square) = self.refine_root([lo, hi], lo + (hi - lo) * guess, best.slack);
             best.take(from + (to - from) * t, square);
         }
         converged
@@ -210,12 +210,12 @@ impl<const D: usize> Cubic<D> {
     /// The root of B·B′ with a sign change from − to +, by Newton's method restricted to lo and hi, and |B|² at the
     /// root. The iteration ends with the step that reduces the distance by less than rounding.
     #[inline(always)]
-    fn close_in(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
+    fn refine_root(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
         let second_derivatives =
             [0, 1].map(|i| each(|k| 2.0 * (self.slopes[i + 1][k] - self.slopes[i][k])));
         let mut t = guess;
         for _ in 0..MAX_STEPS {
-            let (square, value, slope) = self.about(&second_derivatives, t);
+            let (square, value, slope) = self.eval_squared_distance(&second_derivatives, t);
             if value < 0.0 {
                 lo = t;
             } else {
@@ -232,12 +232,12 @@ impl<const D: usize> Cubic<D> {
                 0.5 * (lo + hi)
             };
         }
-        (t, self.about(&second_derivatives, t).0)
+        (t, self.eval_squared_distance(&second_derivatives, t).0)
     }
 
     /// |B|² at t and half its first and second derivatives.
     #[inline(always)]
-    fn about(&self, [y, z]: &[[f64; D]; 2], t: f64) -> (f64, f64, f64) {
+    fn eval_squared_distance(&self, [y, z]: &[[f64; D]; 2], t: f64) -> (f64, f64, f64) {
         let u = 1.0 - t;
         let (uu, ut, tt) = (u * u, 2.0 * (u * t), t * t);
         let (a, b, c, d) = (uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t);

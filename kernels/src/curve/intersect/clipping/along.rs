@@ -15,7 +15,7 @@ use crate::numeric::order::range;
 
 impl<C: Coefficients> ClippingSolver<C> {
     /// Finds the contacts if the segments have about the same direction (or the opposite one); otherwise returns false.
-    pub(super) fn run_along(&mut self, a: &Piece<C>, b: &Piece<C>) -> bool {
+    pub(super) fn intersect_as_graphs(&mut self, a: &Piece<C>, b: &Piece<C>) -> bool {
         let Some((direction, forwards)) = common_direction(a, b, self.slack) else {
             return false;
         };

@@ -46,7 +46,7 @@ impl<C: Coefficients> ClippingSolver<C> {
                 return self.found.push(contact);
             }
             let stuck = remaining_a > WORTH_GOING_ON && remaining_b > WORTH_GOING_ON;
-            if stuck && self.run_along(&a, &b) {
+            if stuck && self.intersect_as_graphs(&a, &b) {
                 return;
             }
             if stuck {

@@ -125,15 +125,15 @@ impl OffsetCurve<'_> {
         if may_have_cusps && !self.has_no_cusp((t0, t1)) {
             for step in 1..CUSP_STEPS {
                 let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
-                last = self.pass(&mut from, &last, self.end(t), out, work);
+                last = self.emit_up_to_cusp(&mut from, &last, self.end(t), out, work);
             }
         }
-        self.pass(&mut from, &last, to, out, work);
+        self.emit_up_to_cusp(&mut from, &last, to, out, work);
         self.cover(&from, &to, out, work);
     }
 
     /// If there is a cusp between two ends, appends the cubics up to the cusp and continues behind it.
-    fn pass(
+    fn emit_up_to_cusp(
         &self,
         from: &mut End,
         last: &End,

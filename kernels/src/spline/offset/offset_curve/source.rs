@@ -12,7 +12,7 @@ const NO_HANDLE: f64 = 1e-15;
 /// A curve prepared for evaluation of points and derivatives. Points are relative to its start.
 pub struct Source {
     /// The control points, and the differences of neighbours, for a degree above 3.
-    many: Vec<DVec2>,
+    points: Vec<DVec2>,
     differences: Vec<DVec2>,
     count: usize,
     /// For a degree of at most 3, the Taylor coefficients at t = 0 in t, and at t = 1 in 1 − t: next to an end only the
@@ -53,7 +53,7 @@ impl Source {
         let n = count - 1;
         let square = (0..n).fold(0.0, |m: f64, i| m.max(difference(i).length_squared()));
         let mut source = Self {
-            many: Vec::new(),
+            points: Vec::new(),
             differences: Vec::new(),
             count,
             powers: Default::default(),
@@ -65,7 +65,7 @@ impl Source {
         };
         source.tangents = source.tangents_of(all);
         if count > 4 {
-            source.many.extend(all.iter().map(|&p| p - all[0]));
+            source.points.extend(all.iter().map(|&p| p - all[0]));
             source.differences.extend((0..n).map(difference));
         } else if n > 0 {
             let mut e = [DVec2::default(); 3];
@@ -161,7 +161,7 @@ impl Source {
     fn at_by_casteljau(&self, t: f64) -> OffsetSample {
         let mut row = [DVec2::default(); MAX_POINTS];
         let mut slopes = row;
-        row[..self.count].copy_from_slice(&self.many);
+        row[..self.count].copy_from_slice(&self.points);
         slopes[..self.degree()].copy_from_slice(&self.differences);
         let s = 1.0 - t;
         let n = self.degree();

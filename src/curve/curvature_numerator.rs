@@ -10,18 +10,19 @@ use glam::DVec2;
 ///
 /// Since V×V = 0, a pair i < j contributes only vᵢ×vⱼ · C(m, i) C(m, j) (j − i) tᵏ (1 − t)²ᵐ⁻²⁻ᵏ with k = i + j − 1, so
 /// the degree is 2m − 2 and not 2m − 1. The result for a single point is zero.
-pub(crate) fn turning<P: Point>(v: &[P], rounding: f64) -> (Scalars, f64) {
+pub(crate) fn curvature_numerator<P: Point>(v: &[P], rounding: f64) -> (Scalars, f64) {
     if let [a, b, c] = *v {
-        let (coefficients, slack) = turning_of_quadratic([a, b, c].map(|p| p.to_2d()), rounding);
+        let (coefficients, slack) =
+            curvature_numerator_of_quadratic([a, b, c].map(|p| p.to_2d()), rounding);
         return (coefficients.into_iter().collect(), slack);
     }
-    turning_of_any_degree(
+    curvature_numerator_of_any_degree(
         &v.iter().map(|p| p.to_2d()).collect::<Points<DVec2>>(),
         rounding,
     )
 }
 
-fn turning_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f64) {
+fn curvature_numerator_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f64) {
     let m = v.len() - 1;
     let mut coefficients: Scalars = (0..2 * m.max(1) - 1).map(|_| 0.0).collect();
     let mut errors = coefficients.clone();
@@ -40,7 +41,10 @@ fn turning_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f64) {
 
 /// [`turning`] for degree 2, as for the derivative of a cubic.
 #[cfg_attr(feature = "fast", inline)]
-pub(crate) fn turning_of_quadratic([a, b, c]: [DVec2; 3], rounding: f64) -> ([f64; 3], f64) {
+pub(crate) fn curvature_numerator_of_quadratic(
+    [a, b, c]: [DVec2; 3],
+    rounding: f64,
+) -> ([f64; 3], f64) {
     let [p, q, r] = [a, b, c].map(|v| v.abs().element_sum());
     let error = |sizes: f64| sizes * (rounding + f64::EPSILON * sizes);
     let slack = (2.0 * error(p + q))
@@ -57,8 +61,8 @@ mod tests {
     #[test]
     fn degree_2_is_the_general_formula() {
         let v = [(1.0, 2.0), (-3.0, 0.5), (4.0, 1.0)].map(DVec2::from);
-        let (coefficients, slack) = turning(&v, 1e-3);
-        let (general, general_slack) = turning_of_any_degree(&v, 1e-3);
+        let (coefficients, slack) = curvature_numerator(&v, 1e-3);
+        let (general, general_slack) = curvature_numerator_of_any_degree(&v, 1e-3);
         assert_eq!((&*coefficients, slack), (&*general, general_slack));
     }
 }

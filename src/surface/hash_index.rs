@@ -6,11 +6,11 @@ use glam::DVec3;
 const EMPTY: u32 = u32::MAX;
 
 /// A hash table of the first item of each group: open addressing, at most half full.
-pub(crate) struct FirstOf {
+pub(crate) struct HashIndex {
     slots: Vec<u32>,
 }
 
-impl FirstOf {
+impl HashIndex {
     /// A table for up to `count` items.
     pub(crate) fn new(count: usize) -> Self {
         Self {
@@ -45,7 +45,7 @@ pub(crate) fn mix(hash: u64, number: u64) -> u64 {
 
 /// For each point, the index of the first point with equal coordinates.
 pub(crate) fn joined(points: &[DVec3]) -> Vec<u32> {
-    let mut first = FirstOf::new(points.len());
+    let mut first = HashIndex::new(points.len());
     (0..)
         .zip(points)
         .map(|(index, &p)| first.find(index, hash_of(p), |other| points[other as usize] == p))
