@@ -1,5 +1,9 @@
-//! Lines with corners on a grid in the place of segments: the last resort, where the contacts of segments contradict each
-//! other.
+//! The last resort, where the contacts of segments contradict each other: lines with corners on a grid in the place of
+//! segments.
+//!
+//! It is reached by none of the 1,108 drawings of other libraries' tests (tests/data/boolean, both fill rules) and none
+//! of the pairs of tests/path_boolean, but by 857 of 135,000 generated calls, half of which have features of all sizes
+//! down to 10⁻¹² of the drawing.
 //!
 //! The segments are flattened and the corners rounded to the centres of the cells of a grid. Then every line is led
 //! through the centres of all cells that it passes and in which another line ends or crosses a line. Such lines do not
