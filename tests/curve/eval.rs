@@ -1,6 +1,6 @@
 //! Evaluation, Bernstein weights and samples.
 
-use crate::curve::{adversarial_points, near, steps};
+use crate::curve::{adversarial_points, near, outside, steps};
 use crate::support::adversarial::ALL;
 use crate::support::exact::{self, exactly};
 use crate::support::{Rng, Space, binomial, curve, de_casteljau, largest};
@@ -44,6 +44,15 @@ fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
         for t in parameters(16) {
             let expected = exact::eval(points, t);
             near(curve.eval(t), expected, steps(points), largest(points));
+        }
+        for (t, growth) in outside(points) {
+            let expected = exact::eval(points, t);
+            near(
+                curve.eval(t),
+                expected,
+                growth * steps(points),
+                largest(points),
+            );
         }
         let ends = (points[0], points[points.len() - 1]);
         assert_eq!((curve.eval(0.0), curve.eval(1.0)), ends);

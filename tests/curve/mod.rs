@@ -44,3 +44,9 @@ fn near(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
 fn steps(points: &[DVec3]) -> f64 {
     2.0 + real(points.len())
 }
+
+/// Parameters outside of [0, 1], and the factor (|t| + |1 − t|)ⁿ by which they enlarge coordinates and rounding errors.
+fn outside(points: &[DVec3]) -> [(f64, f64); 2] {
+    let growth = (1..points.len()).fold(1.0, |growth, _| 2.0 * growth);
+    [(-0.5, growth), (1.5, growth)]
+}

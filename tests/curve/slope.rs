@@ -1,6 +1,6 @@
 //! Derivatives, tangents, normals and curvature, compared with closed forms.
 
-use crate::curve::{adversarial_points, near, steps};
+use crate::curve::{adversarial_points, near, outside, steps};
 use crate::support::adversarial::ALL;
 use crate::support::{bezier, curve, exact, largest, near_at, parameters, real, ulp};
 use casteljau::glam::{DVec2, DVec3};
@@ -19,6 +19,11 @@ fn derivatives_of_any_order_and_degree() {
                 let expected = exact::derivative(points, t, order);
                 let got = curve.derivative_at(t, order);
                 near(got, expected, factor * steps(points), size);
+            }
+            for (t, growth) in outside(points) {
+                let expected = exact::derivative(points, t, order);
+                let got = curve.derivative_at(t, order);
+                near(got, expected, growth * factor * steps(points), size);
             }
             if factor * size > 1e303 {
                 break; // the true value is about to overflow
@@ -111,7 +116,9 @@ fn directions_are_unit_vectors_at_right_angles() {
     adversarial_points(&ALL, |points| {
         let (space, plane) = (curve::<DVec3>(points), curve::<DVec2>(points));
         let scale = real(points.len()) * largest(points);
-        for t in parameters(8) {
+        let inside = parameters(8).map(|t| (t, 1.0));
+        for (t, growth) in inside.chain(outside(points)) {
+            let scale = scale * growth;
             let (tangent, normal) = (space.tangent(t), space.normal(t));
             let flat = [plane.tangent(t).extend(0.0), plane.normal(t).extend(0.0)];
             for v in [tangent, normal, flat[0], flat[1]] {

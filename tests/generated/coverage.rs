@@ -40,11 +40,11 @@ const WITHIN_OTHERS: [&str; 52] = [
     "Spline::times_at_coordinate", // tests/spline/queries.rs
     "Curve::offset_within",        // Curve::offset
     "Spline::offset_within",       // Spline::offset
-    "Path::length_at",             // Path::time_at_length
-    "Path::lengths",               // Path::time_at_length
     "Mesh::interleaved",           // copies what the meshes contain
-    "Path::point_at_length",       // Path::time_at_length, and those that follow
     "Path::nearest_of",            // tests/path/sizes.rs
+    "Path::length_at",             // tests/path/evaluate.rs, and those that follow
+    "Path::lengths",
+    "Path::point_at_length",
     "Path::eval",
     "Path::eval_at",
     "Path::derivative_at",
@@ -54,10 +54,10 @@ const WITHIN_OTHERS: [&str; 52] = [
     "Path::split",
     "Path::split_at",
     "Path::subsegment",
-    "Path::sample",              // tests/path/evaluate.rs
-    "Path::extrema",             // tests/path/evaluate.rs
-    "Path::times_at_coordinate", // tests/path/evaluate.rs
-    "Path::builder",             // tests/constructors, and the shapes
+    "Path::sample",
+    "Path::extrema",
+    "Path::times_at_coordinate",
+    "Path::builder", // tests/constructors, and the shapes
     "Path::circle",
     "Path::ellipse",
     "Path::arc",

@@ -9,29 +9,48 @@ use casteljau::curve::{Basis, Moments, bernstein};
 use casteljau::glam::DVec2;
 use casteljau::{CrossProduct, Curve};
 
+finite! {
+    // tests/curve/copy.rs
+    [P: Space] accessors(curve: Curve<P>):
+        call(|| (curve.degree(), [curve.control_points(), &[curve.start(), curve.end()]].concat()))?;
+    // tests/curve/convert.rs
+    [P: Space] low_degrees(curve: Curve<P>): {
+        let points = curve.control_points();
+        let [p0, p1, p2, p3] = std::array::from_fn(|i| points[i % points.len()]);
+        call(|| [Curve::line(p0, p1), Curve::quad(p0, p1, p2), Curve::cubic(p0, p1, p2, p3)])?
+    };
+    // tests/curve/basis.rs
+    [P: Space] to_basis(curve: Curve<P>, basis: Basis): answer!(curve.to_basis(basis), "matrix|basis");
+    [] basis_matrix(basis: Basis): call(|| basis.matrix())?;
+    // tests/curve/eval.rs
+    [] bernstein_weights(degree: usize, t: f64): answer!(bernstein(degree, t), "degree");
+    [P: Space] sample_into(curve: Curve<P>, segments: usize): call(|| {
+        let mut points = vec![P::default(); segments + 1];
+        curve.sample_into(&mut points);
+        points
+    })?;
+    [P: Space] every_level(curve: Curve<P>, t: f64): call(|| curve.de_casteljau(t))?;
+    // tests/curve/slope.rs
+    [P: Space] derivative(curve: Curve<P>): call(|| curve.derivative())?;
+    [P: Space] derivative_at(curve: Curve<P>, t: f64, k: usize): call(|| curve.derivative_at(t, k))?;
+    [P: Space] tangent(curve: Curve<P>, t: f64): call(|| curve.tangent(t))?;
+    [P: Space] normal(curve: Curve<P>, t: f64): call(|| curve.normal(t))?;
+    // tests/curve/pieces.rs
+    [P: Space] halve(curve: Curve<P>): call(|| curve.halve())?;
+    [P: Space] elevate(curve: Curve<P>): answer!(curve.elevate());
+    // tests/curve/subdivide.rs
+    [P: Space] subdivide(curve: Curve<P>, tolerance: f64): answer!(curve.subdivide(tolerance), "tolerance");
+    // tests/flatten
+    [P: Space] flatten_with(curve: Curve<P>, tolerance: f64): {
+        let mut points = Vec::new();
+        answer!(curve.flatten_with(tolerance, |_, p| points.push(p)), "tolerance");
+        call(|| points)?
+    };
+}
+
 pub(crate) fn new<P: Space>(points: Vec<P>) -> Checked {
     let curve = answer!(Curve::new(&points));
     same(curve.control_points(), points.as_slice(), "the points")
-}
-
-pub(crate) fn accessors<P: Space>(curve: Curve<P>) -> Checked {
-    let points = call(|| curve.control_points().to_vec())?;
-    let degree = call(|| curve.degree())?;
-    same(points.len(), degree + 1, "the number of points")?;
-    let ends = call(|| [curve.start(), curve.end()])?;
-    same(ends, [points[0], points[degree]], "the ends")
-}
-
-pub(crate) fn low_degrees<P: Space>(curve: Curve<P>) -> Checked {
-    let points = curve.control_points();
-    let all @ [p0, p1, p2, p3] = std::array::from_fn(|i| points[i % points.len()]);
-    let line = call(|| Curve::line(p0, p1))?;
-    let quad = call(|| Curve::quad(p0, p1, p2))?;
-    let cubic = call(|| Curve::cubic(p0, p1, p2, p3))?;
-    for (n, curve) in (1..).zip([line, quad, cubic]) {
-        same(Curve::new(&all[..=n]), Ok(curve), n)?;
-    }
-    Ok(())
 }
 
 pub(crate) fn approx_eq<P: Space>(curve: Curve<P>, other: Curve<P>, tolerance: f64) -> Checked {
@@ -41,37 +60,6 @@ pub(crate) fn approx_eq<P: Space>(curve: Curve<P>, other: Curve<P>, tolerance: f
 pub(crate) fn from_basis<P: Space>(basis: Basis, points: [P; 4]) -> Checked {
     let curve = answer!(Curve::from_basis(basis, points), "points");
     same(curve.degree(), 3, "the degree")
-}
-
-pub(crate) fn to_basis<P: Space>(curve: Curve<P>, basis: Basis) -> Checked {
-    let points = answer!(curve.to_basis(basis), "matrix|basis");
-    if let Basis::Matrix(_) = basis {
-        return Ok(()); // An ill-conditioned matrix enlarges rounding errors without bound.
-    }
-    let back = Curve::from_basis(basis, points)?;
-    // The inverse matrices of the named bases have entries up to 6, the matrices themselves up to 3.
-    let slack = 100.0 * slack(size(), 3);
-    agree(4, slack, |t| back.eval(t), |t| curve.eval(t))
-}
-
-pub(crate) fn basis_matrix(basis: Basis) -> Checked {
-    let matrix = call(|| basis.matrix())?;
-    // Points on a line at 0, 1/3, 2/3, 1 are geometry points whose weights sum to 1 at every t, except for the
-    // derivatives of the Hermite basis.
-    let hermite = matches!(basis, Basis::Hermite);
-    let columns = if hermite { 2 } else { 4 };
-    for (row, weights) in matrix.chunks(4).enumerate() {
-        let expected = if row == 3 { 1.0 } else { 0.0 };
-        near(weights[..columns].iter().sum(), expected, 1e-15, row)?;
-    }
-    Ok(())
-}
-
-pub(crate) fn bernstein_weights(degree: usize, t: f64) -> Checked {
-    let weights = answer!(bernstein(degree, t), "degree");
-    same(weights.len(), degree + 1, "the number of weights")?;
-    let size: f64 = weights.iter().map(|w| w.abs()).sum();
-    near(weights.iter().sum(), 1.0, slack(size, degree), "the sum")
 }
 
 pub(crate) fn interpolate<P: Space>(points: Vec<P>, ts: Option<Vec<f64>>) -> Checked {
@@ -85,65 +73,11 @@ pub(crate) fn interpolate<P: Space>(points: Vec<P>, ts: Option<Vec<f64>>) -> Che
     holds!(ts.is_some() || misses <= slack, "misses the last point")
 }
 
-pub(crate) fn sample_into<P: Space>(curve: Curve<P>, segments: usize) -> Checked {
-    let mut points = vec![P::default(); segments + 1];
-    value!(curve.sample_into(&mut points));
-    curve.sample_into(&mut []);
-    if segments == 0 {
-        return same(points, vec![curve.start()], "the only sample");
-    }
-    are_samples(&curve, &points, segments)
-}
-
-pub(crate) fn derivative<P: Space>(curve: Curve<P>) -> Checked {
-    let derivative = value!(curve.derivative());
-    let (n, got) = (curve.degree(), derivative.control_points());
-    same(derivative.degree(), (n - 1).max(1), "the degree")?;
-    for (k, p) in differences(curve.control_points()).into_iter().enumerate() {
-        near(got[k], p, curve.slack() * real(n), k)?;
-    }
-    Ok(())
-}
-
-pub(crate) fn derivative_at<P: Space>(curve: Curve<P>, t: f64, k: usize) -> Checked {
-    let vector = value!(curve.derivative_at(t, k));
-    if k > curve.degree() {
-        return same(vector, P::default(), "beyond the degree");
-    }
-    let (mut points, mut size) = (curve.control_points().to_vec(), size());
-    for order in 0..k {
-        points = differences(&points);
-        size *= 2.0 * real(curve.degree() - order);
-    }
-    let slack = 4.0 * slack(size, curve.degree()) * growth(t, curve.degree());
-    near(vector, de_casteljau(&points, t), slack, "the differences")
-}
-
 /// Checks that a direction is a unit vector or zero.
 pub(crate) fn unit_or_zero<P: Space>(direction: P, slack: f64) -> Checked {
     let length = direction.norm();
     let fits = length == 0.0 || (length - 1.0).abs() <= slack;
     holds!(fits, "the length of a direction is {length}")
-}
-
-pub(crate) fn tangent<P: Space>(curve: Curve<P>, t: f64) -> Checked {
-    let tangent = call(|| curve.tangent(t))?;
-    unit_or_zero(tangent, 1e-12)?;
-    let derivative = curve.derivative_at(t, 1);
-    let length = derivative.norm();
-    let rounding = curve.slack_at(t) * real(curve.degree());
-    if is_extreme() || length <= 1e3 * rounding {
-        return Ok(());
-    }
-    // The angle between the two vectors is at most the rounding error of B′ divided by its length.
-    near(derivative, tangent * length, 4.0 * rounding, "B′")
-}
-
-pub(crate) fn normal<P: Space>(curve: Curve<P>, t: f64) -> Checked {
-    let normal = call(|| curve.normal(t))?;
-    unit_or_zero(normal, 1e-12)?;
-    let along = normal.dot(curve.tangent(t));
-    at_most(along.abs(), 1e-9, "the normal leans to the tangent")
 }
 
 pub(crate) fn curvature<P: Space>(curve: Curve<P>, t: f64) -> Checked {
@@ -179,17 +113,6 @@ pub(crate) fn torsion<P: Space>(curve: Curve<P>, t: f64) -> Checked {
     holds!(twists || torsion == 0.0, "{torsion} of a plane curve")
 }
 
-pub(crate) fn halve<P: Space>(curve: Curve<P>) -> Checked {
-    let halves = value!(curve.halve());
-    are_halves(&curve, &halves, 0.5)
-}
-
-pub(crate) fn elevate<P: Space>(curve: Curve<P>) -> Checked {
-    let elevated = answer!(curve.elevate());
-    same(elevated.degree(), curve.degree() + 1, "the degree")?;
-    is_piece(&curve, &elevated, [0.0, 1.0])
-}
-
 pub(crate) fn reduce<P: Space>(curve: Curve<P>) -> Checked {
     let reduced = value!(curve.reduce());
     let n = curve.degree();
@@ -198,15 +121,6 @@ pub(crate) fn reduce<P: Space>(curve: Curve<P>) -> Checked {
     let size = largest(reduced.curve.control_points()).max(size());
     let room = reduced.error * (1.0 + 1e-9) + 16.0 * slack(size, n);
     agree(16, room, |t| reduced.curve.eval(t), |t| curve.eval(t))
-}
-
-pub(crate) fn every_level<P: Space>(curve: Curve<P>, t: f64) -> Checked {
-    let levels = value!(curve.de_casteljau(t));
-    let lengths: Vec<usize> = levels.iter().map(Vec::len).collect();
-    let expected: Vec<usize> = (1..=curve.degree() + 1).rev().collect();
-    same(lengths, expected, "the number of points of each level")?;
-    let point = levels[curve.degree()][0];
-    near(point, curve.eval(t), curve.slack_at(t), "eval")
 }
 
 pub(crate) fn moments(curve: Curve<DVec2>) -> Checked {
@@ -376,32 +290,4 @@ pub(crate) fn hausdorff<P: Space>(curve: Curve<P>, other: Curve<P>) -> Checked {
         max(points.iter().map(farthest)) + slack,
         "farther than all control points",
     )
-}
-
-pub(crate) fn flatten_with<P: Space>(curve: Curve<P>, tolerance: f64) -> Checked {
-    let (mut points, mut ts) = (Vec::new(), Vec::new());
-    let add = |t: f64, p: P| {
-        ts.push(t);
-        points.push(p);
-    };
-    answer!(curve.flatten_with(tolerance, add), "tolerance");
-    follows(&curve, (&ts, &points), tolerance)
-}
-
-pub(crate) fn subdivide<P: Space>(curve: Curve<P>, tolerance: f64) -> Checked {
-    let tree = answer!(curve.subdivide(tolerance), "tolerance");
-    let leaves = tree.leaves();
-    let ends = [leaves[0].t0, leaves[leaves.len() - 1].t1];
-    same(ends, [0.0, 1.0], "the ends")?;
-    let joined = leaves.windows(2).all(|w| w[0].t1 == w[1].t0);
-    ensure!(joined, "the leaves do not follow each other");
-    for leaf in leaves.iter().step_by(leaves.len().div_ceil(20)) {
-        let excess = leaf.polygon_length - leaf.chord_length;
-        ensure!(excess < tolerance, "a leaf with D1 − D2 = {excess:e}");
-        let deviation = leaf.deviation_bound();
-        ensure!(deviation >= 0.0, "a deviation of {deviation}");
-        let (end, slack) = (leaf.curve.end(), 4.0 * curve.slack());
-        near(end, curve.eval(leaf.t1), slack, "the end of a leaf")?;
-    }
-    Ok(())
 }

@@ -40,23 +40,6 @@ pub(crate) fn polygon_length<P: Metric>(points: &[P]) -> f64 {
     points.windows(2).map(|w| w[0].distance(w[1])).sum()
 }
 
-/// De Casteljau's algorithm.
-pub(crate) fn de_casteljau<P: Point>(points: &[P], t: f64) -> P {
-    let mut row = points.to_vec();
-    for length in (1..row.len()).rev() {
-        for i in 0..length {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-    row[0]
-}
-
-/// The control points of the derivative.
-pub(crate) fn differences<P: Point>(points: &[P]) -> Vec<P> {
-    let degree = real(points.len() - 1);
-    points.windows(2).map(|w| (w[1] - w[0]) * degree).collect()
-}
-
 /// The distance of a point from a segment.
 pub(crate) fn from_segment<P: Point>(p: P, a: P, b: P) -> f64 {
     let (along, away) = (b - a, p - a);

@@ -5,9 +5,9 @@ use crate::curves::unit_or_zero;
 use crate::geometry::*;
 use crate::lines::{are_images, compares};
 use crate::shared::*;
+use casteljau::Patch;
 use casteljau::curve::Basis;
 use casteljau::glam::{DAffine3, DVec3};
-use casteljau::{Curve, Patch};
 use casteljau_generator::{Mode, SurfaceData};
 
 /// The slack at (u, v), including the factor by which parameters outside [0, 1] enlarge coordinates.
@@ -17,6 +17,16 @@ fn slack_at(patch: &Patch, u: f64, v: f64) -> f64 {
 
 fn degrees(patch: &Patch) -> [usize; 2] {
     [patch.degree_u(), patch.degree_v()]
+}
+
+finite! {
+    // tests/surface/patch.rs
+    [] eval(patch: Patch, u: f64, v: f64): call(|| patch.eval(u, v))?;
+    [] isocurve_at_u(patch: Patch, u: f64): call(|| patch.isocurve_at_u(u))?;
+    [] isocurve_at_v(patch: Patch, v: f64): call(|| patch.isocurve_at_v(v))?;
+    [] elevate(patch: Patch): answer!(patch.elevate());
+    // tests/queries/bend.rs
+    [] every_level(patch: Patch, u: f64, v: f64): call(|| patch.de_casteljau(u, v))?;
 }
 
 pub(crate) fn new(data: SurfaceData) -> Checked {
@@ -35,22 +45,6 @@ pub(crate) fn approx_eq(patch: Patch, tolerance: f64) -> Checked {
     let tolerance = tolerance.max(0.0);
     compares(Patch::approx_eq, (&patch, &patch), tolerance)?;
     holds!(patch.approx_eq(&patch, tolerance), "not equal to itself")
-}
-
-pub(crate) fn eval(patch: Patch, u: f64, v: f64) -> Checked {
-    let point = value!(patch.eval(u, v));
-    let rows = patch.control_points().chunks(patch.degree_u() + 1);
-    let column: Vec<DVec3> = rows.map(|row| de_casteljau(row, u)).collect();
-    let expected = de_casteljau(&column, v);
-    near(point, expected, slack_at(&patch, u, v), "de Casteljau")
-}
-
-pub(crate) fn every_level(patch: Patch, u: f64, v: f64) -> Checked {
-    let levels = value!(patch.de_casteljau(u, v));
-    let counts = [levels.rows.len(), levels.column.len()];
-    same(counts, [patch.degree_v() + 1; 2], "the rows and levels")?;
-    let slack = slack_at(&patch, u, v);
-    near(levels.point, patch.eval(u, v), slack, "eval")
 }
 
 pub(crate) fn partials(patch: Patch, u: f64, v: f64) -> Checked {
@@ -104,27 +98,6 @@ pub(crate) fn curvature(patch: Patch, u: f64, v: f64) -> Checked {
     holds!(fits, "mean {} instead of {mean}", found.mean)
 }
 
-pub(crate) fn isocurve_at_u(patch: Patch, u: f64) -> Checked {
-    let curve = value!(patch.isocurve_at_u(u));
-    same(curve.degree(), patch.degree_v(), "the degree")?;
-    is_on(&patch, &curve, |v| (u, v))
-}
-
-pub(crate) fn isocurve_at_v(patch: Patch, v: f64) -> Checked {
-    let curve = value!(patch.isocurve_at_v(v));
-    same(curve.degree(), patch.degree_u(), "the degree")?;
-    is_on(&patch, &curve, |u| (u, v))
-}
-
-fn is_on(patch: &Patch, curve: &Curve<DVec3>, at: impl Fn(f64) -> (f64, f64)) -> Checked {
-    for t in parameters(4, 1.0) {
-        let (u, v) = at(t);
-        let slack = 4.0 * slack_at(patch, u, v);
-        near(curve.eval(t), patch.eval(u, v), slack, t)?;
-    }
-    Ok(())
-}
-
 /// Checks that pieces are the parts of the patch over [u0, u1] × [v0, v1].
 fn are_pieces<const N: usize>(patch: &Patch, pieces: [(&Patch, [f64; 2], [f64; 2]); N]) -> Checked {
     let worst = |[a, b]: [f64; 2], n: usize| growth(a, n).max(growth(b, n));
@@ -156,13 +129,6 @@ pub(crate) fn split(patch: Patch, u: f64, v: f64) -> Checked {
     let ([u0, u1], [v0, v1]) = ([[0.0, u], [u, 1.0]], [[0.0, v], [v, 1.0]]);
     are_pieces(&patch, [(&a, u0, v0), (&b, u1, v0)])?;
     are_pieces(&patch, [(&c, u0, v1), (&d, u1, v1)])
-}
-
-pub(crate) fn elevate(patch: Patch) -> Checked {
-    let elevated = answer!(patch.elevate());
-    let expected = degrees(&patch).map(|n| n + 1);
-    same(degrees(&elevated), expected, "the degrees")?;
-    are_pieces(&patch, [(&elevated, ALL, ALL)])
 }
 
 pub(crate) fn flatness(patch: Patch) -> Checked {

@@ -1,4 +1,4 @@
-//! Runs the cases of a group on a separate thread, detects calls that do not return, and reports failures.
+//! Runs the cases of a group on a thread with a large stack, reports failures, and names a call that does not return.
 
 use crate::check::{self, Checked, Failure};
 use casteljau::path::take_replaced_segments;
@@ -6,9 +6,8 @@ use casteljau_generator::{Case, case, find};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, MutexGuard};
-use std::time::{Duration, Instant};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 /// A function and the check of one call of it.
 pub(crate) type Row = (&'static str, fn(&Case) -> Checked);
@@ -18,8 +17,7 @@ const CASES: u64 = 2_000;
 /// With the environment variable `CASTELJAU_FEW`.
 const FEW_CASES: u64 = 250;
 const DEEP_CASES: u64 = 10_000;
-/// A call that takes longer than this is reported as one that does not return. No successful call takes a thousandth of
-/// it.
+/// A call that takes longer than this counts as one that does not return. No successful call takes a thousandth of it.
 const HANG: Duration = Duration::from_secs(120);
 /// Lines replace segments in at most one of this number of calls; scales are mixed in half of the calls.
 const MIN_CALLS_WITHOUT_LINES: usize = 20;
@@ -78,23 +76,17 @@ impl Settings {
     }
 }
 
-/// The failures of each function: their number, and the texts of the first ones.
-type Failures = BTreeMap<&'static str, (usize, Vec<String>)>;
-
-/// The state that a worker and the watching thread share.
+/// The results of some calls.
 #[derive(Default)]
-struct Shared {
-    /// The running case, the row of its function, and its start time.
-    current: Option<(Case, usize, Instant)>,
-    failures: Failures,
-    /// The number of calls, and of those in which lines replaced segments of a contradictory division of the plane.
+struct Results {
+    /// The failures of each function: their number, and the texts of the first ones.
+    failures: BTreeMap<&'static str, (usize, Vec<String>)>,
     calls: usize,
+    /// The number of calls in which lines replaced segments of a contradictory division of the plane.
     calls_with_lines: usize,
-    /// The number of the worker. A worker that was given up has a lower number and must not write any more.
-    worker: usize,
 }
 
-impl Shared {
+impl Results {
     fn add(&mut self, case: &Case, message: &str) {
         let (count, shown) = self.failures.entry(case.function).or_default();
         *count += 1;
@@ -105,78 +97,55 @@ impl Shared {
             shown.push(text);
         }
     }
+
+    fn report(&self) -> String {
+        let mut text = format!("{} functions failed\n", self.failures.len());
+        for (name, (count, shown)) in &self.failures {
+            text += &format!("\n{name}: {count} failures\n{}\n", shown.join("\n"));
+        }
+        text
+    }
 }
 
 /// Runs the checks and fails with a list of the failures.
 pub(crate) fn run(rows: &'static [Row]) {
-    let (shared, settings) = (Arc::<Mutex<Shared>>::default(), Settings::read());
-    let mut first = 0;
-    // A call that does not return keeps its thread; another worker continues with the next function.
-    while let Some(next) = watch(&spawn(rows, first, &settings, &shared), &shared) {
-        first = next;
+    let (started, cases) = channel();
+    let work = move || {
+        let (settings, mut results) = (Settings::read(), Results::default());
+        for &(name, check) in rows {
+            for number in settings.numbers(name) {
+                let _ = started.send((name, number)); // fails when this call has been given up
+                let case = case(settings.seed, name, number);
+                let outcome = guarded(check, &case);
+                results.calls += 1;
+                results.calls_with_lines += usize::from(take_replaced_segments() > 0);
+                if let Err(Failure(message)) = outcome {
+                    results.add(&case, &message);
+                }
+            }
+        }
+        results
+    };
+    let builder = std::thread::Builder::new().stack_size(16 << 20);
+    let worker = builder.spawn(work).expect("a thread");
+    let mut last = ("", 0);
+    loop {
+        match cases.recv_timeout(HANG) {
+            Ok(case) => last = case,
+            Err(RecvTimeoutError::Disconnected) => break,
+            Err(RecvTimeoutError::Timeout) => {
+                panic!("{}:{}: no answer after {HANG:?}", last.0, last.1)
+            }
+        }
     }
-    let shared = lock(&shared);
-    assert!(shared.failures.is_empty(), "{}", report(&shared.failures));
-    let (some, all) = (shared.calls_with_lines, shared.calls);
+    let results = worker.join().expect("panics of checks are failures");
+    assert!(results.failures.is_empty(), "{}", results.report());
+    let (some, all) = (results.calls_with_lines, results.calls);
     println!("lines replaced segments in {some} of {all} calls");
     assert!(
         some * MIN_CALLS_WITHOUT_LINES <= all + MIN_CALLS_WITHOUT_LINES,
         "{some} of {all}"
     );
-}
-
-fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
-    shared.lock().expect("no panic while it is locked")
-}
-
-/// Starts a thread for the rows from `first` on; the receiver is notified when it ends.
-fn spawn(
-    rows: &'static [Row],
-    first: usize,
-    settings: &Settings,
-    shared: &Arc<Mutex<Shared>>,
-) -> Receiver<()> {
-    let (sender, receiver) = channel();
-    let (settings, shared) = (settings.clone(), Arc::clone(shared));
-    let number = lock(&shared).worker;
-    let work = move || {
-        let _ended = sender; // dropped at the end, also after a panic
-        for (row, &(name, check)) in rows.iter().enumerate().skip(first) {
-            for number_of_case in settings.numbers(name) {
-                let case = case(settings.seed, name, number_of_case);
-                lock(&shared).current = Some((case.clone(), row, Instant::now()));
-                let outcome = guarded(check, &case);
-                let replaced = take_replaced_segments();
-                let mut shared = lock(&shared);
-                if shared.worker != number {
-                    return;
-                }
-                shared.calls += 1;
-                shared.calls_with_lines += usize::from(replaced > 0);
-                if let Err(Failure(message)) = outcome {
-                    shared.add(&case, &message);
-                }
-            }
-        }
-    };
-    let builder = std::thread::Builder::new().stack_size(16 << 20);
-    builder.spawn(work).expect("a thread");
-    receiver
-}
-
-/// Waits for the end of a worker. If a call takes too long, records this and returns the row to continue with.
-fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
-    while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
-        let mut shared = lock(shared);
-        if let Some((case, row, start)) = shared.current.clone()
-            && start.elapsed() > HANG
-        {
-            shared.add(&case, &format!("no answer after {HANG:?}"));
-            shared.worker += 1;
-            return Some(row + 1);
-        }
-    }
-    None
 }
 
 /// Runs a check and turns its panics into failures.
@@ -189,26 +158,17 @@ pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
     })
 }
 
-/// The text of a failure, with the command that repeats it and code that can be pasted into a test.
+/// The text of a failure, with the command that repeats it and the call in JavaScript.
 fn describe(case: &Case, message: &str) -> String {
+    let Case {
+        function,
+        seed,
+        number,
+        mode,
+        ..
+    } = case;
     format!(
-        "{}, seed {}, number {} ({:?}): {message}\n  repeat: CASTELJAU_SEED={} CASTELJAU_ONLY={}:{} cargo test --test generated\n  Rust: {}\n  JavaScript: {}",
-        case.function,
-        case.seed,
-        case.number,
-        case.mode,
-        case.seed,
-        case.function,
-        case.number,
-        case.to_rust(),
+        "{function}, seed {seed}, number {number} ({mode:?}): {message}\n  repeat: CASTELJAU_SEED={seed} CASTELJAU_ONLY={function}:{number} cargo test --test generated\n  {}",
         case.to_javascript()
     )
-}
-
-fn report(failures: &Failures) -> String {
-    let mut text = format!("{} functions failed\n", failures.len());
-    for (name, (count, shown)) in failures {
-        text += &format!("\n{name}: {count} failures\n{}\n", shown.join("\n"));
-    }
-    text
 }

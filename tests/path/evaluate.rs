@@ -16,6 +16,7 @@ fn values_are_those_of_the_subpath() {
                 let t = rng.unit() * (count + 1.0) - 0.5;
                 let time = PathTime::new(subpath, t);
                 assert_eq!(path.eval(time), Ok(spline.eval(t)));
+                assert_eq!(path.eval_at(&[time]), Ok(vec![spline.eval(t)]));
                 assert_eq!(path.tangent(time), Ok(spline.tangent(t)));
                 assert_eq!(path.normal(time), Ok(spline.normal(t)));
                 assert_eq!(path.derivative_at(time, 2), Ok(spline.derivative_at(t, 2)));
@@ -37,6 +38,8 @@ fn positions_by_length_have_point_and_directions() {
         assert_eq!(Ok(found.point), path.eval(found.t));
         assert_eq!(Ok(found.tangent), path.tangent(found.t));
         assert_eq!(found.normal, found.tangent.perp());
+        let slack = 1e-9 * path.length() + 1e-14 * path.max_coordinate();
+        near(path.length_at(found.t).expect("a position"), s, slack);
     }
     assert_eq!(Path::default().point_at_length(1.0), None);
 }
@@ -78,6 +81,9 @@ fn the_parts_of_a_split_are_the_path() {
             let time = path.time_at_length(rng.unit() * whole).expect("not empty");
             let (before, after) = path.split(time).expect("a position");
             near(before.length() + after.length(), whole, slack);
+            assert_eq!(path.subsegment(..time).as_ref(), Ok(&before));
+            let parts = [before.clone(), Path::default(), after.clone()];
+            assert_eq!(path.split_at(&[time, time]), Ok(parts.to_vec()));
             let cut = before.subpath_count() + after.subpath_count();
             assert!((path.subpath_count()..=path.subpath_count() + 1).contains(&cut));
             let backwards = path

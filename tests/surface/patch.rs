@@ -42,11 +42,17 @@ fn every_form_has_the_points_of_the_bernstein_sum() {
         let (raised, image) = (patch.elevate(), patch.transform(&map).unwrap());
         let largest = patch.degree_u().max(patch.degree_v());
         assert_eq!(raised.is_err(), largest == 64);
+        // Outside, rounding errors grow with the degrees.
+        let outside = [(-0.25, 0.5), (0.75, 1.5), (1.25, -0.5)].map(|at| (at, 1e-13));
+        let outside = outside.into_iter().filter(|_| largest <= 5);
+        for ((u, v), max) in everywhere().map(|at| (at, 4e-15)).chain(outside) {
+            let p = patch.eval(u, v);
+            assert_near(p, bernstein_sum(&patch, u, v), max);
+            assert_near(patch.isocurve_at_u(u).eval(v), p, max);
+            assert_near(patch.isocurve_at_v(v).eval(u), p, max);
+        }
         for (u, v) in everywhere() {
             let p = patch.eval(u, v);
-            assert_near(p, bernstein_sum(&patch, u, v), 4e-15);
-            assert_near(patch.isocurve_at_u(u).eval(v), p, 4e-15);
-            assert_near(patch.isocurve_at_v(v).eval(u), p, 4e-15);
             assert!(p.cmpge(low).all() && p.cmple(high).all());
             assert_near(image.eval(u, v), map.transform_point3(p), 2e-14);
             if let Ok(raised) = &raised {

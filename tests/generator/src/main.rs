@@ -1,6 +1,6 @@
 //! Prints generated cases as lines of JSON: `casteljau-generator SEED FUNCTION FIRST COUNT`, or `casteljau-generator list`.
 //!
-//! With `--javascript` after them, the lines of JavaScript that make the calls; with `--rust`, those of Rust.
+//! With `--javascript` after them, the lines of JavaScript that make the calls.
 
 use casteljau_generator::{Case, FUNCTIONS, case, find};
 use std::io::{BufWriter, Write};
@@ -17,8 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let show: fn(&Case) -> String = match rest.first().map(String::as_str) {
         None => Case::to_json,
         Some("--javascript") => Case::to_javascript,
-        Some("--rust") => Case::to_rust,
-        Some(other) => return Err(format!("expected --javascript or --rust, got {other}").into()),
+        Some(other) => return Err(format!("expected --javascript, got {other}").into()),
     };
     if find(function).is_none() {
         return Err(format!("expected a function of the list, got {function}").into());

@@ -1,20 +1,18 @@
-//! Cases as lines of JSON, Rust and JavaScript.
+//! Cases as lines of JSON and JavaScript.
 //!
 //! Numbers have the fewest digits that give them back, so both languages see the same bits. JSON has neither infinities
 //! nor NaN, and no case has any.
 
 use crate::case::{Case, SplineData, SurfaceData, Value};
-use crate::functions;
 use glam::DVec3;
 use std::fmt::Debug;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Language {
     Json,
-    Rust,
     JavaScript,
 }
-use Language::{JavaScript, Json, Rust};
+use Language::{JavaScript, Json};
 
 impl Case {
     /// The case as one line of JSON: its function, number, mode, dimension, size and arguments.
@@ -32,43 +30,31 @@ impl Case {
         )
     }
 
-    /// One line of Rust that makes the call, to be pasted into a test.
-    pub fn to_rust(&self) -> String {
-        self.listing(Rust)
-    }
-
     /// One line of JavaScript that makes the call, to be pasted into a test.
     pub fn to_javascript(&self) -> String {
-        self.listing(JavaScript)
-    }
-
-    fn listing(&self, language: Language) -> String {
         let (kind, function) = self
             .function
             .split_once("::")
             .unwrap_or(("", self.function));
-        let signature = functions::find(self.function).expect("a row");
         let mut line = String::new();
-        for ((name, value), (_, kind)) in self.arguments.iter().zip(&signature.arguments) {
-            let (name, mut text) = (language.name(name), value.text(language));
-            if language == Rust && kind.starts_with("optional") && *value != Value::Nothing {
-                text = format!("Some({text})");
-            }
-            let word = if language == Rust { "let" } else { "const" };
-            line += &format!("{word} {name} = {text}; ");
+        for (name, value) in &self.arguments {
+            line += &format!("const {} = {}; ", camel_case(name), value.text(JavaScript));
         }
-        let mut names = self.arguments.iter().map(|(name, _)| language.name(name));
+        let mut names = self.arguments.iter().map(|(name, _)| camel_case(name));
         let receiver = self
             .arguments
             .first()
             .is_some_and(|(_, value)| value.is_object());
-        let (of, separator) = match language {
-            _ if receiver && function != "new" => (names.next().unwrap_or_default(), "."),
-            Rust => (kind.to_owned(), "::"),
-            _ => (kind.to_owned(), "."),
+        let of = match receiver && function != "new" {
+            true => names.next().unwrap_or_default(),
+            false => kind.to_owned(),
         };
-        let (function, names) = (language.name(function), names.collect::<Vec<_>>());
-        line + &format!("{of}{separator}{function}({});", names.join(", "))
+        let function = if function == "approx_eq" {
+            "equals".to_owned()
+        } else {
+            camel_case(function)
+        };
+        line + &format!("{of}.{function}({});", names.collect::<Vec<_>>().join(", "))
     }
 }
 
@@ -84,30 +70,12 @@ impl Language {
         self.list(items, |item| format!("{item:?}"))
     }
 
-    /// A list of points. In Rust pairs or triples become points.
     fn points(self, dimension: usize, points: &[DVec3]) -> String {
-        let list = self.list(points, |p| self.coordinates(dimension, *p));
-        match self {
-            Rust => format!("{list}.map(DVec{dimension}::from)"),
-            _ => list,
-        }
+        self.list(points, |p| self.coordinates(dimension, *p))
     }
 
     fn coordinates(self, dimension: usize, p: DVec3) -> String {
-        let list = self.debug(&p.to_array()[..dimension]);
-        match self {
-            Rust => format!("({})", &list[1..list.len() - 1]),
-            _ => list,
-        }
-    }
-
-    /// A name of Rust as a name of the language.
-    fn name(self, name: &str) -> String {
-        match name {
-            "approx_eq" if self == JavaScript => String::from("equals"),
-            _ if self == JavaScript => camel_case(name),
-            _ => name.to_owned(),
-        }
+        self.debug(&p.to_array()[..dimension])
     }
 
     fn spline(self, spline: &SplineData) -> String {
@@ -118,7 +86,6 @@ impl Language {
             Json => format!(
                 "{{\"dimension\":{dimension},\"points\":{points},\"degrees\":{degrees},\"closed\":{closed}}}"
             ),
-            Rust => format!("Spline::with_degrees({points}.to_vec(), &{degrees}, {closed})?"),
             JavaScript => format!(
                 "Spline.fromJSON({{ points: {points}, degrees: {degrees}, closed: {closed} }})"
             ),
@@ -135,9 +102,6 @@ impl Language {
                 "{{\"vertices\":{vertices},\"indices\":{indices},\"degrees\":{degrees},\"text\":{}}}",
                 quoted(&text)
             ),
-            Rust => {
-                format!("Surface::with_degrees({vertices}.to_vec(), vec!{indices}, &{degrees})?")
-            }
             // By its text, the one form in which patches may have different degrees.
             JavaScript => format!("Surface.parse({text:?})"),
         }
@@ -147,7 +111,6 @@ impl Language {
         let (vertices, [m, n]) = (self.points(3, &patch.vertices), patch.degrees[0]);
         match self {
             Json => self.surface(patch),
-            Rust => format!("Patch::new(&{vertices}, {m}, {n})?"),
             JavaScript => format!("new Patch({vertices}, {{ degreeU: {m}, degreeV: {n} }})"),
         }
     }
@@ -165,7 +128,6 @@ impl Value {
     fn text(&self, language: Language) -> String {
         match (self, language) {
             (Self::Nothing, Json) => String::from("null"),
-            (Self::Nothing, Rust) => String::from("None"),
             (Self::Nothing, JavaScript) => String::from("undefined"),
             (Self::Number(x), _) => format!("{x:?}"),
             (Self::Count(n), _) => n.to_string(),
@@ -173,19 +135,12 @@ impl Value {
             (Self::Word(word), _) => format!("{word:?}"),
             (Self::Words(words), _) => language.debug(words),
             (Self::Numbers(numbers), _) => language.debug(numbers),
-            (Self::Point(dimension, p), Rust) => {
-                format!(
-                    "DVec{dimension}::new{}",
-                    language.coordinates(*dimension, *p)
-                )
-            }
             (Self::Point(dimension, p), _) => language.coordinates(*dimension, *p),
             (Self::Points(dimension, points), _) => language.points(*dimension, points),
             (Self::Curve(dimension, points), _) => {
                 let points = language.points(*dimension, points);
                 match language {
                     Json => format!("{{\"dimension\":{dimension},\"points\":{points}}}"),
-                    Rust => format!("Curve::new(&{points})?"),
                     JavaScript => format!("new Curve({points})"),
                 }
             }
@@ -194,7 +149,6 @@ impl Value {
                 let list = language.list(splines, |spline| language.spline(spline));
                 match language {
                     Json => list,
-                    Rust => format!("Path::new(&{list})"),
                     JavaScript => format!("new Path({list})"),
                 }
             }
