@@ -5,6 +5,7 @@ mod arc;
 mod composition;
 mod facts;
 mod flatten;
+mod gumbo;
 mod intersect;
 mod offset;
 mod parallel;

@@ -1,11 +1,11 @@
 // Meshes as files and as geometry of three.js. The table was made by another program from the definitions of the
 // formats; tests/surface/export.rs reads it, too.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import validator from "gltf-validator";
 import * as THREE from "three";
 import { Mesh, Surface } from "casteljau";
+import { testFiles, valid } from "./mesh-files.js";
 import { refused, untyped } from "./reference.js";
 
 const table = JSON.parse(readFileSync(new URL("../texts/meshes.json", import.meta.url), "utf8"));
@@ -35,36 +35,9 @@ for (const entry of table) {
   });
 }
 
-/** No error and no warning; what the file holds. */
-async function valid(glb) {
-  const { issues, info } = await validator.validateBytes(glb);
-  const serious = issues.messages.filter(({ severity }) => severity < 2);
-  assert.deepEqual(serious, []);
-  return info;
-}
-
 const square = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1], indices: [0, 1, 2] };
 const empty = new Surface({ vertices: [], patches: [] });
 const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
-
-/**
- * Gumbo, the hard test, which is not part of the project.
- *
- * @returns {[string, Mesh][]}
- */
-function gumbo() {
-  const file = new URL("../../../shared/data/gumbo.json", import.meta.url);
-  if (!existsSync(file)) {
-    test("Gumbo as glb, stl and obj", { skip: "../shared/data/gumbo.json is absent" }, () => {});
-    return [];
-  }
-  const { vertices, patches } = JSON.parse(readFileSync(file, "utf8"));
-  const surface = new Surface({ vertices, patches });
-  return [
-    ["Gumbo", surface.tessellate({ tolerance: 0.02 })],
-    ["Gumbo as tubes", surface.wireframe({ lines: 2, radius: 0.05 })],
-  ];
-}
 
 /** Every way to a mesh. @type {[string, Mesh][]} */
 const meshes = [
@@ -78,53 +51,9 @@ const meshes = [
   ["a patch that is a point", point.grid({ segments: 2 })],
   ["tubes", Surface.teaspoon().wireframe({ lines: 3, radius: 0.004 })],
   ["ribbons", Surface.teacup().wireframe({ lines: 3, width: 0.02 })],
-  ...gumbo(),
 ];
 
-for (const [name, mesh] of meshes) {
-  test(`glb is valid: ${name}`, async () => {
-    const info = await valid(mesh.toGLB());
-    assert.equal(info.totalTriangleCount, mesh.indices.length / 3);
-    if (mesh.indices.length) assert.equal(info.totalVertexCount, mesh.positions.length / 3);
-  });
-
-  test(`stl reads back: ${name}`, () => {
-    const bytes = mesh.toSTL();
-    const view = new DataView(bytes.buffer);
-    const count = view.getUint32(80, true);
-    assert.equal(count, mesh.indices.length / 3);
-    assert.equal(bytes.length, 84 + 50 * count);
-    assert.notEqual(new TextDecoder().decode(bytes.subarray(0, 5)), "solid");
-    for (let k = 0; k < count; k += Math.ceil(count / 500)) {
-      const [normal, a, b, c] = [0, 1, 2, 3].map((v) =>
-        [0, 1, 2].map((axis) => view.getFloat32(84 + 50 * k + 12 * v + 4 * axis, true)),
-      );
-      [a, b, c].forEach((corner, i) => {
-        const at = 3 * mesh.indices[3 * k + i];
-        assert.deepEqual(corner, [...mesh.positions.subarray(at, at + 3)].map(Math.fround));
-      });
-      const [along, across] = [b, c].map((p) => new THREE.Vector3(...p).sub(new THREE.Vector3(...a)));
-      const cross = along.cross(across);
-      const expected = cross.length() > 0 ? cross.normalize() : new THREE.Vector3();
-      assert.ok(expected.distanceTo(new THREE.Vector3(...normal)) < 1e-6);
-    }
-  });
-
-  test(`obj reads back: ${name}`, () => {
-    const text = mesh.toOBJ();
-    const of = (word) => [...text.matchAll(new RegExp(`^${word} (.*)$`, "gm"))].flatMap(([, rest]) => rest.split(" "));
-    const numbers = (word, Type) => Type.from(of(word).map(Number));
-    const { constructor: Real } = mesh.positions;
-    assert.deepEqual(numbers("v", Real), mesh.positions);
-    assert.deepEqual(numbers("vn", Real), mesh.normals);
-    assert.deepEqual(numbers("vt", Float32Array), mesh.uvs ?? new Float32Array());
-    const faces = mesh.quads ?? mesh.indices;
-    const corners = of("f").map((corner) => corner.split("/"));
-    const vertices = corners.map(([vertex]) => Number(vertex) - 1);
-    assert.deepEqual(vertices, [...faces]);
-    assert.ok(corners.every(([v, vt, vn]) => vn === v && vt === (mesh.uvs ? v : "")));
-  });
-}
+for (const [name, mesh] of meshes) testFiles(name, mesh);
 
 test("faces of an obj", () => {
   const mesh = Surface.teapot().grid({ segments: 2, quads: true });

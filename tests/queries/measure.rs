@@ -1,11 +1,7 @@
 //! Area and volume.
 
 use crate::queries::shapes::{map, odd_patches};
-#[cfg(not(target_family = "wasm"))]
-use crate::support::nets::part;
 use crate::support::nets::{RandomNet, cube, graph, net, nothing, patch, points, teapot};
-#[cfg(not(target_family = "wasm"))]
-use crate::support::surfaces::gumbo;
 use crate::support::{Rng, near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::models::Up;
@@ -61,51 +57,6 @@ fn areas_of_cup_and_spoon() {
         assert_relative(Surface::teacup(up).area(), 9.981_697_616, 1.5e-8);
         near(Surface::teaspoon(up).area(), 0.342_881_444, 1.5e-8);
     }
-}
-
-#[cfg(not(target_family = "wasm"))]
-#[test]
-fn area_and_volume_of_gumbo() {
-    let Some(gumbo) = gumbo() else {
-        return;
-    };
-    assert_relative(gumbo.area(), 1_725.974_79, 1.5e-8);
-    assert_eq!(gumbo.volume(), None);
-    let parts = gumbo.topology().components;
-    let mut volumes = parts
-        .iter()
-        .filter_map(|patches| part(&gumbo, patches).volume());
-    assert!(volumes.any(|volume| (volume - 2_556.773_7).abs() < 5e-5));
-}
-
-/// A ray that enters a closed body leaves it again, though Gumbo's parts overlap: by the normals, a ray enters as often
-/// as it leaves.
-#[cfg(not(target_family = "wasm"))]
-#[test]
-fn rays_go_in_and_out_of_gumbos_body() {
-    let Some(gumbo) = gumbo() else {
-        return;
-    };
-    let parts = gumbo.topology().components.into_iter();
-    let mut parts = parts.map(|patches| part(&gumbo, &patches));
-    let body = parts.find(|part| part.topology().open.is_empty()).unwrap();
-    let bounds = body.bounds().unwrap();
-    let mut random = Rng(1);
-    let mut hits = 0;
-    for _ in 0..1000 {
-        let share = DVec3::new(random.unit(), random.unit(), random.unit());
-        let inside = bounds.min + (bounds.max - bounds.min) * share;
-        let along = random.grid_point().normalize_or(DVec3::X);
-        let found = body.intersect_ray(inside - along * 100.0, along).unwrap();
-        assert_eq!(found.len() % 2, 0, "{found:?}");
-        let depth = found.iter().fold(0.0, |depth, hit| {
-            let normal = body.patch(hit.patch).unwrap().normal(hit.u, hit.v);
-            depth - normal.dot(along).signum()
-        });
-        assert_eq!(depth, 0.0, "{found:?}");
-        hits += found.len();
-    }
-    assert!(hits > 1500, "{hits}");
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub(crate) mod paths;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) mod surfaces;
 pub(crate) mod threads;
+pub(crate) mod wires;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};

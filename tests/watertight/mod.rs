@@ -1,17 +1,17 @@
 //! Crack-free meshes: the guarantees of `tessellate` on well-known surfaces, on random ones and for invalid input.
 
-mod checks;
+pub(crate) mod checks;
 mod distance;
-mod figures;
+pub(crate) mod figures;
 mod folds;
-mod known;
-mod limits;
-mod metamorphic;
+pub(crate) mod known;
+pub(crate) mod limits;
+pub(crate) mod metamorphic;
 mod moved;
 mod networks;
 mod pixels;
 mod random;
 mod refusals;
-mod shapes;
-mod soup;
-mod weld;
+pub(crate) mod shapes;
+pub(crate) mod soup;
+pub(crate) mod weld;

@@ -1,22 +1,19 @@
 //! The surfaces of the tests.
 
 pub(crate) use crate::support::nets::{part, scaled, teapot};
-pub(crate) use crate::support::surfaces::gumbo;
 use casteljau::glam::DVec3;
 use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::models::Up;
 use casteljau::surface::{EdgeUse, PatchEdge};
 use casteljau::{Grid, Mesh, Patch, Surface};
 
-/// All four, with a name; Gumbo is reported as skipped where its data are absent.
-pub(crate) fn all() -> Vec<(&'static str, Surface)> {
-    let mut all = vec![
+/// The tea set, with names.
+pub(crate) fn all() -> [(&'static str, Surface); 3] {
+    [
         ("teapot", teapot()),
         ("teacup", Surface::teacup(Up::Z)),
         ("teaspoon", Surface::teaspoon(Up::Z)),
-    ];
-    all.extend(gumbo().map(|surface| ("gumbo", surface)));
-    all
+    ]
 }
 
 pub(crate) fn diagonal(surface: &Surface) -> f64 {

@@ -29,33 +29,37 @@ fn means(own: &Mesh, soup: &Soup) -> Vec<DVec3> {
 
 #[test]
 fn normals_of_shared_vertices() {
-    for (name, surface) in all() {
-        for options in [segments(5, 5), tolerance(diagonal(&surface) * 3e-3)] {
-            let welds = [Weld::None, Weld::Normal, Weld::Position];
-            let [own, normal, position] = welds.map(|weld| meshed(&surface, options, weld));
-            let soup = Soup::new(&own);
-            let expected = means(&own, &soup);
-            let welded = Soup::new(&position);
-            // An edge of one of the teaspoon's patches passes through its own end: two points of the surface at one
-            // position.
-            let twice = position.vertex_count() - welded.points.len();
-            let allowed = usize::from(name == "teaspoon");
-            assert!(twice <= allowed, "{name}: {twice} points have two vertices");
-            let mut vertices = vec![0; welded.points.len()];
-            let locations = welded.position_of.iter();
-            locations.for_each(|&location| vertices[location as usize] += 1);
-            let normals: Vec<DVec3> = vectors(&position.normals).collect();
-            let ours = welded.corners.as_flattened().iter();
-            for (ours, theirs) in ours.zip(soup.triangles.as_flattened()) {
-                let mean = expected[*theirs as usize];
-                let single = vertices[welded.position_of[*ours] as usize] == 1;
-                // Normals that almost cancel have no meaningful mean.
-                let off = degrees_between(normals[*ours], mean.normalize_or_zero());
-                let fits = off < 0.01 || mean.length() < 0.01 || !single;
-                assert!(fits, "{name}: a mean normal off by {off}°");
-            }
-            assert_creases(name, &normal);
+    all()
+        .iter()
+        .for_each(|(name, surface)| check_normals(name, surface));
+}
+
+pub(crate) fn check_normals(name: &str, surface: &Surface) {
+    for options in [segments(5, 5), tolerance(diagonal(surface) * 3e-3)] {
+        let welds = [Weld::None, Weld::Normal, Weld::Position];
+        let [own, normal, position] = welds.map(|weld| meshed(surface, options, weld));
+        let soup = Soup::new(&own);
+        let expected = means(&own, &soup);
+        let welded = Soup::new(&position);
+        // An edge of one of the teaspoon's patches passes through its own end: two points of the surface at one
+        // position.
+        let twice = position.vertex_count() - welded.points.len();
+        let allowed = usize::from(name == "teaspoon");
+        assert!(twice <= allowed, "{name}: {twice} points have two vertices");
+        let mut vertices = vec![0; welded.points.len()];
+        let locations = welded.position_of.iter();
+        locations.for_each(|&location| vertices[location as usize] += 1);
+        let normals: Vec<DVec3> = vectors(&position.normals).collect();
+        let ours = welded.corners.as_flattened().iter();
+        for (ours, theirs) in ours.zip(soup.triangles.as_flattened()) {
+            let mean = expected[*theirs as usize];
+            let single = vertices[welded.position_of[*ours] as usize] == 1;
+            // Normals that almost cancel have no meaningful mean.
+            let off = degrees_between(normals[*ours], mean.normalize_or_zero());
+            let fits = off < 0.01 || mean.length() < 0.01 || !single;
+            assert!(fits, "{name}: a mean normal off by {off}°");
         }
+        assert_creases(name, &normal);
     }
 }
 

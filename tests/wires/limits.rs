@@ -1,8 +1,9 @@
 //! Tubes and ribbons on degenerate surfaces, and rejected input.
 
 use super::{euler, ribbons, tubes};
+use crate::support::nets::volume;
 use crate::support::nets::{RandomNet, net, nothing, scaled, single, teapot};
-use crate::support::nets::{triangles, vectors, volume};
+use crate::support::wires::check_ribbons;
 use crate::support::{Rng, assert_refused};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::{PatchRange, Wire, WireframeOptions};
@@ -70,13 +71,6 @@ fn degenerate_lines() {
     assert_eq!(euler(&mesh), 2 * (2 + 2 * 2));
 }
 
-fn check_ribbons(mesh: &Mesh) {
-    assert!(vectors(&mesh.positions).all(|p| p.is_finite()));
-    assert!(vectors(&mesh.normals).all(|n| (n.length() - 1.0).abs() < 3e-7));
-    let (mut all, count) = (triangles(mesh).into_iter().flatten(), mesh.vertex_count());
-    assert!(all.all(|vertex| vertex < count));
-}
-
 #[test]
 fn adversarial_nets() {
     let mut random = Rng(11);
@@ -137,22 +131,4 @@ fn refused() {
         let result = teapot().wireframe(&WireframeOptions::new(lines, wire));
         assert_refused(result, message);
     }
-}
-
-/// Gumbo, the most difficult model: many corners and edges are collapsed.
-#[cfg(not(target_family = "wasm"))]
-#[test]
-fn gumbo() {
-    let Some(surface) = crate::support::surfaces::gumbo() else {
-        return;
-    };
-    // 247 edges are shared by two patches, 10 are a point.
-    let curves = 128 * 2 * 5 - 247 - 10;
-    assert_eq!(surface.isocurves(4).unwrap().len(), curves);
-    let mesh = tubes(&surface, 4, 0.05, 6);
-    assert!(euler(&mesh) >= 2 * isize::try_from(curves).unwrap());
-    let bands = ribbons(&surface, 4, 0.1);
-    assert!(bands.vertex_count() >= 4 * curves);
-    check_ribbons(&bands);
-    assert_eq!(Surface::parse(&surface.to_text()), Ok(surface));
 }
