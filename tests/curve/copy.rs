@@ -1,9 +1,9 @@
 //! Lines, quadratics and cubics that are `Copy`: every method has the result of the same method of `Curve`.
 
-use crate::support::{Rng, Space, refused};
+use crate::support::{Rng, Space};
+use casteljau::Curve;
 use casteljau::curve::{Cubic, Line, Quad};
 use casteljau::glam::{DAffine2, DVec2, DVec3, dvec2};
-use casteljau::{Curve, Error};
 #[cfg(target_family = "wasm")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -121,28 +121,9 @@ fn methods_of_the_plane_are_those_of_curves() {
 }
 
 #[test]
-fn other_degrees_and_numbers_are_refused() {
-    let line = Curve::line(DVec2::ZERO, DVec2::X);
-    refused(Cubic::try_from(&line), "Count points 2");
-    refused(
-        Line::new(DVec2::ZERO, dvec2(f64::NAN, 0.0)),
-        "NotFinite points 1",
-    );
-    let far = Quad::new(DVec2::ZERO, dvec2(0.0, 1e200), DVec2::X);
-    assert!(matches!(
-        far,
-        Err(Error::Item {
-            what: "points",
-            index: 1,
-            ..
-        })
-    ));
-    let largest = casteljau::MAX_COORDINATE;
-    let huge = Line::new(dvec2(-largest, 0.0), dvec2(largest, 0.0)).expect("within the limit");
+fn the_longest_line_stays_within_the_limit() {
+    let largest = dvec2(casteljau::MAX_COORDINATE, 0.0);
+    let huge = Line::new(-largest, largest).expect("within the limit");
     assert!(huge.split(10.0).0.end().is_finite());
-    assert_eq!(huge.derivative(), dvec2(largest, 0.0));
-    let doubled = huge.transform(&DAffine2::from_scale(DVec2::splat(2.0)));
-    assert!(matches!(doubled, Err(Error::Item { what: "image", .. })));
-    refused(huge.nearest(DVec2::NAN), "NotFinite p 0");
-    refused(huge.flatten(0.0), "Range tolerance");
+    assert_eq!(huge.derivative(), largest);
 }

@@ -210,8 +210,6 @@ fn there_and_back_is_the_same_spline() {
         let back = Spline::from_bspline(&b.points, b.degree, Some(&b.knots), b.closed);
         assert_eq!(back, Ok(spline));
     }
-    let mixed = Spline::with_degrees(vec![DVec2::ZERO; 6], &[2, 3], false).expect("a spline");
-    refused(mixed.to_bspline(), "Item degrees 1 3");
 }
 
 /// Only ratios of knots matter; affine maps of the points map the curve.
@@ -239,60 +237,6 @@ fn knots_and_points_of_any_size() {
         let within = |p: &DVec2| p.is_finite() && p.max_abs() <= largest(&scaled);
         assert!(open(&scaled, 3, &u).control_points().iter().all(within));
     }
-}
-
-#[test]
-fn refusals() {
-    let p = [DVec2::ZERO; 5];
-    let table: [(&[f64], usize, bool, &str); 12] = [
-        (
-            &[0.0, 1.0, 2.0, 1.5, 3.0, 4.0, 5.0, 6.0],
-            2,
-            false,
-            "Item knots 3 1.5",
-        ),
-        // A double inner knot splits a polyline; at an end two are usual, three are too many.
-        (
-            &[0.0, 0.0, 1.0, 1.0, 2.0, 3.0, 3.0],
-            1,
-            false,
-            "Item knots 3 1",
-        ),
-        (
-            &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
-            1,
-            false,
-            "Item knots 2 0",
-        ),
-        (&[1.0; 8], 2, false, "Item knots 5 1"),
-        (&[0.0, 1.0, 1.0, 1.0, 2.0, 3.0], 2, true, "Item knots 3 1"),
-        (&[0.0, 0.0, 0.0, 1.0, 2.0, 3.0], 2, true, "Item knots 2 0"),
-        (&[4.0; 6], 2, true, "Item knots 5 4"),
-        (&[0.0; 7], 2, false, "Count knots 7"),
-        (&[], 2, false, "Count knots 0"),
-        (&[0.0; 8], 2, true, "Count knots 8"),
-        (
-            &[0.0, 1.0, f64::NAN, 3.0, 4.0, 5.0, 6.0, 7.0],
-            2,
-            false,
-            "NotFinite knots 2",
-        ),
-        (&[], 65, false, "Range degree"),
-    ];
-    for (u, degree, closed, expected) in table {
-        refused(Spline::from_bspline(&p, degree, Some(u), closed), expected);
-    }
-    refused(Spline::from_bspline(&p, 0, None, false), "Range degree");
-    refused(Spline::from_bspline(&p, 5, None, false), "Count points 5");
-    refused(
-        Spline::<DVec2>::from_bspline(&[], 1, None, true),
-        "Count points 0",
-    );
-    let points = [DVec2::ZERO, DVec2::NAN, DVec2::ZERO];
-    refused(
-        Spline::from_bspline(&points, 1, None, false),
-        "NotFinite points 1",
-    );
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::spline::{continuity, is_finite};
 use crate::support::{Rng, Space, all_near, largest, near, near_at};
-use crate::support::{random_points, real, refused, xy};
+use crate::support::{random_points, real, xy};
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::Interpolation::{self, CatmullRom, Natural};
@@ -197,21 +197,4 @@ fn a_million_points() {
         let size = largest(&spline.control_points()[..300]);
         assert!(size < 105.0 || closed, "{size}");
     }
-}
-
-#[test]
-fn refusals() {
-    for (count, kind) in KINDS.into_iter().flat_map(|kind| [(0, kind), (1, kind)]) {
-        let refusal = Spline::interpolate(&vec![DVec2::ZERO; count], kind, true);
-        refused(refusal, &format!("Count points {count}"));
-    }
-    for alpha in [-0.1, 1.1, f64::NAN, f64::INFINITY] {
-        let refusal = Spline::interpolate(&[DVec2::ZERO; 3], CatmullRom { alpha }, false);
-        refused(refusal, "Range alpha");
-    }
-    let bad = [DVec2::ZERO, DVec2::new(0.0, f64::NAN)];
-    refused(
-        Spline::interpolate(&bad, Natural, false),
-        "NotFinite points 1",
-    );
 }

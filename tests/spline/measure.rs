@@ -62,12 +62,6 @@ fn polylines_keep_the_tolerance_and_have_a_vertex_at_each_joint() {
     }
     let line = spline("0 0, 1 1, 2 0", 1, false);
     assert_eq!(line.flatten(0.1).expect("flat").ts, [0.0, 1.0, 2.0]);
-    refused(line.flatten(0.0), "Range tolerance");
-    refused(line.flatten(1e-16), "Tolerance");
-    refused(line.sample(0), "Range segments");
-    for many in [1 << 25, usize::MAX] {
-        refused(line.sample(many), "TooMany segments 67108863");
-    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod joints;
 mod measure;
 mod move_point;
 mod queries;
+mod refusals;
 
 use crate::support::{Rng, Space, changed, random_points};
 use casteljau::glam::DVec3;

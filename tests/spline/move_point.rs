@@ -1,10 +1,10 @@
 //! Moving points of splines: the joints hold, nothing else moves. joints.rs has the modes of second order.
 
 use crate::spline::{index_of, is_finite, joints, moved, smooth};
-use crate::support::{Rng, real, refused, spline, xy};
+use crate::support::{Rng, real, spline, xy};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::JointMode::{self, C1, C2, Free, G1, G2};
-use casteljau::{Error, MAX_COORDINATE, Spline};
+use casteljau::{MAX_COORDINATE, Spline};
 #[cfg(target_family = "wasm")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -183,26 +183,4 @@ fn rings_too_small_to_hold_anything() {
             assert!(others.iter().all(kept), "{mode:?}: {others:?}");
         }
     }
-}
-
-#[test]
-fn refusals() {
-    let mut open = spline(A, 3, false);
-    for got in [7, usize::MAX] {
-        let (what, first, last) = ("index", 0, 6);
-        let expected = Err(Error::Index {
-            what,
-            first,
-            last,
-            got,
-        });
-        assert_eq!(open.move_point(got, DVec2::ONE, |_| G1), expected);
-    }
-    for bad in [f64::NAN, f64::INFINITY] {
-        refused(
-            open.move_point(1, DVec2::new(bad, 0.0), |_| G1),
-            "NotFinite to 0",
-        );
-    }
-    assert_eq!(open, spline(A, 3, false));
 }

@@ -4,6 +4,7 @@ mod cases;
 mod contains;
 mod dashes;
 mod ink;
+mod refusals;
 mod resvg;
 mod round;
 mod round_corners;

@@ -229,12 +229,10 @@ pub(crate) fn all_near<T: Distance>(got: &[T], expected: &[T], max: f64) {
     }
 }
 
-/// Asserts that a call is refused with an error of this kind for this argument, such as "Range t", "NotFinite points 2"
-/// (with the index) or "Count points 7" (with the number that was received).
-#[track_caller]
-pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
-    let error = result.expect_err(expected);
-    let found = match error {
+/// The kind of an error and its argument, such as "Range t", "NotFinite points 2" (with the index) or "Count points 7" (with
+/// the number that was received).
+fn kind(error: &Error) -> String {
+    match error {
         Error::Count { what, got, .. } => format!("Count {what} {got}"),
         Error::NotFinite { what, index, .. } => format!("NotFinite {what} {index}"),
         Error::Index { what, got, .. } => format!("Index {what} {got}"),
@@ -248,6 +246,23 @@ pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
         Error::ClosedSpline { what } => format!("ClosedSpline {what}"),
         Error::Singular { what } => format!("Singular {what}"),
         _ => format!("{error:?}"),
-    };
-    assert_eq!(found, expected, "{error}");
+    }
+}
+
+/// Asserts that a call is refused with an error of this [`kind`].
+#[track_caller]
+pub(crate) fn refused<T: Debug>(result: Result<T, Error>, expected: &str) {
+    let error = result.expect_err(expected);
+    assert_eq!(kind(&error), expected, "{error}");
+}
+
+/// Asserts that each error of a table is there and is of this [`kind`], or that its message starts with this text.
+#[track_caller]
+pub(crate) fn all_refused<const N: usize>(table: [(Option<Error>, &str); N]) {
+    for (error, expected) in table {
+        let error = error.unwrap_or_else(|| panic!("not refused: {expected}"));
+        let message = error.to_string();
+        let fits = kind(&error) == expected || message.starts_with(expected);
+        assert!(fits, "{message}, not {expected}");
+    }
 }
