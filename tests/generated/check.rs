@@ -159,14 +159,20 @@ thread_local! {
 
 /// Runs a check and gives the result of the first call that it makes.
 pub(crate) fn first_outcome(check: fn(&Case) -> Checked, case: &Case) -> Option<Outcome> {
+    let (outcome, checked) = outcome_of(check, case);
+    if let Err(Failure(reason)) = checked {
+        panic!("{} {}: {reason}", case.function, case.number);
+    }
+    outcome
+}
+
+/// The result of the first call of a check, and what the check says.
+pub(crate) fn outcome_of(check: fn(&Case) -> Checked, case: &Case) -> (Option<Outcome>, Checked) {
     start(case);
     OUTCOMES.set(Some(Vec::new()));
     let checked = check(case);
     let outcomes = OUTCOMES.take().unwrap_or_default();
-    if let Err(Failure(reason)) = checked {
-        panic!("{} {}: {reason}", case.function, case.number);
-    }
-    outcomes.into_iter().next()
+    (outcomes.into_iter().next(), checked)
 }
 
 fn running() -> Running {

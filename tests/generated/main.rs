@@ -12,6 +12,7 @@ mod curves;
 mod drawing;
 mod geometry;
 mod ink;
+mod invalid;
 mod limits;
 mod lines;
 mod meshes;

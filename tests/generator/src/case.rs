@@ -99,6 +99,35 @@ impl Case {
             .1
     }
 
+    /// The case with a number in the place of another one, which is chosen among those of an argument and counted from 0:
+    /// coordinates of points and vertices, numbers and lists of numbers. `None` for an argument without numbers.
+    pub fn with_number(&self, argument: usize, place: usize, x: f64) -> Option<Self> {
+        let mut changed = self.clone();
+        let coordinate = |points: &mut [DVec3], dimension: usize| {
+            let count = points
+                .len()
+                .checked_mul(dimension)
+                .filter(|&count| count > 0)?;
+            let place = place % count;
+            points[place / dimension][place % dimension] = x;
+            Some(())
+        };
+        match &mut changed.arguments[argument].1 {
+            Value::Number(number) => *number = x,
+            Value::Numbers(numbers) if !numbers.is_empty() => {
+                let place = place % numbers.len();
+                numbers[place] = x;
+            }
+            Value::Point(dimension, p) => coordinate(std::slice::from_mut(p), *dimension)?,
+            Value::Points(dimension, points) => coordinate(points, *dimension)?,
+            Value::Patch(surface) | Value::Surface(surface) => {
+                coordinate(&mut surface.vertices, 3)?
+            }
+            _ => return None,
+        }
+        Some(changed)
+    }
+
     /// The largest absolute coordinate among all points.
     pub fn size(&self) -> f64 {
         let values = self.arguments.iter().map(|(_, value)| value.size());
