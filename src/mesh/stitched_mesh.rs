@@ -161,6 +161,8 @@ impl<'a> Stitcher<'a> {
     fn shared_node(&mut self, patch: usize, u: u32, v: u32) -> Option<u32> {
         let full = self.cut.full;
         let inside = |k: u32| k != 0 && k != full;
+        // On the edges U0 and U1 the parameter along the edge is v, on V0 and V1 it is u; corners of the patch are on
+        // U0 or U1.
         let (side, k) = match (inside(u), inside(v)) {
             (true, true) => return None,
             (false, _) => (usize::from(u == full), v),
@@ -170,6 +172,7 @@ impl<'a> Stitcher<'a> {
         if let Some(index) = self.edges.index(side, k) {
             return Some(to_u32(index));
         }
+        // An end of an edge, or any point of an edge that is a point: a vertex of the surface.
         let mut ends = self.surface.side(side);
         let vertex = if k == full {
             ends.next_back()
@@ -195,6 +198,7 @@ impl<'a> Stitcher<'a> {
         let corners = self.out.corners[base..].iter();
         let mut points: Vec<_> = corners.map(|c| self.point(c.node)).collect();
         for cell in self.cut.of_patch(patch) {
+            // If the triangles do not cover a folded cell, those around a corner inside of it take their place.
             let (from, base) = (self.out.triangles.len(), to_u32(base));
             let covers = triangulator.triangulate(cell, &points, base, &mut self.out.triangles);
             if !covers
@@ -298,6 +302,7 @@ fn append(whole: &mut Stitcher, part: Stitcher, shared: usize) {
     let out = &mut whole.out;
     let (corners, triangles) = (out.corners.len(), out.triangles.len());
     out.corners.extend(part.out.corners.iter().map(|corner| {
+        // The nodes on shared edges have the same numbers in all parts.
         let own = (corner.node as usize).checked_sub(shared);
         Corner {
             node: own.map_or(corner.node, |own| nodes[own]),
@@ -323,6 +328,7 @@ fn renumber(whole: &mut Stitcher, part: &Stitcher, shared: usize) -> Vec<u32> {
         }
     }
     let mut number = |(&point, vertex): (_, u32)| {
+        // NONE is beyond the list: a node inside of a patch belongs to no vertex.
         let known = whole.node_of_vertex.get_mut(vertex as usize);
         if let Some(&mut node) = known
             && node != NONE

@@ -104,6 +104,8 @@ impl Arcs {
         arcs.retain_mut(|arc| {
             arc.vertices = arc.vertices.map(|node| numbers[node]);
             let [from, to] = arc.vertices;
+            // From a vertex to itself: a whole closed segment, a loop, or the rest of a segment between cuts that are
+            // one point.
             from != to || vertices[from].count == 1 || !is_short(segments, *arc, tolerance)
         });
         numbers.truncate(segments.joints.len());
@@ -140,6 +142,8 @@ fn cut(
                 ends[1]
             } else {
                 let node = nodes.add();
+                // An intersection is one point on both segments. An end beside a segment gives two points, and the
+                // vertex their distance as its spread.
                 points.push(if contact.gap == 0.0 {
                     point
                 } else {
@@ -180,12 +184,15 @@ fn join_close(
     for own in cuts.chunk_by(|a, b| a.segment == b.segment) {
         let segment = &segments.list[own[0].segment];
         let is_close = |(t, p): (f64, DVec2), (t_next, q): (f64, DVec2)| {
+            // Both ends of a loop are near in the plane, but its middle is not.
             let middle = segment.at(0.5 * (t + t_next));
             Point::norm(p - q) <= tolerance && Point::norm(p - middle) <= tolerance
         };
         let (mut before, mut node) = ((0.0, segment.start()), segment.ends[0]);
         for cut in own {
             let here = (cut.t, points[cut.node]);
+            // The first of some close cuts is compared with all others, so a chain of them does not grow beyond the
+            // tolerance.
             if is_close(before, here) {
                 nodes.join(node, cut.node);
             } else {

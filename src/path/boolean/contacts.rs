@@ -55,6 +55,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
     tree.pairs_within(&mut work, |a, b, work| {
         let before = found.len();
         let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
+        // Each contact allows further steps, so the limit stops only searches that find nothing.
         work.raise_limit(STEPS_PER_ITEM, found.len() - before);
         work.count(steps);
         if found.len() > MAX_CONTACTS {
@@ -216,12 +217,14 @@ fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {
 fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contact>) -> usize {
     let (a, b) = (&segments.list[i], &segments.list[j]);
     let epsilon = segments.epsilon;
+    // Their common ends are found by `common_corners`.
     if a.is_noded && b.is_noded {
         return BESIDE_STEPS;
     }
     if is_beside(&a.points, &b.points, epsilon) || is_beside(&b.points, &a.points, epsilon) {
         return BESIDE_STEPS;
     }
+    // Consecutive segments of an outline have a joint in common, which is a vertex without a contact.
     let before = a.ends[1] == b.ends[0];
     let after = b.ends[1] == a.ends[0];
     if before && !after && runs_on(a, b) || after && !before && runs_on(b, a) {
@@ -247,6 +250,7 @@ fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contac
             push(t_end, u_end);
         }
     }
+    // The time of a step of clipping grows with the square of the degree; CLIPPING_STEPS is that of cubics.
     let degree = a.degree().max(b.degree()).max(3);
     PAIR_STEPS + steps * CLIPPING_STEPS * degree * degree / 9
 }
@@ -254,6 +258,7 @@ fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contac
 /// Whether all of `b` is farther than epsilon from the strip along the chord of `a` that contains `a`.
 fn is_beside(a: &[DVec2], b: &[DVec2], epsilon: f64) -> bool {
     let (start, chord) = (a[0], a[a.len() - 1] - a[0]);
+    // Heights are distances times |chord|, which is at most |x| + |y|.
     let margin = epsilon * (chord.x.abs() + chord.y.abs());
     let range = |points: &[DVec2]| {
         let heights = points.iter().map(|&p| chord.perp_dot(p - start));
@@ -269,6 +274,7 @@ fn runs_on(a: &Segment, b: &Segment) -> bool {
     let before = Point::unit(joint - a.points[a.points.len() - 2]);
     let after = Point::unit(b.points[1] - joint);
     let whole = Point::unit(joint - a.start()) + Point::unit(b.end() - joint);
+    // A line that separates the control points also separates the curves, because these are in the convex hulls.
     [whole, before + after].iter().any(|direction| {
         a.points[..a.points.len() - 1]
             .iter()

@@ -99,6 +99,7 @@ impl Tracer<'_> {
         let centre = edges.points(half_edges[0] / 2)[0];
         for &h in &half_edges {
             let (points, vertex) = (edges.points(h / 2), origin(edges, h));
+            // A later contour may pass the vertex again.
             slots[vertex] = None;
             is_untouched &= vertices[vertex].count == 1;
             let swept = area_about(points, centre);

@@ -101,6 +101,7 @@ fn pieces_along(arrangement: &Arrangement, inside: &[bool]) -> Vec<Clipped> {
                 all.push(Clipped {
                     subpath: subpaths[member.arc.segment],
                     piece: Piece::along(&member.arc),
+                    // The boundary belongs to the region, so one side is sufficient.
                     is_inside: sides[0] || sides[1],
                 });
             }
@@ -142,6 +143,7 @@ fn push_inside(arrangement: &Arrangement, own: &[Clipped], path: &mut Path) {
         .filter(|run| run[0].is_inside)
         .map(pieces)
         .collect();
+    // The first run may be the rest of the last one, beyond the start of the subpath.
     let around = is_closed && own[0].is_inside && own[own.len() - 1].is_inside;
     if around && runs.len() > 1 && first.t[0] == 0.0 {
         let start = runs.remove(0);

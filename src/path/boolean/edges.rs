@@ -128,6 +128,7 @@ fn coincide(
             .into_iter()
             .find(|&forward| is_near(a, b, forward, tolerance));
     }
+    // Lines between the same two vertices.
     if a.len() == 2 && b.len() == 2 {
         return Some(parallel);
     }
@@ -141,6 +142,7 @@ fn is_near(a: &[DVec2], b: &[DVec2], forward: bool, tolerance: f64) -> bool {
         let s = ratio(k, SAMPLES);
         let nearest = nearest_on(b, evaluate(a, s));
         let (u, before) = (nearest.t, std::mem::replace(&mut last, nearest.t));
+        // The first two samples have nothing before them in the order of the arc.
         let in_order = k == 4 || k == 1 || (u >= before) == forward || u == before;
         in_order && nearest.distance <= tolerance
     })

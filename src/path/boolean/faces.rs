@@ -152,6 +152,7 @@ fn outer_cycles(
     let mut component_of_cycle = vec![0; cycle_count];
     for (e, &c) in component.iter().enumerate() {
         let points = edges.points(e);
+        // The area of a closed cycle is the same about any centre; about one that is near, rounding changes it least.
         let centre: DVec2 = *centres[c].get_or_insert(points[0]);
         let area = area_about(points, centre);
         for (h, area) in [(2 * e, area), (2 * e + 1, -area)] {
@@ -215,6 +216,7 @@ impl Extreme {
 
     fn include(&mut self, points: &[DVec2]) {
         let along: Scalars = points.iter().map(|p| RAY.dot(*p)).collect();
+        // No point of the curve is farther than the farthest control point.
         if along.iter().all(|&x| x <= self.along) {
             return;
         }
@@ -287,6 +289,7 @@ impl Rays<'_> {
         let (mut nearest, mut hit) = (f64::INFINITY, None);
         self.tree.along_ray(p, RAY, |segment| {
             let points = &self.segments.list[segment].points;
+            // The distance from the line of the ray; its zeros are where the segment meets this line.
             let across: Scalars = points.iter().map(|&q| RAY.perp_dot(q - p)).collect();
             for t in roots_inside(&across) {
                 let distance = RAY.dot(evaluate(points, t) - p);

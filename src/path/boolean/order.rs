@@ -104,11 +104,14 @@ impl Spoke {
         let clear = CLEAR_OF_SPREAD * spread;
         let far = clear.max(MIN_PROBE * size);
         let mut s = MIN_PROBE;
+        // To the first of these points that is clear of the vertex; the directions to nearer ones are uncertain.
         while s < 0.5 && Point::norm(evaluate(&points, s)) < far {
             s *= 2.0;
         }
         let probe = evaluate(&points, s);
         let direction = Point::unit(probe);
+        // While the arc bends evenly, the chord to s is off from the tangent at its start by twice the angle between
+        // the chords to s and to s/2.
         let half_way = Point::unit(evaluate(&points, 0.5 * s));
         let uncertain = spread / Point::norm(probe).max(f64::MIN_POSITIVE);
         Self {
@@ -148,6 +151,8 @@ impl Spoke {
             .map(|&p| self.direction.perp_dot(p))
             .collect();
         let is_behind = |&t: &f64| self.direction.dot(evaluate(&self.points, t)) < -self.clear;
+        // Crossings of the ray that leads backwards from the vertex: their number is odd if the loop runs around the
+        // vertex.
         let crossings = roots_inside(&across).into_iter().filter(is_behind).count();
         let area = area_about(&self.points, DVec2::ZERO);
         if crossings.is_multiple_of(2) {
@@ -215,6 +220,7 @@ fn pseudo_angle(d: DVec2) -> f64 {
 /// Rotates the order so that the largest angle without a half-edge is between the last and the first one. These two
 /// are then not compared as neighbours, even if all half-edges have similar directions.
 fn cut_at_largest_gap(order: &mut [usize], angles: &[f64]) {
+    // A whole turn of pseudo-angles is 4.
     let mut largest = (0, 4.0 + angles[order[0]] - angles[order[order.len() - 1]]);
     for k in 1..order.len() {
         let gap = angles[order[k]] - angles[order[k - 1]];
@@ -233,6 +239,7 @@ fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
             let (a, b) = (&spokes[order[k - 1]], &spokes[order[k]]);
             let similar = a.direction.dot(b.direction) > 0.0
                 && a.direction.perp_dot(b.direction).abs() <= SIMILAR + 2.0 * (a.error + b.error);
+            // Both half-edges of one edge start here if it is a loop.
             let side = || match a.half_edge ^ 1 == b.half_edge {
                 true => a.turn_of_loop(),
                 false => turn(a, b),

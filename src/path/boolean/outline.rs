@@ -161,6 +161,7 @@ pub(super) fn push_subpath(
         let mut part = segments.part(piece.segment, piece.t[0], piece.t[1]);
         let before = (closed || k > 0).then(|| &pieces[if k > 0 { k - 1 } else { last }]);
         let after = (closed || k < last).then(|| &pieces[if k < last { k + 1 } else { 0 }]);
+        // Both pieces at a junction get its point, so the outline has no gaps.
         move_start(&mut part, junction(arrangement, before, Some(piece)));
         part.reverse();
         move_start(&mut part, junction(arrangement, Some(piece), after));
@@ -223,6 +224,7 @@ fn chosen_pieces(arrangement: &Arrangement, half_edges: &[usize]) -> Vec<Piece> 
         half_edges,
     };
     let count = half_edges.len();
+    // Starts at an edge of one arc, where there is nothing to choose.
     let single = (0..count).find(|&k| choices.at(k).len() == 1).unwrap_or(0);
     let mut pieces: Vec<Piece> = Vec::with_capacity(count);
     for k in single..single + count {
@@ -248,6 +250,7 @@ impl Choices<'_> {
 
     /// The piece for half-edge k whose outline runs along most of the next half-edges.
     fn longest(&self, k: usize) -> Option<Piece> {
+        // The first and the latest piece of each outline that still goes on.
         let mut alive: Vec<(Piece, Piece)> = self.at(k).map(|piece| (piece, piece)).collect();
         for ahead in k + 1..k + 1 + LOOK_AHEAD.min(self.half_edges.len()) {
             if alive.len() == 1 {

@@ -80,6 +80,7 @@ impl Segments {
             joints: Vec::with_capacity(self.list.len() + lines.len()),
             path_count: self.path_count,
             roles: self.roles.clone(),
+            // The points are scaled already.
             unit: 1.0,
             epsilon: self.epsilon,
         };
@@ -106,6 +107,7 @@ impl Segments {
                 }
                 let last = ends.len() - 1;
                 let keeps = segment.ends.map(|joint| !replaced.joints[joint]);
+                // A line to an end that keeps its bits is off the grid, so it is not noded.
                 if keeps[0] {
                     ends[0][0] = start;
                 }
@@ -158,6 +160,7 @@ impl Segments {
         };
         let [finest, coarsest] = DEVIATIONS;
         let counts = curves().map(|(_, curve)| chord_count(curve, cells / finest));
+        // The number of chords is proportional to √(1/deviation), so finest · many² would give MANY_CHORDS.
         let many = counts.map(as_f64).sum::<f64>() / MANY_CHORDS;
         let deviation = (finest * many * many).clamp(finest, coarsest);
         let mut lines = Vec::new();
@@ -232,6 +235,7 @@ fn corners(lines: &[Line], work: &mut WorkLimit) -> Result<Vec<DVec2>, Error> {
         if let Some(p) = crossing(lines[i].ends, lines[j].ends) {
             corners.push(p);
             work.raise_limit(STEPS_PER_ITEM, 1);
+            // Many crossings may be in the same few cells.
             if corners.len() > 2 * MAX_LINES {
                 keep_different(&mut corners);
                 if corners.len() > MAX_LINES {
@@ -257,6 +261,7 @@ fn keep_different(corners: &mut Vec<DVec2>) {
 fn crossing(a: [DVec2; 2], b: [DVec2; 2]) -> Option<DVec2> {
     let crosses = |[from, to]: [f64; 2]| from < 0.0 && to > 0.0 || from > 0.0 && to < 0.0;
     let [from, to] = heights(b, a);
+    // The lines cross at a₀ + (a₁ − a₀) · from / (from − to).
     let steps = (a[1] - a[0]).to_array();
     (crosses([from, to]) && crosses(heights(a, b)))
         .then(|| a[0] + DVec2::from_array(steps.map(|step| rounded(step, from, from - to))))

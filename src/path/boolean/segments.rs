@@ -124,6 +124,8 @@ impl Segments {
             if points.iter().all(|&p| p == points[0]) {
                 continue;
             }
+            // A straight curve that turns back would overlap itself: lines between its turns are segments like all
+            // others.
             match straight_turns(&points) {
                 Some(turns) if !turns.is_empty() => {
                     let mut from = points[0];
@@ -200,6 +202,7 @@ impl Segments {
             let points = &self.list[segment].points;
             crate::bernstein::de_casteljau::keep_between(part, from, to);
             let last = part.len() - 1;
+            // With the bits of `Segment::at`, so that the parts on both sides of a cut end in the same point.
             part[0] = evaluate(points, from);
             part[last] = evaluate(points, to);
         }

@@ -63,6 +63,7 @@ pub(super) fn visit_faces(
     // Each face on the way, the next of its half-edges, and the half-edge across which the way came.
     let mut way = vec![(faces.outside, starts[faces.outside], None)];
     while let Some((face, next, from)) = way.pop() {
+        // All neighbours are visited: back across the half-edge by which the face was entered.
         if next == starts[face + 1] {
             if let Some(h) = from {
                 windings.cross(segments, edges, h, true);
@@ -80,6 +81,7 @@ pub(super) fn visit_faces(
             way.push((beyond, starts[beyond], Some(h)));
         }
     }
+    // The way crosses only some edges; at each of the others the sums on both sides have to differ by its change, too.
     let contradicts = |e: &usize| {
         let [left, right] = [2 * e, 2 * e + 1].map(|h| sums[faces.left[h]].unwrap_or(0));
         left.wrapping_sub(right) != checksum(segments, edges, 2 * e)

@@ -128,10 +128,12 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
     if pen.join == OffsetJoin::Round {
         return Point::norm(q) <= pen.radius;
     }
+    // The outer side is the right one where the path turns left.
     let outside = if from.perp_dot(to) >= 0.0 { -1.0 } else { 1.0 };
     let normals = [from, to].map(|tangent| tangent.perp() * outside);
     let cos = from.dot(to);
     match pen.miter(pen.radius, cos) {
+        // On the inner side of both lines that meet in the tip.
         Some(_) => normals.iter().all(|n| q.dot(*n) <= pen.radius),
         // Below the line through the ends of both normals; nothing where the path turns back.
         None => {

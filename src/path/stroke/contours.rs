@@ -92,6 +92,7 @@ fn contains_disc(contour: &Spline<DVec2>, area: f64, radius: f64, work: &mut Wor
     let all = contour.control_bounds();
     let size = all.max - all.min;
     let larger = radius * (1.0 + DISC_SLACK);
+    // Such a disc has a smaller area than the contour and fits into its box.
     if area.abs() < PI * larger * larger || size.min_element() < 2.0 * larger {
         return false;
     }

@@ -281,6 +281,7 @@ impl Corner<'_> {
     /// The contact for a larger radius, or where a side reaches its limit before.
     fn next(&self, from: &Contact, radius: f64, work: &mut WorkLimit) -> Option<Contact> {
         let mut start = [from[0], from[1], radius];
+        // At the corner: the distance of the points of tangency between lines is a first guess.
         if from[RADIUS] == 0.0 {
             let distance = radius * self.tangent_of_half_turn();
             for (x, side) in start.iter_mut().zip(&self.sides) {
@@ -294,6 +295,7 @@ impl Corner<'_> {
             }
             start = found;
         }
+        // Otherwise one point of tangency is at the end of its segment, and the radius is unknown.
         (0..2).find_map(|k| {
             let mut clamped = [0, 1].map(|k| start[k].clamp(from[k], self.sides[k].end()));
             clamped[k] = self.sides[k].end();
@@ -312,17 +314,20 @@ impl Corner<'_> {
             }
             let [before, after] = [self.sides[0].at(z[0])?, self.sides[1].at(z[1])?];
             let normals = before.normal - after.normal;
+            // The centres as seen from both sides, B + r N, have to be the same point.
             let gap = before.point - after.point + normals * z[RADIUS];
             rest = Point::norm(gap) / (1.0 + z[RADIUS]);
             if rest <= SOLVED {
                 break;
             }
+            // The derivatives of the gap: (B + r N)′ = B′ (1 − r κ), because N′ = −κ B′.
             let columns = [
                 before.velocity * (1.0 - z[RADIUS] * before.curvature),
                 -after.velocity * (1.0 - z[RADIUS] * after.curvature),
                 normals,
             ];
             let [first, second] = free.map(|k| columns[k]);
+            // A step of Newton's method, by Cramer's rule.
             let determinant = first.perp_dot(second);
             z[free[0]] -= gap.perp_dot(second) / determinant;
             z[free[1]] -= first.perp_dot(gap) / determinant;

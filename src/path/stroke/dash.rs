@@ -203,6 +203,7 @@ impl DashSplitter<'_> {
     fn split(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
         let whole = self.lengths.whole();
         let mut dashes: Vec<Dash> = Vec::with_capacity(intervals.len());
+        // Whether the last dash goes on in the first one, across the start of a closed subpath.
         let around = match intervals {
             _ if !self.spline.is_closed() => false,
             [.., [_, to]] if *to < whole => false,

@@ -107,6 +107,7 @@ impl Path {
             tolerance: options.tolerance,
             ..StrokeOptions::default()
         };
+        // The points up to the distance from the boundary, with joins at its corners.
         let border = region.stroke(width, &stroke)?;
         if distance > 0.0 {
             region.union(&border, FillRule::NonZero)

@@ -149,6 +149,7 @@ impl<'a> Outline<'a> {
         } else {
             [&mut self.left, &mut self.right]
         };
+        // Through the corner, so that the outline is the sum of those of both sections and of the join.
         inner_chain.connect_to(center);
         inner_chain.connect_to(to.point(inner));
         let radius = to.radius_of(outer);
@@ -168,6 +169,7 @@ impl<'a> Outline<'a> {
         if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
             let tip = center + (normals[0] + normals[1]) * reach;
             push_tip(outer_chain, tip, from_line && from.slope == to.slope);
+            // A straight side goes on from the tip; at the end of a closed subpath this is the first side.
             if to_line {
                 if is_last {
                     outer_chain.points[0] = tip;
@@ -194,6 +196,7 @@ impl<'a> Outline<'a> {
         if closed {
             self.connect(last, first, true, true);
         } else if cap == StrokeCap::Butt {
+            // At its start, the stroke ends against the direction of the path.
             let back = Disc {
                 tangent: -first.0.tangent,
                 slope: -first.0.slope,
@@ -224,6 +227,7 @@ impl<'a> Outline<'a> {
             }
         }
         contours.surrounds = surrounds && blunt_ends.is_empty();
+        // Forwards on the right and backwards on the left: a closed outline.
         left.points.reverse();
         left.degrees.reverse();
         if closed {

@@ -255,6 +255,7 @@ impl Radii {
             WidthInterpolation::Linear => [before[1], secant, 0.0, 0.0],
             WidthInterpolation::Smooth => {
                 let (a, b) = (before[2], after[2]);
+                // Hermite interpolation, in powers of the distance from the stop before.
                 let c = (3.0 * secant - 2.0 * a - b) / h;
                 [before[1], a, c, (a + b - 2.0 * secant) / (h * h)]
             }

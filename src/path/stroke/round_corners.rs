@@ -267,6 +267,7 @@ impl<'a> RoundedSubpath<'a> {
         let mut overlapping = Vec::new();
         for k in (0..count).filter(|&k| self.used(k) > 1.0 + MEETS) {
             if let [Some(start), Some(end)] = self.cuts[k] {
+                // Each arc may use what the other one leaves, and at least half of the segments between both corners.
                 let room = runs[start.corner][1] as f64;
                 let rest = |corner: usize, side: usize| {
                     room - self.arcs[corner].map_or(0.0, |arc| arc.from_corner[side])

@@ -273,6 +273,7 @@ impl Section<'_> {
         }
         let [v0, v1, v2] = slopes;
         let largest = |a: DVec2, b: DVec2| larger(Point::norm(a), Point::norm(b));
+        // |B′| is at least its component in any direction.
         let along = Point::unit(v0 + v2);
         // The derivatives of the curve differ from those of the cubic by less than these parts of its fourth.
         let (least, _) = range([v0, v1, v2].into_iter().map(|v| v.dot(along)));
@@ -430,6 +431,7 @@ impl<'a> SectionEvaluator<'a> {
             return false;
         }
         let (slope, change) = (slope * section.rate, change * section.rate * section.rate);
+        // The curvature κ at which 1 − r′² − r r″ − rκ would be 0; the factor √(1 − r′²) of rκ is at most 1.
         let limit = (GENTLE - slope * slope - radius * change) / radius;
         limit > 0.0 && is_less_curved(&self.with.first, limit)
     }
@@ -616,6 +618,7 @@ impl AdvanceSamples {
         if !(first..end).any(is_below) {
             return (first < end).then_some(false);
         }
+        // Each sample counts with the distance between its neighbours.
         let (mut below, mut others) = (0.0, 0.0);
         for k in first..end {
             let before = k.checked_sub(1).map_or(from, |k| larger(self.0[k].0, from));

@@ -89,6 +89,7 @@ impl Side<'_> {
         let part = if beyond <= 0.0 {
             1.0 // the whole chord moves backwards
         } else {
+            // The speed across the chord changes linearly from this side to the other one; at the pivot it is 0.
             let part = ahead / (ahead - beyond);
             // At a cusp the curvature is infinite, and the pivot is on the curve.
             if part.is_nan() {
@@ -137,6 +138,7 @@ impl Side<'_> {
         let is_between = |k: usize| {
             let [pivot, own] = self.chord(from + (to - from) * (as_f64(k) / as_f64(MIDWAY_PARTS)));
             let side_of = |p: DVec2| (ends[1] - ends[0]).perp_dot(p - ends[0]);
+            // The line runs between the pivot and the side.
             side_of(pivot) * side_of(own) <= 0.0
         };
         if halvings == 0 || (1..MIDWAY_PARTS).all(is_between) {

@@ -128,6 +128,7 @@ impl SideFit<'_> {
         let mut last = 0.0;
         for (u, disc) in us.iter_mut().zip(inside) {
             let gap = disc.point(self.side) - start;
+            // A chord without length has no direction.
             if length <= max {
                 if Point::norm(gap) > max {
                     return None;
@@ -192,6 +193,7 @@ impl SideFit<'_> {
             if worst <= 1.0 {
                 return Some((handles, us));
             }
+            // The distances fall by less than half: the interval is halved instead.
             if worst > 0.5 * before {
                 return None;
             }
@@ -214,6 +216,8 @@ impl SideFit<'_> {
             let (u, normal) = (us[k], disc.normal(self.side));
             let v = 1.0 - u;
             let (w1, w2) = (3.0 * v * v * u, 3.0 * v * u * u);
+            // The point of the cubic is this one plus each handle times its weight. Only distances along the normal
+            // count, since the parameter may move along the side.
             let fixed = start * (v * v * v + w1) + end * (u * u * u + w2);
             let (a, b) = (w1 * d0.dot(normal), -w2 * d1.dot(normal));
             let rest = (points[k] - fixed).dot(normal);
@@ -225,6 +229,7 @@ impl SideFit<'_> {
         }
         let det = aa * bb - ab * ab;
         let arms = [(bb * ar - ab * br) / det, (aa * br - ab * ar) / det];
+        // Handles that point backwards or are longer than the side could make a loop.
         let is_plain = |arm: f64| (0.0..=length).contains(&arm);
         if det > 1e-9 * aa * bb && arms.iter().all(|&arm| is_plain(arm)) {
             return arms;
