@@ -234,7 +234,11 @@ async function sharing(entries, folder, options) {
     return /^import"\.\.?\/shared-/.test(renamed) ? "" : renamed;
   };
   const pattern = /import"[./]+chunk-\w+\.js";|chunk-\w+\.js(?:\.map)?|import\(`\$\{/g;
-  for (const name of namesOfScripts(files)) edit(files, name, pattern, edited);
+  for (const name of namesOfScripts(files)) {
+    edit(files, name, pattern, edited);
+    // The import that surfacesExternal leaves has the same text in every folder.
+    if (name.startsWith("elements/")) edit(files, name, /"\.\/surfaces\.js"/g, () => '"../surfaces.js"');
+  }
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
 

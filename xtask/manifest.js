@@ -5,12 +5,11 @@
 // of an element has no description.
 import ts from "typescript-api";
 import { readFile, writeFile } from "node:fs/promises";
-import { dirname, relative, resolve } from "node:path";
+import { basename, dirname, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const INDEX = resolve("js/elements/index.ts");
+const LOADERS = resolve("js/elements/on-demand.ts");
 const TYPES = ["js/elements/types.ts", "js/elements/companions/types.ts"];
-const MODULE = "dist/elements.js";
 const TAGS = { fires: "events", csspart: "cssParts", cssprop: "cssProperties", slot: "slots" };
 
 /** The text of each file, read once. @type {Map<string, Promise<string>>} */
@@ -27,20 +26,21 @@ async function importedFiles(path, known = new Set()) {
   for (const [, target] of (await textOf(path)).matchAll(/(?:from |^import |import\()"(\.[^"]+)"/gm)) {
     const file = sourceOf(path, target);
     const isView = /[\\/]js[\\/](elements|applet|editor|layers|ui)[\\/]/.test(file);
-    if (isView && file !== INDEX) await importedFiles(file, known);
+    if (isView) await importedFiles(file, known);
   }
   return known;
 }
 
-/** Tag name, class and file of each element that the index exports. */
+/** Tag name, class, file and built module of each element that casteljau/elements loads. */
 async function elementsOf() {
-  const files = [...(await textOf(INDEX)).matchAll(/export \{ \w+ \} from "(\.\/define\/[^"]+)"/g)].map(([, path]) =>
-    sourceOf(INDEX, path),
+  const files = [...(await textOf(LOADERS)).matchAll(/import\("(\.\/define\/[^"]+)"\)/g)].map(([, path]) =>
+    sourceOf(LOADERS, path),
   );
   const element = async (file) => {
     const text = await textOf(file);
     const [, name, path] = text.match(/import \{ (\w+) as \w+ \} from "([^"]+)"/);
-    return { tagName: text.match(/define\("(bezier-[\w-]+)"/)[1], name, path: sourceOf(file, path) };
+    const tagName = text.match(/define\("(bezier-[\w-]+)"/)[1];
+    return { tagName, name, path: sourceOf(file, path), module: `dist/elements/${basename(file, ".ts")}.js` };
   };
   return Promise.all(files.map(element));
 }
@@ -229,31 +229,30 @@ async function main() {
   globalThis.CSSStyleSheet ??= class {
     replaceSync() {}
   }; // Lit creates style sheets when observedAttributes is read
-  const built = await import(pathToFileURL(resolve(MODULE)).href);
-  const declarations = [];
+  const modules = [];
   for (const element of elements) {
+    const { name, tagName, module } = element;
+    const built = (await import(pathToFileURL(resolve(module)).href))[name];
     const declaration = await completeDeclaration(
-      { formAssociated: built[element.name].formAssociated === true },
+      { formAssociated: built.formAssociated === true },
       element,
       types,
-      built[element.name],
+      built,
     );
     const missing = analysed ? undescribed(analysed, element, declaration) : [];
     for (const each of missing)
-      console.error(
-        `${element.name}: ${each}: describe it in ${TYPES.join(" or ")}, or mark it @protected or @internal`,
-      );
+      console.error(`${name}: ${each}: describe it in ${TYPES.join(" or ")}, or mark it @protected or @internal`);
     if (missing.length) process.exitCode = 1;
-    declarations.push(declaration);
+    const exports = [
+      { kind: "js", name, declaration: { name, module } },
+      { kind: "custom-element-definition", name: tagName, declaration: { name, module } },
+    ];
+    modules.push({ kind: "javascript-module", path: module, declarations: [declaration], exports });
   }
-  const exports = declarations.flatMap(({ name, tagName }) => [
-    { kind: "js", name, declaration: { name, module: MODULE } },
-    { kind: "custom-element-definition", name: tagName, declaration: { name, module: MODULE } },
-  ]);
   const manifest = {
     schemaVersion: "2.1.0",
     readme: "README.md",
-    modules: [{ kind: "javascript-module", path: MODULE, declarations, exports }],
+    modules,
   };
   await writeFile("dist/custom-elements.json", `${JSON.stringify(manifest, null, 2)}\n`);
 }

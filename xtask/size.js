@@ -19,7 +19,10 @@ const COMMITTED_KB = {
   "{ Surface } of surfaces": 122.2,
   "only types": 0,
   "bezier-app.js": 48,
-  "elements, loaded at once": 40.9,
+  "elements.js alone": 40.9,
+  "elements.js, easing": 45,
+  "elements.js, applet": 240,
+  "elements.js, surface": 190,
   "bezier-applet: kernel": 174.9,
   "bezier-easing: kernel": 7.3,
   "bezier-surface: kernel": 122.4,
@@ -38,6 +41,10 @@ const TARGETS_KB = {
   "everything of core": 80,
   "{ Surface } of surfaces": 110,
   "bezier-app.js": 48,
+  "elements.js alone": 12,
+  "elements.js, easing": 45,
+  "elements.js, applet": 240,
+  "elements.js, surface": 190,
   "bezier-applet: kernel": 150,
   "bezier-easing: kernel": 10,
   "bezier-surface: kernel": 120,
@@ -117,7 +124,12 @@ async function page(title, ...names) {
 const KINDS = ["applet", "bernstein", "coordinates", "easing", "equation", "surface"];
 const pages = [
   sum("applet, all files", partsOf(await filesOf("applet.js"))),
-  (await page("elements, loaded at once", "elements.js"))[0],
+  sum("elements.js alone", partsOf(await filesOf("elements.js"))),
+  ...(await Promise.all(
+    ["easing", "applet", "surface"].map(async (kind) =>
+      sum(`elements.js, ${kind}`, partsOf(await filesOf("elements.js", `elements/${kind}.js`, `elements-${kind}.js`))),
+    ),
+  )),
   ...(
     await Promise.all(KINDS.map((kind) => page(`bezier-${kind}`, `elements/${kind}.js`, `elements-${kind}.js`)))
   ).flat(),

@@ -1,12 +1,8 @@
-// casteljau/elements: all custom elements of the package. Importing this module defines them; casteljau/elements/easing and
-// so on define one.
-export { BezierApplet } from "./define/applet.js";
-export { BezierBernstein } from "./define/bernstein.js";
-export { BezierCoordinates } from "./define/coordinates.js";
-export { BezierEasing } from "./define/easing.js";
-export { BezierEquation } from "./define/equation.js";
-export { BezierSurface } from "./define/surface.js";
+// casteljau/elements: all custom elements of the package, the code of each loaded when the page has one close to its visible
+// part. casteljau/elements/easing and so on define one of them at once.
+import { observe } from "./on-demand.js";
 
+export { loadElement } from "./on-demand.js";
 export { setTranslations } from "../editor/translations.js";
 export type { BezierElementTagNameMap } from "./tag-names.js";
 export type { BezierAppletElement, BezierSurfaceElement, AppletFigure, SurfaceFigure, SurfaceView } from "./types.js";
@@ -16,3 +12,5 @@ export type {
   BezierCoordinatesElement,
   BezierEasingElement,
 } from "./companions/types.js";
+
+if (globalThis.document) observe(document);

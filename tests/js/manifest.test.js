@@ -6,11 +6,16 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 globalThis.CSSStyleSheet ??= /** @type {any} */ (function StyleSheet() {});
-const classes = await import("casteljau/elements");
 const root = new URL("../../", import.meta.url);
 const read = (path) => readFile(new URL(path, root), "utf8");
 const manifest = JSON.parse(await read("dist/custom-elements.json"));
 const declarations = manifest.modules.flatMap((module) => module.declarations);
+/** The class of each element, from the module that the manifest names. */
+const classes = Object.fromEntries(
+  await Promise.all(
+    manifest.modules.map(async ({ path, declarations: [{ name }] }) => [name, (await import(`../../${path}`))[name]]),
+  ),
+);
 const declared = (tagName) => declarations.find((each) => each.tagName === tagName);
 
 /** The code of what draws the elements, without comments: JSDoc says what there is, and here it is looked for. */
@@ -33,14 +38,14 @@ const names = (list = []) => list.map(({ name }) => name).sort();
 const without = (list, others) => list.filter((each) => !others.includes(each));
 
 test("every element that is defined", async () => {
-  const files = all(await read("js/elements/index.ts"), /export \{ \w+ \} from "\.\/(define\/\w+)\.js"/g);
+  const files = all(await read("js/elements/on-demand.ts"), /import\("\.\/(define\/\w+)\.js"\)/g);
   const texts = await Promise.all(files.map((file) => read(`js/elements/${file}.ts`)));
   const defined = texts.flatMap((text) => all(text, /define\("([\w-]+)"/g)).sort();
   assert.ok(defined.length >= 6);
   assert.deepEqual(declarations.map(({ tagName }) => tagName).sort(), defined);
-  for (const { name, tagName } of declarations) {
+  for (const { exports, declarations } of manifest.modules) {
+    const [{ name, tagName }] = declarations;
     assert.equal(typeof classes[name], "function");
-    const { exports } = manifest.modules[0];
     for (const [kind, exported] of Object.entries({ js: name, "custom-element-definition": tagName }))
       assert.ok(exports.some((each) => each.kind === kind && each.name === exported));
   }

@@ -20,6 +20,7 @@ const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
 
 const fixture = await installed();
 after(fixture.remove);
+const out = (name) => join(fixture.folder, "out", name);
 const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
 
 /** Bundles by webpack. @param {import("webpack").Configuration} options */
@@ -117,8 +118,39 @@ for (const [bundler, bundle] of Object.entries(BUNDLERS))
       assert.equal(await printedBy(t, folder), printed);
     });
 
+/** A page with one easing editor; it prints when the editor is shown. */
+const EASING_PROGRAM = `import "casteljau/elements";
+document.body.innerHTML = "<bezier-easing></bezier-easing>";
+const look = () => {
+  const root = document.querySelector("bezier-easing").shadowRoot;
+  if (root?.querySelector("[part=handle]")) console.log("shown");
+  else requestAnimationFrame(look);
+};
+look();
+`;
+const MAX_EASING_EDITOR_KB = 45;
+
+for (const [bundler, bundle] of Object.entries(BUNDLERS))
+  test(`${bundler}: casteljau/elements loads nothing of curves and surfaces for an easing editor`, async (t) => {
+    const name = `${bundler}-easing-editor`;
+    const folder = out(name);
+    await bundle(await fixture.write(`src/${name}.js`, EASING_PROGRAM), folder);
+    await fixture.write(`out/${name}/index.html`, html('<script type="module" src="main.js"></script>'));
+    /** @type {string[]} */
+    const paths = [];
+    assert.equal(await printedBy(t, folder, paths), "shown");
+    const scripts = await Promise.all(paths.map((path) => readFile(join(folder, path), "utf8")));
+    for (const text of Object.values(marks))
+      assert.ok(!scripts.some((script) => script.includes(text)), "a wasm module");
+    let size = 0;
+    for (const script of scripts) {
+      const { code } = await transform(script, { minify: true, charset: "utf8", legalComments: "none" });
+      size += gzipSync(code, { level: 9 }).length;
+    }
+    assert.ok(size <= 1000 * MAX_EASING_EDITOR_KB, `${size} bytes`);
+  });
+
 const main = await fixture.write("src/main.js", PROGRAM);
-const out = (name) => join(fixture.folder, "out", name);
 /** Other formats of a bundle: the file to run. @type {Record<string, () => Promise<string>>} */
 const FORMATS = {
   "esbuild, a script": async () => {
@@ -149,11 +181,20 @@ const FORMATS = {
 for (const [name, make] of Object.entries(FORMATS))
   test(name, async () => assert.equal(await node(await make()), PRINTED));
 
-/** Serves a built folder under the policy and gives back what the page prints. */
-async function printedBy(t, folder) {
+/**
+ * Serves a built folder under the policy and gives back what the page prints.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {string} folder
+ * @param {string[]} [scripts] gets the paths of all scripts that the page loads
+ */
+async function printedBy(t, folder, scripts = []) {
   const server = await serve({ "/": folder }, { "Content-Security-Policy": CSP });
   t.after(server.close);
   const page = await openPage(t, "about:blank", { baseURL: server.url });
+  page.on("request", (request) => {
+    if (request.resourceType() === "script") scripts.push(new URL(request.url()).pathname);
+  });
   const printed = page.waitForEvent("console", (message) => message.type() === "log"); // the graphics driver has remarks, too
   await page.goto("/index.html");
   return (await printed).text();

@@ -62,7 +62,7 @@ element.addEventListener("update", () => {
   assert.equal(printed, "288"); // 2 · 12²
   assert.deepEqual(
     scripts.filter((path) => LATE.test(path)),
-    ["/surfaces.js", "/elements-surface.js"],
+    ["/elements/surface.js", "/surfaces.js", "/elements-surface.js"],
   );
 });
 

@@ -39,7 +39,8 @@ test("the applet module loads without a document", async () => {
 });
 
 test("the elements load without a document, and define nothing", async () => {
-  const program = `import { BezierSurface } from "casteljau/elements"; console.log(typeof BezierSurface, typeof customElements, typeof document);`;
+  const program = `import "casteljau/elements";
+import { BezierSurface } from "casteljau/elements/surface"; console.log(typeof BezierSurface, typeof customElements, typeof document);`;
   assert.equal(await node("elements.js", program), "function undefined undefined");
 });
 

@@ -152,7 +152,8 @@ for (const resolution of ["nodenext", "bundler"]) {
 import { easing, type Easing } from "casteljau/easing";
 import * as slim from "casteljau/slim";
 import { bezierApp } from "casteljau/applet";
-import { BezierSurface } from "casteljau/elements";
+import { loadElement } from "casteljau/elements";
+import { BezierSurface } from "casteljau/elements/surface";
 export const x: number = new Curve([[0, 0], [1, 2], [2, 0]]).eval(0.5).x;
 export const ease: Easing = easing("ease-in-out");
 export const text: string = easing(0, 0, 1, 1).toLinear(0.01) + ease.css;
@@ -161,6 +162,7 @@ easing(0, 0, 1);
 export const both: Promise<void>[] = [init(), slim.init(fetch("casteljau.wasm"))];
 export const app: Function = bezierApp;
 export const turning: boolean = new BezierSurface().turn;
+export const loaded: Promise<void> = loadElement("bezier-surface");
 // @ts-expect-error: a curve is made of points
 new Curve(7);
 `;

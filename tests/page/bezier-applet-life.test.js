@@ -28,7 +28,8 @@ test("nothing runs before it is near; what the page put in is shown until then",
     },
     { viewport: { width: 800, height: 700 } },
   );
-  await page.waitForFunction(() => globalThis.bezier && document.getElementById("a").updateComplete);
+  await page.waitForFunction(() => globalThis.bezier);
+  await page.evaluate(async () => (await import("/dist/elements.js")).loadElement("bezier-applet"));
   const late = await page.evaluate(async () => {
     globalThis.a = document.getElementById("a");
     await a.updateComplete;

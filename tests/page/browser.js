@@ -155,7 +155,9 @@ function leave(stays) {
 
 /** Runs in the page: replaces the content of `<main>`, and removes what the last test has left. */
 function replaceContent([content, globals]) {
-  for (const name of Object.getOwnPropertyNames(globalThis)) if (!globals.includes(name)) delete globalThis[name];
+  const isOfLit = (name) => /^(lit|reactive)/.test(name); // elements that are loaded later need these variables
+  for (const name of Object.getOwnPropertyNames(globalThis))
+    if (!globals.includes(name) && !isOfLit(name)) delete globalThis[name];
   history.replaceState(null, "", location.pathname);
   scrollTo(0, 0);
   getSelection()?.removeAllRanges();

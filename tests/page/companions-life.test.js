@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
-import { companionsPage, on, openCompanions, settled, shown, text } from "./companions-page.js";
+import { companionsPage, load, on, openCompanions, settled, shown, text } from "./companions-page.js";
 import { ledgerScript } from "./ledger.js";
 
 const t = (page, selector = "bezier-bernstein") =>
@@ -103,6 +103,7 @@ test("an id of something else, none, and every text: a message, nothing breaks",
 
 test("inside of a shadow root the link goes to the applet there", async (test) => {
   const page = await openCompanions(test, '<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>');
+  await load(page, "bezier-bernstein");
   await page.evaluate(() => {
     document.querySelector("#host").attachShadow({ mode: "open" }).innerHTML =
       '<bezier-bernstein for="figure"></bezier-bernstein><bezier-applet id="figure" t="0.7"></bezier-applet>';
@@ -114,6 +115,7 @@ test("inside of a shadow root the link goes to the applet there", async (test) =
 
 test("inside of a shadow root an applet of the page is found, too, when it comes later", async (test) => {
   const page = await openCompanions(test, '<div id="host"></div><div id="place"></div>');
+  await load(page, "bezier-bernstein");
   await page.evaluate(() => {
     document.querySelector("#host").attachShadow({ mode: "open" }).innerHTML =
       '<bezier-bernstein for="figure"></bezier-bernstein>';
@@ -194,7 +196,7 @@ test("linked to an applet, removed and put back many times they leave nothing", 
 test("far down the page nothing is fetched or drawn until it comes near", async (test) => {
   const html = companionsPage('<div style="height: 4000px"></div><bezier-bernstein></bezier-bernstein>');
   const page = await openPage(test, { html }, { viewport: { width: 800, height: 600 } });
-  await page.waitForFunction(() => customElements.get("bezier-bernstein"));
+  await load(page, "bezier-bernstein");
   await intersectionsReported(page);
   const fetched = () =>
     page.evaluate(() =>
@@ -248,13 +250,14 @@ test("the theme may be other than the page's", async (test) => {
 
 test("paper shows what no one has scrolled to", async (test) => {
   const html = companionsPage(
-    '<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-equation for="figure"></bezier-equation><div style="height: 4000px"></div><bezier-bernstein for="figure"></bezier-bernstein>',
+    '<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-bernstein></bezier-bernstein><div style="height: 4000px"></div><bezier-bernstein id="far" for="figure"></bezier-bernstein>',
   );
   const page = await openPage(test, { html }, { viewport: { width: 800, height: 900 } });
-  await page.waitForFunction(() => document.querySelector("bezier-equation").shadowRoot?.querySelector("math"));
-  assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
+  await page.waitForFunction(() => document.querySelector("bezier-bernstein").shadowRoot?.querySelector("svg"));
+  await page.waitForFunction(() => document.querySelector("bezier-applet").shadowRoot?.querySelector(".handle"));
+  assert.equal(await on(page, "#far", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-  assert.match(await text(page, "bezier-bernstein li >> nth=0"), /P0\s+0\.4219/);
+  assert.match(await text(page, "#far li >> nth=0"), /P0\s+0\.4219/);
 });
 
 test("on paper there are pictures and numbers, no controls", async (test) => {

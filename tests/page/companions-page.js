@@ -74,3 +74,7 @@ export async function paste(locator, text) {
     );
   }, text);
 }
+
+/** Defines an element that casteljau/elements does not find by itself: in a shadow tree, or far from the visible part. */
+export const load = (page, name) =>
+  page.evaluate(async (name) => (await import("/dist/elements.js")).loadElement(name), name);

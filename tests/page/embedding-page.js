@@ -5,19 +5,21 @@ import { serve } from "./server.js";
 
 const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
 
+const NAMES = ["applet", "bernstein", "coordinates", "easing", "equation", "surface"].map((kind) => `bezier-${kind}`);
+
 /** What makes one of a kind cheap to draw, or complete. */
 const ATTRIBUTES = { "bezier-surface": { model: "patch", segments: "2" } };
 
 /**
- * A page on a server of its own, with a strict policy, to which `policy` adds; its script defines the elements of every
- * bundle in `bundles`.
+ * A page on a server of its own, with a strict policy, to which `policy` adds; its scripts are those of every bundle in `bundles`,
+ * the first of which defines the elements.
  */
 export async function openStrict(t, { bundles = ["/dist/"], body = "", policy = "", ...options } = {}) {
   const headers = { "Content-Security-Policy": CSP + policy };
   const server = await serve({ "/dist/": `${root}dist`, "/copy/": `${root}dist` }, headers);
   const page = await openPage(t, "about:blank", {
     baseURL: server.url,
-    viewport: { width: 800, height: 900 },
+    viewport: { width: 800, height: 1600 }, // all elements are near it
     reducedMotion: "reduce",
     ...options,
   });
@@ -29,7 +31,14 @@ export async function openStrict(t, { bundles = ["/dist/"], body = "", policy = 
     `<!doctype html><html lang="en"><meta charset="utf-8"><title>Host</title>${scripts}<body>${body}<main></main></body></html>`,
   );
   await page.goto("/index.html");
-  await page.waitForFunction(() => globalThis.ledger.names.length > 0);
+  await page.evaluate(
+    async ([path, names]) => {
+      const { loadElement } = await import(path);
+      for (const name of names) await loadElement(name); // in this order, which is that of ledger.names
+    },
+    /** @type {const} */ ([`${bundles[0]}elements.js`, NAMES]),
+  );
+  await page.waitForFunction(() => globalThis.ledger.names.length > 0); // from now on the test's own tool listens, too
   return page;
 }
 

@@ -50,9 +50,15 @@ test("two copies of the bundle on one page: the first defines, both work", async
   const names = await page.evaluate(() => ledger.names);
   assert.equal(new Set(names).size, names.length, `${names}`);
   const made = await page.evaluate(async () => {
-    const [first, second] = await Promise.all([import("/dist/elements.js"), import("/copy/elements.js")]);
-    const classes = Object.entries(second).filter(([name]) => name.startsWith("Bezier"));
-    return classes.map(([name, type]) => [name, type === first[name], new type() instanceof HTMLElement]);
+    const kinds = ledger.names.map((name) => name.replace("bezier-", ""));
+    const modules = (folder) => Promise.all(kinds.map((kind) => import(`/${folder}/elements/${kind}.js`)));
+    const [first, second] = await Promise.all([modules("dist"), modules("copy")]);
+    const classes = second.flatMap((module, i) =>
+      Object.entries(module).flatMap(([name, type]) =>
+        name.startsWith("Bezier") ? [[name, type, first[i][name]]] : [],
+      ),
+    );
+    return classes.map(([name, type, other]) => [name, type === other, new type() instanceof HTMLElement]);
   });
   assert.ok(made.length > 0);
   for (const [name, same, element] of made) assert.ok(same && element, String(name));

@@ -1,7 +1,7 @@
 // Where nothing runs: without JavaScript, on paper, and before an element has begun, what the page put into it is shown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { intersectionsReported, openPage } from "./browser.js";
 
 const PICTURE =
   '<svg viewBox="0 0 670 480" width="100%" role="img" aria-label="A curve"><path d="M70 330C120 90 290 90 335 240" fill="none" stroke="#0072b2" stroke-width="9"/></svg>';
@@ -27,7 +27,11 @@ test("without JavaScript the pictures are there", async (t) => {
 
 test("until an element comes near its picture stands in; then it makes room", async (t) => {
   const page = await openPage(t, { html: html(FAR) }, { viewport: { width: 800, height: 600 } });
-  await page.waitForFunction((kinds) => kinds.every((kind) => document.querySelector(kind).shadowRoot), KINDS);
+  await intersectionsReported(page);
+  assert.deepEqual(
+    await page.evaluate(() => document.querySelectorAll("main :defined:is(bezier-applet, bezier-surface)").length),
+    0,
+  );
   for (const kind of KINDS) {
     const [width, height] = await sizeOf(page, kind);
     assert.ok(width > 600 && height > 400, `${kind}: ${width} × ${height}`);

@@ -18,7 +18,7 @@ async function openWithRoute(t, html, answer) {
   });
   await page.route("**/loading.html", (route) => route.fulfill({ contentType: "text/html", body: html }));
   await page.goto("/loading.html");
-  await page.waitForFunction(() => customElements.get("bezier-surface"));
+  await page.evaluate(async () => (await import("/dist/elements.js")).loadElement("bezier-surface"));
   return { page, asked };
 }
 

@@ -1,11 +1,7 @@
 // The elements in TypeScript: by tag name, by class and in JSX of React 19; mistakes are type errors.
 import { Surface as WholeSurface } from "casteljau";
-import {
-  type AppletFigure,
-  BezierApplet,
-  type BezierAppletElement,
-  type BezierEasingElement,
-} from "casteljau/elements";
+import { type AppletFigure, type BezierAppletElement, type BezierEasingElement, loadElement } from "casteljau/elements";
+import { BezierApplet } from "casteljau/elements/applet";
 import "casteljau/react";
 import { Surface } from "casteljau/surfaces";
 import { useRef } from "react";
@@ -26,6 +22,9 @@ export const degrees: [number | undefined, number | null | undefined] = [
 ];
 export const pairs: number[][] | undefined = document.querySelector("bezier-coordinates")?.points;
 export const made: BezierAppletElement = new BezierApplet();
+export const defined: Promise<void> = loadElement("bezier-applet");
+// @ts-expect-error
+void loadElement("bezier-sphere");
 applet.theme = "dark";
 applet.appendPoint([3, 4]);
 // @ts-expect-error

@@ -1,5 +1,6 @@
 // A figure that the reader has changed is in the page's address, to be kept or sent: #id?points=…&t=…, with what differs
 // from the page. Written when a change is done, read with suspicion. The elements know nothing of it.
+import { loadElement } from "casteljau/elements";
 import { apply, LONGEST_ADDRESS, read, SHARED, write } from "./address.js";
 
 /** Applications keep a state of their own there. */
@@ -116,7 +117,7 @@ function keepInPlace(element) {
 async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];
   await Promise.all(
-    [...new Set(elements.map((element) => element.localName))].map((name) => customElements.whenDefined(name)),
+    [...new Set(elements.map((element) => element.localName))].map((name) => loadElement(/** @type {any} */ (name))),
   );
   await Promise.all(elements.map((element) => /** @type {any} */ (element).updateComplete));
   for (const element of elements) originals.set(element, settings(element));

@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import { box, button, choice, icon, slider } from "../../ui/controls.js";
 import { actionOf } from "../../editor/actions.js";
 import { hasPart } from "../attribute-text.js";
+import { once } from "../loading.js";
 import { savings } from "./saving.js";
 import { LAYERS } from "../../layers/index.js";
 import { tools } from "./tools.js";
@@ -143,6 +144,8 @@ function layers({ state, set, put, messages, groups }: PanelPort) {
   </fieldset>`;
 }
 
-/** A table of the page's own, or ours. */
+const loadCoordinates = once(() => import("../define/coordinates.js"), "BezierCoordinates");
+
+/** A table of the page's own, or ours, whose code is loaded when it is opened. */
 const coordinates = () =>
-  html`<details><summary>${translated("Coordinates")}</summary><slot name="coordinates"><bezier-coordinates for=":host"></bezier-coordinates></slot></details>`;
+  html`<details @toggle=${() => loadCoordinates().catch(() => {})}><summary>${translated("Coordinates")}</summary><slot name="coordinates"><bezier-coordinates for=":host"></bezier-coordinates></slot></details>`;

@@ -32,6 +32,7 @@ export class BezierEasing extends FormField {
 
   connectedCallback() {
     super.connectedCallback();
+    this.performUpdate(); // properties that were set before the element was defined: its form has them at once
     this.#report();
   }
 

@@ -1,5 +1,6 @@
 // A companion that follows the applet that its `for` names, whichever of the two comes first.
 import { Companion } from "./companion.js";
+import { loader } from "../loader.js";
 import { elementFor, followIds } from "./links.js";
 import { quoted } from "../../ui/numbers.js";
 
@@ -20,6 +21,8 @@ export class Linked extends Companion {
   #unwatch: (() => void) | null = null;
   /** The kind of element whose definition is awaited. */
   #awaited = "";
+  /** Whether its code is loaded. */
+  #isLoading = false;
   /** Why the link does not work. */
   #broken = "";
 
@@ -79,7 +82,9 @@ export class Linked extends Companion {
     if (awaited) this.#awaitDefinition(found.localName);
     const what = found ? `a ${found.localName}${awaited ? " that is not defined" : ""}` : "which is nowhere";
     const broken =
-      able || !this.#id ? "" : `for: expected the id of a bezier-applet, got ${quoted(this.#id)}, ${what}.`;
+      able || (awaited && this.#isLoading) || !this.#id
+        ? ""
+        : `for: expected the id of a bezier-applet, got ${quoted(this.#id)}, ${what}.`;
     if (broken !== this.#broken) this.requestUpdate();
     this.#broken = broken;
     this.#follow(able ? (found as Target) : null);
@@ -88,6 +93,7 @@ export class Linked extends Companion {
   async #awaitDefinition(name: string) {
     if (this.#awaited === name) return;
     this.#awaited = name;
+    this.#isLoading = loader.request(name);
     await customElements.whenDefined(name);
     this.#awaited = "";
     if (this.#id) this.#find();
