@@ -3,7 +3,7 @@
 import { build, transform } from "esbuild";
 import { readFile, readdir } from "node:fs/promises";
 import { posix } from "node:path";
-import { gzip, IMPORTS, MEASURED_LISTS, sizeOfImport, sizesOfLists } from "./sizes.js";
+import { gzip, IMPORTS, MEASURED_LISTS, sizeOfImport, sizesOfLists, sizesOfPrograms } from "./sizes.js";
 
 /**
  * The gzip sizes in kB to which the sizes are compared; a change that raises one gives the reason. Growth of more than 2 %
@@ -135,6 +135,9 @@ const pages = [
   ).flat(),
 ];
 pages.forEach(row);
+console.log(`\n${"typical programs, gzip -9".padEnd(28)}casteljau  smaller   own module`);
+for (const [name, ...sizes] of await sizesOfPrograms())
+  console.log(name.padEnd(28) + sizes.map((size) => (size === null ? "–".padStart(9) : kB(size))).join(" "));
 for (const { name, gzip } of [...parts, ...imports, ...lists, ...pages]) {
   const [committed, target] = [COMMITTED_KB[name] ?? Infinity, TARGETS_KB[name] ?? Infinity];
   if (gzip > target * KB) console.log(`\n${name}: ${kB(gzip).trim()} is above the target of ${target} kB`);

@@ -43,15 +43,47 @@ export const MEASURED_LISTS = [
   },
 ];
 
-/** Makes the measured modules. */
-export async function sizesOfLists() {
+/**
+ * Typical programs: what they import from `casteljau`, the smallest entry point that has it (if there is one), and what they name
+ * for a module of their own.
+ *
+ * @type {{ name: string, imports: string, entry?: string, list: string[] }[]}
+ */
+export const PROGRAMS = [
+  { name: "length of a curve", imports: "Curve", entry: "core", list: ["Curve.length"] },
+  { name: "point at a length", imports: "Path", entry: "core", list: ["Path.fromSVG", "Path.pointAtLength"] },
+  { name: "easing", imports: "easing", entry: "easing", list: ["easing"] },
+  { name: "d3, simplified paths", imports: "Path", list: ["Path.fromSVG", "Path.simplify", "Path.toSVG"] },
+  { name: "React, a line", imports: "Spline", list: ["Spline.interpolate", "Spline.toSVG"] },
+  {
+    name: "three.js, the teapot",
+    imports: "Surface",
+    entry: "surfaces",
+    list: ["Surface.teapot", "Surface.tessellate", "Mesh.toThree"],
+  },
+];
+
+/** Makes modules of one's own. @param {{ name: string, list: string[] }[]} lists */
+export async function sizesOfLists(lists = MEASURED_LISTS) {
   const json = async (/** @type {string} */ name) => JSON.parse(await readFile(`${root}/dist/custom/${name}`, "utf8"));
   const wasm = await readFile(`${root}/dist/casteljau.wasm`);
   const source = sourceOf(await json("pieces.json"), await json("needs.json"), wasm);
-  return MEASURED_LISTS.map(({ name, list }) => {
+  return lists.map(({ name, list }) => {
     const { code } = customModule(source, list, `npx casteljau custom ${list.join(" ")} --out bezier.js`);
     return { name, raw: Buffer.byteLength(code), gzip: gzip(code) };
   });
+}
+
+/** The gzip sizes of the typical programs with `casteljau`, with a smaller entry point and with a module of their own. */
+export async function sizesOfPrograms() {
+  const own = await sizesOfLists(PROGRAMS);
+  const row = async ({ name, imports, entry }, i) => [
+    name,
+    (await sizeOfImport([name, imports, "index"])).gzip,
+    entry ? (await sizeOfImport([name, imports, entry])).gzip : null,
+    own[i].gzip,
+  ];
+  return Promise.all(PROGRAMS.map(row));
 }
 
 /** The size in bytes of a bundle that imports some of the classes of an entry point. @param {string[]} row of IMPORTS */
