@@ -44,7 +44,11 @@ export function sizes() {
   };
   return [
     row("size", "everything", "a bundle that imports all classes, minified, gzip -9"),
-    row("size-elements", "elements, loaded at once", "elements, loaded initially, without the core, minified, gzip -9"),
+    row(
+      "size-elements",
+      "elements.js, easing",
+      "casteljau/elements on a page with an easing editor, minified, gzip -9",
+    ),
     row("size-curves", "everything of core", "a bundle that imports everything of casteljau/core, minified, gzip -9"),
   ];
 }

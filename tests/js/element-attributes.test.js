@@ -3,9 +3,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { elementOf } from "./element-node.js";
 
-const { BezierApplet, BezierBernstein, BezierEasing, BezierEquation, BezierSurface } = /** @type {any} */ (
-  await import("#js/elements/index.js")
-);
+/** The class of an element. @returns {Promise<any>} */
+const classOf = async (name, kind) => (await import(`#js/elements/define/${kind}.js`))[name];
+const BezierApplet = await classOf("BezierApplet", "applet");
+const BezierBernstein = await classOf("BezierBernstein", "bernstein");
+const BezierEasing = await classOf("BezierEasing", "easing");
+const BezierEquation = await classOf("BezierEquation", "equation");
+const BezierSurface = await classOf("BezierSurface", "surface");
 
 /** What React 19 does with the attributes of a custom element; undefined for those that are no longer given. */
 function setAsReact(element, attributes) {
