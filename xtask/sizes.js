@@ -77,13 +77,17 @@ export async function sizesOfLists(lists = MEASURED_LISTS) {
 /** The gzip sizes of the typical programs with `casteljau`, with a smaller entry point and with a module of their own. */
 export async function sizesOfPrograms() {
   const own = await sizesOfLists(PROGRAMS);
-  const row = async ({ name, imports, entry }, i) => [
-    name,
-    (await sizeOfImport([name, imports, "index"])).gzip,
-    entry ? (await sizeOfImport([name, imports, entry])).gzip : null,
-    own[i].gzip,
-  ];
-  return Promise.all(PROGRAMS.map(row));
+  const size = async (/** @type {string[]} */ row) => (await sizeOfImport(row)).gzip;
+  return Promise.all(
+    PROGRAMS.map(async ({ name, imports, entry }, i) => ({
+      name,
+      sizes: [
+        await size([name, imports, "index"]),
+        entry === undefined ? null : await size([name, imports, entry]),
+        own[i].gzip,
+      ],
+    })),
+  );
 }
 
 /** The size in bytes of a bundle that imports some of the classes of an entry point. @param {string[]} row of IMPORTS */

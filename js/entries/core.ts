@@ -1,11 +1,11 @@
 // The bundle of casteljau/core. Its copy of the classes explains what only `casteljau` has.
 import { Curve, Path, Spline } from "../core.js";
-import { CURVE_METHODS, explainMissing } from "../geometry/missing.js";
+import { CURVE_METHODS, CURVE_STATICS, explainMissing } from "../geometry/missing.js";
 
 export * from "../core.js";
 
 const ENTRY = "casteljau/core";
-explainMissing(Curve, "Curve", ENTRY, CURVE_METHODS, "interpolate");
+explainMissing(Curve, "Curve", ENTRY, CURVE_METHODS, CURVE_STATICS);
 explainMissing(
   Spline,
   "Spline",

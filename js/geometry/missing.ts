@@ -4,8 +4,15 @@
  * @internal
  */
 export const CURVE_METHODS =
-  "torsion frames extrema timesAtCoordinate inflections cusps classify tangentsFrom reduce offset intersections selfIntersections distanceTo hausdorff " +
+  "torsion frames extrema timesAtCoordinate inflections cusps classify tangentsFrom toBasis reduce offset intersections selfIntersections distanceTo hausdorff " +
   "toThree";
+
+/**
+ * The static methods that only its curves have.
+ *
+ * @internal
+ */
+export const CURVE_STATICS = "interpolate fromBasis basisMatrix";
 
 /**
  * Gives a class of a small entry point the methods that only the class of `casteljau` has; they throw an error that says so.

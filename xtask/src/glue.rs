@@ -74,7 +74,7 @@ pub(crate) const PARTS: [Part; 6] = [
     // For casteljau/surfaces, whose curves have the methods of casteljau/core.
     Part {
         name: "core-surfaces",
-        own: &[SURFACES, CORE_CURVES],
+        own: &[SURFACES, CORE_CURVES, &["basis_matrix"]],
     },
     // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
@@ -99,7 +99,6 @@ const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_join
 
 /// The functions that js/geometry/curve/core-curve.ts calls, besides measures.
 const CORE_CURVES: &[&str] = &[
-    "basis_matrix",
     "bernstein_weights",
     "cubic_eval",
     "curve_bounds",
@@ -112,7 +111,6 @@ const CORE_CURVES: &[&str] = &[
     "curve_eval",
     "curve_eval_at",
     "curve_flatten",
-    "curve_from_basis",
     "curve_hull",
     "curve_normal",
     "curve_sample",
@@ -120,7 +118,6 @@ const CORE_CURVES: &[&str] = &[
     "curve_subdivide",
     "curve_subsegment",
     "curve_tangent",
-    "curve_to_basis",
     "path_check_tolerance",
 ];
 

@@ -14,7 +14,6 @@ import {
   readPolyline,
 } from "../../wasm/transfer.js";
 import { core, cubicEval } from "../../wasm/init.js";
-import { basisNumbers, BASES, pointsInBasis } from "../basis.js";
 import { affine } from "../affine.js";
 import { readTree } from "../subdivision.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
@@ -24,7 +23,6 @@ import type { PointAtLength } from "../arc-length.js";
 import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
 import type { Nearest } from "../curve-queries.js";
 import type { Point, PointArrays, Bounds } from "../points.js";
-import type { BasisLike, BasisName } from "../basis.js";
 import type { Subdivision } from "../subdivision.js";
 import type { SvgOptions } from "../../io/svg-write.js";
 
@@ -310,17 +308,6 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * The 4×4 matrix of a basis, row-major: rows for t³, t², t and 1, columns for the geometry points.
-   *
-   * @param name the basis
-   * @returns 16 numbers
-   */
-  static basisMatrix(name: BasisName): Float64Array {
-    check.oneOf(name, "basis", BASES);
-    return basisNumbers(name);
-  }
-
-  /**
    * Splits the curve at t into two, or at several parameters into one part more.
    *
    * With a list, in any order: the parts from 0 to the smallest parameter, between neighbours, and from the largest to 1,
@@ -391,16 +378,6 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     return this._read(core().points_transform(this.dimension, this._write(affine(matrix))));
-  }
-
-  /**
-   * The four geometry points that give this curve (of degree at most 3) in another basis.
-   *
-   * @param basis a name, or a 4×4 matrix, row-major
-   */
-  toBasis(basis: BasisLike): Float64Array {
-    const matrix = basisNumbers(basis);
-    return readResult(0, core().curve_to_basis(this.dimension, this._write(matrix)));
   }
 
   /**
@@ -557,21 +534,6 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   _box(exact: boolean): Bounds<D> {
     core().curve_bounds(this.dimension, this._write(), exact);
     return boxAt(readResult(0, 6), this.dimension);
-  }
-
-  /**
-   * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
-   *
-   * @param basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
-   * @param points four points
-   * @param options `dimension`: 2 or 3, how a flat array is read; 2 by default
-   */
-  static fromBasis<D extends 2 | 3 = 2 | 3>(
-    basis: BasisLike,
-    points: PointArrays<D> | PointsLike,
-    options?: { dimension?: D },
-  ): CoreCurve<D> {
-    return coreCurveOf(pointsInBasis(basis, points, options)) as CoreCurve<D>;
   }
 
   /**

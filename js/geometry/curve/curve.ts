@@ -5,7 +5,7 @@ import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { core } from "../../wasm/init.js";
 import { readResult, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
-import { pointsInBasis } from "../basis.js";
+import { basisNumbers, BASES, pointsInBasis } from "../basis.js";
 import { curveData, typeOf } from "../brand.js";
 import { intersectSplines, readIntersections, readSelfIntersections } from "../intersections.js";
 import { flatten } from "../points.js";
@@ -14,7 +14,7 @@ import { curveToThree } from "../../io/three.js";
 import type { PointLike, PointsLike } from "../check.js";
 import type { CurveKind, Distance, Extrema } from "../curve-queries.js";
 import type { FrameOptions, Frames } from "../frames.js";
-import type { BasisLike } from "../basis.js";
+import type { BasisLike, BasisName } from "../basis.js";
 import type { CurveJSON } from "./core-curve.js";
 import type { Intersection, SelfIntersection } from "../intersections.js";
 import type { PointArrays } from "../points.js";
@@ -117,6 +117,27 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   tangentsFrom(p: PointLike): Float64Array {
     this._require2D("tangentsFrom");
     return queries.tangentsFrom(this._flat, p);
+  }
+
+  /**
+   * The four geometry points that give this curve (of degree at most 3) in another basis.
+   *
+   * @param basis a name, or a 4×4 matrix, row-major
+   */
+  toBasis(basis: BasisLike): Float64Array {
+    const matrix = basisNumbers(basis);
+    return readResult(0, core().curve_to_basis(this.dimension, this._write(matrix)));
+  }
+
+  /**
+   * The 4×4 matrix of a basis, row-major: rows for t³, t², t and 1, columns for the geometry points.
+   *
+   * @param name the basis
+   * @returns 16 numbers
+   */
+  static basisMatrix(name: BasisName): Float64Array {
+    check.oneOf(name, "basis", BASES);
+    return basisNumbers(name);
   }
 
   /**
