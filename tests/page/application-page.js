@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { openPage } from "./browser.js";
 
+/** The pages of the tools, and what a tool is in its page. */
+export const TOOLS = ["/easing/", "/camera/", "/glyph/", "/ink/", "/teapot/"];
+export const TOOL = "main > :is(easing-lab, camera-path, glyph-editor, ink-pad, .stage)";
 export const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 /** The applications and their elements. @type {Record<string, string>} */
 export const TAGS = {

@@ -74,7 +74,7 @@ test("glyph: points are added without changing the outline, and healed away agai
     const editor = document.querySelector("glyph-editor");
     const rect = editor.shadowRoot.querySelector(".outline-view").getBoundingClientRect();
     const [px, py] = editor.scales().place([620, 600]);
-    return { x: rect.x + (px * rect.width) / editor.wide, y: rect.y + (py * rect.width) / editor.wide };
+    return { x: rect.x + (px * rect.width) / editor.pictureWidth, y: rect.y + (py * rect.width) / editor.pictureWidth };
   });
   await page.mouse.dblclick(x, y);
   assert.equal((await outline(page)).subpaths[0].segmentCount, before.subpaths[0].segmentCount + 1);
@@ -93,17 +93,18 @@ test("glyph: path data in; what is none is refused with its place, the last good
     await data(page).fill(wrong);
     await data(page).blur();
     await page.waitForFunction(
-      (reason) => new RegExp(reason).test(document.querySelector("glyph-editor").problem),
+      (reason) => new RegExp(reason).test(document.querySelector("glyph-editor").fieldProblem),
       reason.source,
     );
-    assert.match(await page.locator(".problem").innerText(), /^Not taken: .+The last good outline is kept\.$/s);
+    const message = page.locator(".in + .problem");
+    assert.match(await message.innerText(), /^Not taken: .+The last good outline is kept\.$/s);
     assert.equal(await page.evaluate(() => document.querySelector("glyph-editor").path.toSVG({ precision: 2 })), good);
   }
   await data(page).fill("M0 0H40V40H0Z M10 10V30H30V10Z");
   await data(page).blur();
   await page.waitForFunction(() => document.querySelector("glyph-editor").outline.length === 2);
   assert.equal((await outline(page)).area(), 1200);
-  assert.equal(await page.locator(".problem").innerText(), "");
+  assert.deepEqual(await page.locator(".problem").allInnerTexts(), ["", ""]);
   const kept = await state(page);
   await page.reload();
   await page.waitForFunction(
@@ -233,5 +234,28 @@ test("glyph: union, overlaps, stroke and offset of the filled region, each undon
   assert.equal(await data(page).inputValue(), given);
   await slide(page, "Offset distance", -60);
   for (let i = 0; i < 4; i++) await page.getByRole("button", { name: "Offset", exact: true }).click();
-  assert.match(await page.locator(".problem").innerText(), /^Nothing would be left/);
+  assert.match(await page.locator(".group .problem").innerText(), /^Nothing would be left/);
+});
+
+test("glyph: what would change nothing is disabled", async (t) => {
+  const page = await open(t, "/glyph/");
+  const disabled = () => page.locator("glyph-editor button:disabled").allInnerTexts();
+  const set = async (d, contours) => {
+    await data(page).fill(d);
+    await data(page).blur();
+    await page.waitForFunction((n) => document.querySelector("glyph-editor").outline.length === n, contours);
+  };
+  assert.deepEqual(await disabled(), ["Undo", "Redo", "All", "Remove overlaps", "Convert to cubic"]);
+  await set("M0 0H400V400H0Z M200 200H600V600H200Z", 2);
+  assert.deepEqual(await disabled(), ["Redo", "All", "Convert to quadratic", "Convert to cubic"]);
+  await page.getByRole("button", { name: "Remove overlaps" }).click();
+  assert.deepEqual(await disabled(), [
+    ...["Redo", "All", "Delete contour", "Union of contours", "Remove overlaps"],
+    ...["Convert to quadratic", "Convert to cubic"],
+  ]);
+  await page.keyboard.press("Control+z"); // the keys work although the button is disabled
+  assert.equal((await outline(page)).subpaths.length, 2);
+  await set("M0 0L400 0Q200 400 0 0Z", 1);
+  assert.ok((await disabled()).includes("Delete point"));
+  assert.ok(!(await disabled()).includes("Convert to cubic"));
 });

@@ -12,13 +12,15 @@ const look = (page) =>
     const context = /** @type {any} */ (copy.getContext("2d", { willReadFrequently: true }));
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-    let [inked, left, right] = [0, canvas.width, 0];
+    let [inked, left, right, top, bottom] = [0, canvas.width, 0, canvas.height, 0];
     for (let i = 3; i < data.length; i += 4) {
       if (data[i] < 100) continue;
-      const x = ((i - 3) / 4) % canvas.width;
+      const [x, y] = [((i - 3) / 4) % canvas.width, Math.floor(i / 4 / canvas.width)];
       [inked, left, right] = [inked + 1, Math.min(left, x), Math.max(right, x)];
+      [top, bottom] = [Math.min(top, y), Math.max(bottom, y)];
     }
-    return { inked, left, right, width: canvas.width, image: canvas.toDataURL() };
+    const { width, height } = canvas;
+    return { inked, left, right, top, bottom, width, height, image: canvas.toDataURL() };
   });
 
 test("the teapot is drawn, inside the picture, and turns", async (t) => {
@@ -26,8 +28,9 @@ test("the teapot is drawn, inside the picture, and turns", async (t) => {
   await drawn(page);
   const first = await look(page);
   assert.ok(first.inked > 3000, `${first.inked} pixels`);
-  assert.ok(first.left > 0 && first.right < first.width - 1, "nothing is cut off");
-  assert.ok(first.right - first.left > 0.5 * first.width, "and it fills the picture");
+  assert.ok(first.left > 0 && first.right < first.width - 1, "nothing is cut off at the sides");
+  assert.ok(first.top > 0 && first.bottom < first.height - 1, "nor above and below");
+  assert.ok(first.right - first.left > 0.7 * first.height, "and it fills the picture");
   await page.waitForFunction((image) => document.querySelector("canvas").toDataURL() !== image, first.image);
 });
 
@@ -58,7 +61,7 @@ test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
   assert.notEqual(dragged, tilted);
   await page.getByLabel("Lines").fill("8");
   assert.ok((await still()) !== dragged);
-  await page.getByRole("button", { name: "Rotate" }).click();
+  await page.getByRole("button", { name: "Play" }).click();
   await page.getByRole("button", { name: "Pause" }).waitFor();
   await page.waitForFunction((image) => document.querySelector("canvas").toDataURL() !== image, await still());
 });
@@ -70,5 +73,5 @@ test("it stands still for those who want less motion", async (t) => {
   assert.ok(first.inked > 3000);
   await frames(page, QUIET_FRAMES);
   assert.equal((await look(page)).image, first.image);
-  assert.equal(await page.getByRole("button", { name: "Rotate" }).count(), 1);
+  assert.equal(await page.getByRole("button", { name: "Play" }).count(), 1);
 });

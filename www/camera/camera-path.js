@@ -4,8 +4,9 @@ import { capture } from "#js/ui/capture.js";
 import { css, html, svg } from "lit";
 import { codeBox } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
-import { check, choice, handle, list, pathOf, slider } from "../figures/lib/parts.js";
+import { check, choice, handle, list, pathOf, playButton, slider } from "../figures/lib/parts.js";
 import { decimal, short } from "../figures/lib/numbers.js";
+import { PANES, toolStyle } from "../figures/lib/tool.js";
 import { cameraCode } from "./code.js";
 import { equalSteps, framesOf, lookingAt, pathThrough, timeAt } from "./path.js";
 import { rolls, strip } from "./plots.js";
@@ -30,14 +31,23 @@ export class CameraPath extends Figure {
   };
   static styles = [
     Figure.styles,
+    toolStyle,
     css`
-    .views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 1px; background: var(--rim); }
-    .view { position: relative; background: var(--paper); }
-    .view > b { position: absolute; inset: 0.5rem auto auto 0.7rem; font-size: 0.875rem; font-weight: 600; pointer-events: none; }
+    .views { display: grid; gap: 4px; background: var(--ground); }
+    .view { position: relative; background: var(--paper); min-inline-size: 0; }
+    .view > b { position: absolute; inset: 0.5rem auto auto 0.8rem; font-size: 0.8125rem; font-weight: 400; color: var(--quiet); pointer-events: none; }
     canvas { display: block; inline-size: 100%; block-size: auto; aspect-ratio: 3 / 2; background: var(--paper); }
-    #eye { aspect-ratio: 2 / 1; }
+    .transport { background: var(--paper); }
+    @container (min-width: ${PANES}px) {
+      .views { grid-template-columns: minmax(0, 2fr) minmax(0, 1fr); grid-template-rows: auto auto auto; }
+      .eye { grid-area: 1 / 1 / 3 / 2; }
+      .outside { grid-area: 1 / 2; }
+      .above { grid-area: 2 / 2; }
+      .views > .transport { grid-area: 3 / 1 / 4 / 3; }
+      #eye { position: absolute; inset: 0; block-size: 100%; aspect-ratio: auto; }
+    }
+    .frame + .say { margin-block-start: 1.5rem; }
     .key-line { display: inline-block; inline-size: 1.1rem; block-size: 0; border-block-start: 3px solid; vertical-align: middle; margin-inline: 0.6rem 0.3rem; }
-    .wide { grid-column: 1 / -1; }
   `,
   ];
 
@@ -155,8 +165,8 @@ export class CameraPath extends Figure {
     if (!width) return;
     const height = canvas.clientHeight;
     const sharp = devicePixelRatio;
-    if (canvas.width !== Math.round(width * sharp))
-      [canvas.width, canvas.height] = [width, height].map((side) => Math.round(side * sharp));
+    const size = [width, height].map((side) => Math.round(side * sharp));
+    if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
     const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     ctx.setTransform(sharp, 0, 0, sharp, 0, 0);
     ctx.clearRect(0, 0, width, height);
@@ -191,9 +201,9 @@ export class CameraPath extends Figure {
 
   /** Seen from above, with handles. */
   top() {
-    const wide = this.wide >= 720 ? (this.wide - 1) / 2 : this.wide;
+    const wide = this.wide >= PANES ? Math.round(this.wide / 3) : this.wide;
     const height = Math.round((wide * 2) / 3);
-    const scale = Math.min(wide / (BOX.max[0] - BOX.min[0]), height / (BOX.max[1] - BOX.min[1])) * 0.94;
+    const scale = Math.min(wide / (BOX.max[0] - BOX.min[0]), height / (BOX.max[1] - BOX.min[1])) * 0.9;
     const [cx, cy] = [0, 1].map((k) => (BOX.min[k] + BOX.max[k]) / 2);
     const place = (/** @type {readonly number[]} */ [x, y]) =>
       /** @type {[number, number]} */ ([wide / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale]);
@@ -234,12 +244,10 @@ export class CameraPath extends Figure {
     `;
   }
 
-  controls() {
-    const { state } = this;
-    const set = (/** @type {Partial<import("./state.js").State>} */ part) => this.change({ ...state, ...part });
+  transport() {
     return html`
-      <div class="controls">
-        <button @click=${this.play}>${this.playing ? "Pause" : "Play"}</button>
+      <div class="controls transport">
+        ${playButton({ playing: this.playing, toggle: () => this.play() })}
         ${slider({
           name: "Time",
           value: this.progress,
@@ -252,6 +260,15 @@ export class CameraPath extends Figure {
             this.progress = progress;
           },
         })}
+      </div>
+    `;
+  }
+
+  controls() {
+    const { state } = this;
+    const set = (/** @type {Partial<import("./state.js").State>} */ part) => this.change({ ...state, ...part });
+    return html`
+      <div class="controls">
         ${choice({
           name: "Speed",
           options: [
@@ -323,13 +340,15 @@ export class CameraPath extends Figure {
     return html`
       <div class="frame">
         <div class="views">
-          <div class="view wide"><canvas id="eye" role="img" aria-label="What the camera sees from (${where})"></canvas><b>What the camera sees</b></div>
-          <div class="view"><canvas id="outside" class="orbit" role="img" tabindex="0" aria-label="The scene from outside: path, frames and camera; arrow keys turn it" @pointerdown=${this.drag} @keydown=${this.key}></canvas><b>From outside</b></div>
-          <div class="view stage">${this.top()}<b>From above</b></div>
+          <div class="view eye"><canvas id="eye" role="img" aria-label="What the camera sees from (${where})"></canvas><b>What the camera sees</b></div>
+          ${this.transport()}
+          <div class="view outside"><canvas id="outside" class="orbit" role="img" tabindex="0" aria-label="The scene from outside: path, frames and camera; arrow keys turn it" @pointerdown=${this.drag} @keydown=${this.key}></canvas><b>From outside</b></div>
+          <div class="view stage above">${this.top()}<b>From above: drag the points</b></div>
         </div>
         <p class="facts">At <i>t</i> = <b class="t">${decimal(t, 3)}</b> of ${this.path.segmentCount}, the camera is at (${where}); the path is ${decimal(this.length, 2)} long.</p>
         ${this.controls()}
       </div>
+      <p class="say">Drag the points in the view from above, and set the height of the selected one with the slider. The address of this page contains your path, so you can share it.</p>
       <h2>Constant speed</h2>
       <p class="say">
         The parameter <i>t</i> of a spline increases by 1 between two neighbouring points, whatever their distance. A camera that follows <i>t</i> is slow where points are close and fast where they are far apart. For constant speed,

@@ -1,4 +1,4 @@
-// The page is the laboratory with the editor inside; this starts them and keeps the curve in the address.
+// Defines the tool, and keeps its curve in the address.
 import "../parts/page.js";
 import { keepInAddress } from "../figures/lib/address.js";
 import { EasingLab } from "./easing-lab.js";
@@ -11,7 +11,7 @@ keepInAddress(lab, {
   read: (state) => {
     const { curve } = /** @type {{ curve: number[] }} */ (state);
     if (!Array.isArray(curve)) throw new RangeError("expected curve, a list of four numbers");
-    lab.value = parse(curve.join(","));
+    lab.set(parse(curve.join(",")));
   },
   write: () => ({ curve: rounded(lab.value) }),
 });

@@ -1,10 +1,11 @@
-// The editor of a letter: outline, points, joints; what it looks like in small and in large; in and out as SVG.
+// <glyph-editor>: the outline of a letter with its points and joints, at all sizes; import and export as SVG.
 import { arrowDirection } from "#js/ui/keys.js";
 import { capture } from "#js/ui/capture.js";
 import { css, html } from "lit";
-import { codeBox } from "../figures/lib/code-box.js";
+import { codeTabs } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
 import { short } from "../figures/lib/numbers.js";
+import { PANES, toolStyle } from "../figures/lib/tool.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { Editor } from "#js/editor/editor.js";
 import {
@@ -19,6 +20,7 @@ import {
   setMode,
   toQuadratics,
 } from "./outline.js";
+import { hasOverlaps } from "./regions.js";
 import { conversion, joint, proof, regionTools, tools } from "./panels.js";
 import { outlineView } from "./outline-view.js";
 import { fitted, panned, zoomed } from "./view.js";
@@ -26,6 +28,11 @@ import { fitted, panned, zoomed } from "./view.js";
 const ZOOM_STEP = 1.5;
 const PAN_KEY_PX = 40;
 const PRECISION = 2;
+/** The width of the pane beside the picture. */
+const SIDE_PX = 424;
+/** The part of the window's height that the bar, the heading and the tools need. */
+const AROUND_PICTURE_PX = 272;
+const MIN_HEIGHT_PX = 320;
 /** A double click is on the outline within so many pixels. */
 const NEAR_PX = 14;
 
@@ -44,11 +51,15 @@ export class GlyphEditor extends Figure {
     filled: { state: true },
     ghost: { state: true },
     problem: { state: true },
+    fieldProblem: { state: true },
+    code: { state: true },
     pointer: { state: true },
   };
   static styles = [
     Figure.styles,
+    toolStyle,
     css`
+    :host { --side: ${SIDE_PX}px; }
     .ink { fill: var(--ink); fill-opacity: 0.16; stroke: none; fill-rule: nonzero; }
     .ink.solid { fill-opacity: 1; }
     .guide { stroke: var(--level1); stroke-width: 1; stroke-dasharray: 3 5; fill: none; }
@@ -62,8 +73,15 @@ export class GlyphEditor extends Figure {
     .in { display: block; padding: 0.7rem 0.9rem; }
     .in > span { display: block; font-weight: 600; }
     .proof { padding: 0.3rem 0.9rem 0.7rem; }
-    .operation { display: flex; flex-wrap: wrap; align-items: center; gap: 0.4rem 0.8rem; }
-    .keys { padding: 0.4rem 0.9rem 0.6rem; border-block-start: 1px solid var(--rim); }
+    .operation { display: flex; align-items: center; gap: 0.8rem; }
+    .operation .slider { flex: 1; display: grid; grid-template-columns: 6.5rem minmax(0, 1fr) 2em; }
+    .operation .slider input { min-inline-size: 0; }
+    .operation button { min-inline-size: 8.2rem; }
+    .group { display: grid; gap: 0.5rem; padding: 0.3rem 0.9rem 0.6rem; }
+    .group .name { color: var(--quiet); font-size: 0.8125rem; font-weight: 600; }
+    .group .problem { padding-inline-end: 0; border-block-start: 0; }
+    .frame + .say { margin-block-start: 1.5rem; }
+    .keys { padding: 0.4rem 0.9rem 0.6rem; }
     .keys summary { cursor: pointer; min-block-size: 24px; }
     .keys p { margin: 0.3rem 0 0; text-wrap: pretty; }
     kbd { font: 600 0.8em/1 ui-monospace, Menlo, Consolas, monospace; border: 1px solid var(--field); border-radius: 4px; padding: 0.1em 0.35em; }
@@ -90,7 +108,11 @@ export class GlyphEditor extends Figure {
     this.offsetDistance = 12;
     this.filled = false;
     this.ghost = false;
+    /** Why an operation was refused, and why a text was. */
     this.problem = "";
+    this.fieldProblem = "";
+    this.code = 0;
+    this.hasOverlaps = false;
     /** @type {Place | null} */
     this.pointer = null;
     /** What is down on the picture. @type {Map<number, PointerEvent>} */
@@ -110,7 +132,15 @@ export class GlyphEditor extends Figure {
     if (this.editor.state.outline !== this.measured || changed.has("tolerance")) {
       this.measured = this.editor.state.outline;
       this.quadratic = toQuadratics(this.measured, this.tolerance);
+      this.hasOverlaps = hasOverlaps(this.measured);
     }
+  }
+
+  updated() {
+    // A button that is disabled now would lose the focus, and with it the keys.
+    const root = /** @type {ShadowRoot} */ (this.renderRoot);
+    if (root.activeElement?.matches(":disabled"))
+      /** @type {SVGElement} */ (root.querySelector(".outline-view")).focus({ preventScroll: true });
   }
 
   /** Takes an outline for good: one step of undo. @param {Outline} outline */
@@ -120,7 +150,7 @@ export class GlyphEditor extends Figure {
       this.outline = this.editor.state.outline;
       return;
     }
-    this.problem = "";
+    this.problem = this.fieldProblem = "";
     this.outline = outline;
     if (outline !== this.editor.state.outline) {
       this.editor.dispatch(() => ({ outline }), { origin: "page" });
@@ -147,7 +177,7 @@ export class GlyphEditor extends Figure {
       if (fit) this.view = null;
     } catch (error) {
       const { message, offset } = /** @type {Error & { offset?: number }} */ (error);
-      this.problem = `Not taken: ${message}${offset === undefined ? "" : ` (at character ${offset})`}. The last good outline is kept.`;
+      this.fieldProblem = `Not taken: ${message}${offset === undefined ? "" : ` (at character ${offset})`}. The last good outline is kept.`;
     }
   }
 
@@ -169,8 +199,15 @@ export class GlyphEditor extends Figure {
     return { contour, node };
   }
 
+  /** The width of the picture in CSS pixels. */
+  get pictureWidth() {
+    return this.wide < PANES ? this.wide : this.wide - SIDE_PX;
+  }
+
+  /** Height by width of the picture, which fits into the window. */
   get aspect() {
-    return this.wide < 520 ? 1.05 : 0.72;
+    const available = Math.max(MIN_HEIGHT_PX, innerHeight - AROUND_PICTURE_PX);
+    return Math.min(this.wide < 520 ? 1.05 : 0.72, available / this.pictureWidth);
   }
 
   get seen() {
@@ -183,10 +220,10 @@ export class GlyphEditor extends Figure {
   /** From units to pixels and back. */
   scales() {
     const { x, y, units } = this.seen;
-    const scale = this.wide / units;
+    const scale = this.pictureWidth / units;
     return {
       scale,
-      height: Math.round(this.wide * this.aspect),
+      height: Math.round(this.pictureWidth * this.aspect),
       matrix: [scale, 0, 0, scale, -x * scale, -y * scale],
       place: (/** @type {readonly number[]} */ [px, py]) => /** @type {Place} */ ([(px - x) * scale, (py - y) * scale]),
       unplace: (/** @type {readonly number[]} */ [px, py]) => /** @type {Place} */ ([x + px / scale, y + py / scale]),
@@ -196,15 +233,15 @@ export class GlyphEditor extends Figure {
   /** @param {number} factor @param {Place} [around] */
   zoom(factor, around) {
     const { unplace, height } = this.scales();
-    this.view = zoomed(this.seen, factor, around ?? unplace([this.wide / 2, height / 2]), this.wide);
+    this.view = zoomed(this.seen, factor, around ?? unplace([this.pictureWidth / 2, height / 2]), this.pictureWidth);
   }
 
   /** Where an event is, in units. @param {MouseEvent} event @returns {Place} */
   locate(event) {
     const rect = /** @type {Element} */ (this.renderRoot.querySelector(".outline-view")).getBoundingClientRect();
     return this.scales().unplace([
-      ((event.clientX - rect.left) * this.wide) / rect.width,
-      ((event.clientY - rect.top) * this.wide) / rect.width,
+      ((event.clientX - rect.left) * this.pictureWidth) / rect.width,
+      ((event.clientY - rect.top) * this.pictureWidth) / rect.width,
     ]);
   }
 
@@ -225,7 +262,7 @@ export class GlyphEditor extends Figure {
     const other = [...this.fingers.values()].find(({ pointerId }) => pointerId !== event.pointerId);
     this.fingers.set(event.pointerId, event);
     if (!other) {
-      this.view = panned(this.seen, event.clientX - before.clientX, event.clientY - before.clientY, this.wide);
+      this.view = panned(this.seen, event.clientX - before.clientX, event.clientY - before.clientY, this.pictureWidth);
       return;
     }
     const apart = (/** @type {PointerEvent} */ finger) =>
@@ -252,7 +289,7 @@ export class GlyphEditor extends Figure {
     const arrow = arrowDirection(event);
     if (!(arrow || keys[event.key]) || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    if (arrow) this.view = panned(this.seen, -arrow[0] * PAN_KEY_PX, -arrow[1] * PAN_KEY_PX, this.wide);
+    if (arrow) this.view = panned(this.seen, -arrow[0] * PAN_KEY_PX, -arrow[1] * PAN_KEY_PX, this.pictureWidth);
     else keys[event.key]();
   }
 
@@ -309,7 +346,7 @@ export class GlyphEditor extends Figure {
     const { unplace, height } = this.scales();
     const next = addRound(
       this.outline,
-      /** @type {Place} */ (unplace([this.wide / 2, height / 2]).map(Math.round)),
+      /** @type {Place} */ (unplace([this.pictureWidth / 2, height / 2]).map(Math.round)),
       Math.max(1, Math.round(this.seen.units / 10)),
     );
     this.take(next);
@@ -329,20 +366,27 @@ export class GlyphEditor extends Figure {
     ];
     return html`
       <div @keydown=${this.key}>
-        <div class="frame">
-          ${tools(this)}
-          <div class="stage">${outlineView(this)}</div>
-          <p class="problem" role="alert">${this.problem}</p>
-          ${joint(this)}
-          ${regionTools(this)}
-          <details class="keys">
-            <summary>Keys</summary>
-            <p>
-              On a point: arrows move it (<kbd>Shift</kbd> ten steps, <kbd>Alt</kbd> a tenth), <kbd>Enter</kbd> next kind of joint, <kbd>i</kbd> a point behind it, <kbd>Delete</kbd> away with it,
-              <kbd>Esc</kbd> takes a drag back. On the picture: <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, <kbd>0</kbd> shows all. Everywhere: <kbd>Ctrl</kbd>+<kbd>Z</kbd> undo, <kbd>Ctrl</kbd>+<kbd>Y</kbd> redo.
-            </p>
-          </details>
+        <div class="frame panes">
+          <div class="pane">
+            <div class="stage">${outlineView(this)}</div>
+            ${tools(this)}
+          </div>
+          <div class="pane side">
+            ${joint(this)}
+            ${regionTools(this)}
+            <details class="keys">
+              <summary>Keys</summary>
+              <p>
+                On a point: arrows move it (<kbd>Shift</kbd> ten steps, <kbd>Alt</kbd> a tenth), <kbd>Enter</kbd> next kind of joint, <kbd>i</kbd> a point behind it, <kbd>Delete</kbd> away with it,
+                <kbd>Esc</kbd> takes a drag back. On the picture: <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, <kbd>0</kbd> shows all. Everywhere: <kbd>Ctrl</kbd>+<kbd>Z</kbd> undo, <kbd>Ctrl</kbd>+<kbd>Y</kbd> redo.
+              </p>
+            </details>
+          </div>
         </div>
+        <p class="say">
+          Discs are points on the outline; squares are control points off it. The area inside a clockwise contour is filled. A contour that runs counter-clockwise inside it cuts a hole, because the two winding
+          numbers, 1 and −1, add up to 0. The address of this page contains your outline, so you can share it.
+        </p>
         <h2>Sizes</h2>
         <p class="say">One outline is used for all sizes. It consists of curves, so it stays smooth however far you zoom in.</p>
         <div class="frame"><div class="stage proof">${proof(this)}</div></div>
@@ -355,9 +399,22 @@ export class GlyphEditor extends Figure {
         <h2>Import and export</h2>
         <div class="frame">
           <label class="in"><span>SVG path data: change it, or paste your own</span>
-            <textarea spellcheck="false" .value=${d} @change=${(/** @type {Event} */ event) => this.import(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea></label>
-          ${codeBox({ name: "SVG", text: `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box.join(" ")}">\n  <path d="${d}"/>\n</svg>` })}
-          ${codeBox({ name: "JavaScript", text: `import { Path } from "casteljau";\n\nconst letter = Path.fromSVG("${d}");\nletter.area(); // ${this.path.area()}\nletter.bounds(); // x ${short(min.x)} to ${short(max.x)}, y ${short(min.y)} to ${short(max.y)}` })}
+            <textarea spellcheck="false" .value=${d} aria-describedby="field-problem" @change=${(/** @type {Event} */ event) => this.import(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea></label>
+          <p class="problem" id="field-problem" role="alert">${this.fieldProblem}</p>
+          ${codeTabs({
+            tabs: [
+              {
+                name: "SVG",
+                text: `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box.join(" ")}">\n  <path d="${d}"/>\n</svg>`,
+              },
+              {
+                name: "JavaScript",
+                text: `import { Path } from "casteljau";\n\nconst letter = Path.fromSVG("${d}");\nletter.area(); // ${this.path.area()}\nletter.bounds(); // x ${short(min.x)} to ${short(max.x)}, y ${short(min.y)} to ${short(max.y)}`,
+              },
+            ],
+            selected: this.code,
+            select: (index) => (this.code = index),
+          })}
         </div>
       </div>
     `;

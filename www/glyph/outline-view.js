@@ -39,7 +39,7 @@ export function outlineView(editor) {
   const visible = ([x, y] = /** @type {Place} */ ([0, 0])) =>
     x > -HANDLE_MARGIN_PX &&
     y > -HANDLE_MARGIN_PX &&
-    x < editor.wide + HANDLE_MARGIN_PX &&
+    x < editor.pictureWidth + HANDLE_MARGIN_PX &&
     y < height + HANDLE_MARGIN_PX;
   const nodes = editor.outline.flatMap(({ spline }, c) => nodesOf(spline).map((node) => ({ ...node, c })));
   const shown = nodes.filter((node) => visible(place(node.at)));
@@ -58,10 +58,10 @@ export function outlineView(editor) {
   const [sx, sy] = place(editor.selected.node.at);
   const counts = countPoints(editor.outline);
   return html`
-    <svg class="outline-view" viewBox="0 0 ${editor.wide} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.onKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
+    <svg class="outline-view" viewBox="0 0 ${editor.pictureWidth} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.onKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
       @pointermove=${(/** @type {PointerEvent} */ event) => (editor.pointer = editor.locate(event))} @pointerleave=${() => (editor.pointer = null)}
       aria-label="The outline: ${editor.outline.length} contours, ${counts.on} points on it and ${counts.off} beside it. Plus and minus zoom, arrow keys move the picture, zero shows all">
-      ${GUIDES.map(([name, y]) => svg`<path class="guide" d="M0 ${place([0, y])[1]}H${editor.wide}" /><text class="quiet" x="8" y=${place([0, y])[1] - 4}>${name}</text>`)}
+      ${GUIDES.map(([name, y]) => svg`<path class="guide" d="M0 ${place([0, y])[1]}H${editor.pictureWidth}" /><text class="quiet" x="8" y=${place([0, y])[1] - 4}>${name}</text>`)}
       <path class="ink ${editor.filled ? "solid" : ""}" d=${editor.path.transform(matrix).toSVG({ precision: PRECISION })} />
       ${editor.ghost ? svg`<path class="ghost" d=${pathOf(editor.quadratic.outline).transform(matrix).toSVG({ precision: PRECISION })} />` : ""}
       <path class="curve" d=${editor.path.transform(matrix).toSVG({ precision: PRECISION })} stroke-width="2" />
@@ -93,7 +93,7 @@ export function outlineView(editor) {
         at,
         place,
         unplace,
-        size: [editor.wide, height],
+        size: [editor.pictureWidth, height],
         box: /** @type {any} */ (box),
         step: editor.seen.units < CLOSE_UNITS ? 0.1 : 1,
         say: (value) => short(value, 1),

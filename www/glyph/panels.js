@@ -22,17 +22,17 @@ export function truth({ spline }, joint) {
   return ["G1", ...(c1 ? ["C1"] : []), ...(g2 ? ["G2"] : []), ...(c2 ? ["C2"] : [])].join(", ");
 }
 
-/** @param {GlyphEditor} editor */
+/** What stands below the picture: letters, undo, zoom. @param {GlyphEditor} editor */
 export function tools(editor) {
   return html`
-    <div class="controls first">
+    <div class="controls">
       <div class="row" role="group" aria-label="Letters">${Object.entries(GLYPHS).map(([name, d]) => html`<button @click=${() => editor.import(d)}>${name}</button>`)}</div>
       <div class="row">
         <button ?disabled=${!editor.editor.canUndo} @click=${() => editor.undo()}>Undo</button><button ?disabled=${!editor.editor.canRedo} @click=${() => editor.redo()}>Redo</button>
       </div>
       <div class="row" role="group" aria-label="Zoom">
         <button aria-label="Zoom out" @click=${() => editor.zoom(1 / ZOOM_STEP)}>−</button><button aria-label="Zoom in" @click=${() => editor.zoom(ZOOM_STEP)}>+</button>
-        <button @click=${() => editor.zoom(CLOSE_UP, editor.selected.node.at)}>Close-up of the point</button><button @click=${() => (editor.view = null)}>All</button>
+        <button @click=${() => editor.zoom(CLOSE_UP, editor.selected.node.at)}>Close-up of the point</button><button ?disabled=${editor.view === null} @click=${() => (editor.view = null)}>All</button>
       </div>
       ${check({ name: "filled", value: editor.filled, change: (on) => (editor.filled = on) })}
     </div>
@@ -43,20 +43,28 @@ export function tools(editor) {
 export function joint(editor) {
   const { contour, node } = editor.selected;
   const { c } = editor.chosen;
-  const segment = contour.spline.segments()[Math.min(node.joint, contour.spline.segmentCount - 1)];
+  const k = Math.min(node.joint, contour.spline.segmentCount - 1);
+  const segment = contour.spline.segments()[k];
+  const isLast = editor.outline.length === 1 && contour.spline.segmentCount <= 2;
   const clockwise = contour.spline.area() > 0; // y down: what turns clockwise as seen counts as positive
   return html`
-    <p class="facts chosen">
+    <p class="facts">
       ${node.on ? html`Point ${node.index} of contour ${c + 1}: <b class="truth">${truth(contour, node.joint)}</b>.` : html`Handle ${node.index} of contour ${c + 1}.`}
       It is at (${node.at.map((value) => short(value, 1)).join(", ")}). The contour runs <b class="direction">${clockwise ? "clockwise ↻" : "counter-clockwise ↺"}</b>.
       ${editor.pointer ? html`<span class="winding">The winding number at the pointer is ${decimal(editor.path.windingNumber(editor.pointer), 0)}.</span>` : ""}
     </p>
-    <div class="controls">
-      ${node.on ? list({ name: "Joint", options: MODES.map((mode) => [mode, mode === "free" ? "free" : mode.toUpperCase().replace("AUTO", "auto")]), value: contour.modes[node.joint], change: (mode) => editor.take(setMode(editor.outline, c, node.joint, /** @type {"free"} */ (mode))) }) : ""}
+    <div class="group" role="group" aria-labelledby="group-point">
+      <span class="name" id="group-point">Point</span>
+      ${list({ name: "Joint", options: MODES.map((mode) => [mode, mode === "free" ? "free" : mode.toUpperCase().replace("AUTO", "auto")]), value: node.on ? contour.modes[node.joint] : "", disabled: !node.on, change: (mode) => editor.take(setMode(editor.outline, c, node.joint, /** @type {"free"} */ (mode))) })}
       <div class="row">
-        <button @click=${() => editor.insertAfter()}>Add a point after it</button>
-        <button @click=${() => editor.deleteChosen()}>${node.on ? "Delete the point" : "Straighten"}</button>
-        ${node.on ? html`<button @click=${() => editor.take(bendOrStraighten(editor.outline, c, Math.min(node.joint, contour.spline.segmentCount - 1)))}>${segment.degree === 1 ? "Line to curve" : "Curve to line"}</button>` : ""}
+        <button @click=${() => editor.insertAfter()}>Insert after</button>
+        <button ?disabled=${!node.on || isLast} @click=${() => editor.deleteChosen()}>Delete point</button>
+        <button @click=${() => editor.take(bendOrStraighten(editor.outline, c, k))}>${segment.degree === 1 ? "Line to curve" : "Curve to line"}</button>
+      </div>
+    </div>
+    <div class="group" role="group" aria-labelledby="group-contour">
+      <span class="name" id="group-contour">Contour</span>
+      <div class="row">
         <button @click=${() => editor.take(reverse(editor.outline, c))}>Reverse contour</button>
         <button ?disabled=${editor.outline.length < 2} @click=${() => editor.take(editor.outline.filter((_, k) => k !== c))}>Delete contour</button>
         <button @click=${() => editor.addContour()}>Add contour</button>
@@ -69,10 +77,11 @@ export function joint(editor) {
 export function regionTools(editor) {
   const { strokeWidth, offsetDistance } = editor;
   return html`
-    <div class="controls regions" role="group" aria-label="Filled region">
+    <div class="group" role="group" aria-labelledby="group-shape">
+      <span class="name" id="group-shape">Shape</span>
       <div class="row">
-        <button @click=${() => editor.change(unionOfContours)}>Union of contours</button>
-        <button @click=${() => editor.change(removeOverlaps)}>Remove overlaps</button>
+        <button ?disabled=${editor.outline.length < 2} @click=${() => editor.change(unionOfContours)}>Union of contours</button>
+        <button ?disabled=${!editor.hasOverlaps} @click=${() => editor.change(removeOverlaps)}>Remove overlaps</button>
       </div>
       <div class="operation">
         ${slider({ name: "Stroke width", value: strokeWidth, min: 2, max: 120, step: 1, text: short(strokeWidth, 0), change: (width) => (editor.strokeWidth = width) })}
@@ -82,9 +91,13 @@ export function regionTools(editor) {
         ${slider({ name: "Offset distance", value: offsetDistance, min: -60, max: 60, step: 1, text: short(offsetDistance, 0), change: (distance) => (editor.offsetDistance = distance) })}
         <button ?disabled=${offsetDistance === 0} @click=${() => editor.change((outline) => offset(outline, offsetDistance))}>Offset</button>
       </div>
+      <p class="problem" role="alert">${editor.problem}</p>
     </div>
   `;
 }
+
+/** @param {import("./outline.js").Outline} outline @param {number} degree */
+const hasDegree = (outline, degree) => outline.some(({ spline }) => spline.degrees.includes(degree));
 
 /** The letter in running sizes. @param {GlyphEditor} editor */
 export function proof(editor) {
@@ -127,8 +140,8 @@ export function conversion(editor) {
         ${slider({ name: "Tolerance", value: Math.log10(editor.tolerance), min: -2, max: 1.5, step: 0.05, text: `${short(editor.tolerance, 3)} units`, change: (power) => (editor.tolerance = Number((10 ** power).toPrecision(3))) })}
         ${check({ name: "show the quadratic curves", value: editor.ghost, change: (on) => (editor.ghost = on) })}
         <div class="row">
-          <button @click=${() => editor.take(outline)}>Convert to quadratic</button>
-          <button @click=${() => editor.take(toCubics(editor.outline))}>Convert to cubic</button>
+          <button ?disabled=${!hasDegree(editor.outline, 3)} @click=${() => editor.take(outline)}>Convert to quadratic</button>
+          <button ?disabled=${!hasDegree(editor.outline, 2)} @click=${() => editor.take(toCubics(editor.outline))}>Convert to cubic</button>
         </div>
       </div>
     </div>

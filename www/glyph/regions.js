@@ -32,6 +32,19 @@ export const unionOfContours = (outline) =>
     ),
   );
 
+/**
+ * Whether contours overlap each other or themselves, so that fewer or other ones bound the same region.
+ *
+ * @param {Outline} outline
+ */
+export function hasOverlaps(outline) {
+  const segments = (/** @type {Path} */ { subpaths }) =>
+    subpaths.reduce((sum, { segmentCount }) => sum + segmentCount, 0);
+  const path = pathOf(outline);
+  const result = path.removeOverlaps();
+  return result.subpathCount !== path.subpathCount || segments(result) !== segments(path);
+}
+
 /** The same filled region with contours that do not overlap. @param {Outline} outline */
 export const removeOverlaps = (outline) => outlineOf(pathOf(outline).removeOverlaps());
 

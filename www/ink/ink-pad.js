@@ -1,4 +1,4 @@
-// <ink-pad>: a drawing surface, and perfect-freehand with the same samples below or beside it.
+// <ink-pad>: a drawing surface, and what perfect-freehand makes of the same samples.
 import { Editor } from "#js/editor/editor.js";
 import { capture } from "#js/ui/capture.js";
 import { save } from "#js/ui/files.js";
@@ -8,6 +8,7 @@ import { getStroke } from "perfect-freehand";
 import { Figure } from "../figures/lib/figure.js";
 import { decimal } from "../figures/lib/numbers.js";
 import { check, slider } from "../figures/lib/parts.js";
+import { toolStyle } from "../figures/lib/tool.js";
 import { discsOf, distanceFromDiscs, freehandDiscs, outlinePoints, pathData, tapering } from "./compare.js";
 import { hand } from "./samples.js";
 
@@ -18,7 +19,9 @@ import { hand } from "./samples.js";
  * @typedef {{ strokes: readonly Stroke[] }} Drawing
  */
 
-const [WIDTH, HEIGHT] = [600, 300];
+/** How many units are as wide as the surface, and its height by its width: more on a phone, where it is small. */
+const WIDTH = 600;
+const [ASPECT, NARROW_ASPECT, NARROW_PX] = [0.54, 0.9, 520];
 const SETTINGS = { size: 12, thinning: 0.6, start: 0, end: 0, smoothing: 0.5, streamline: 0.5 };
 /** Name, unit, range and step of each setting. @type {[keyof typeof SETTINGS, string, number, number, number][]} */
 const SLIDERS = [
@@ -57,17 +60,28 @@ export class InkPad extends Figure {
   };
   static styles = [
     Figure.styles,
+    toolStyle,
     css`
-    .views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 1px; background: var(--rim); }
-    .view { position: relative; background: var(--paper); }
-    .view > b { position: absolute; inset: 0.5rem auto auto 0.7rem; font-size: 0.875rem; font-weight: 600; pointer-events: none; }
+    .view { position: relative; }
+    .view > b { position: absolute; inset: 0.5rem auto auto 0.8rem; font-size: 0.8125rem; font-weight: 400; color: var(--quiet); pointer-events: none; }
+    .surface { margin: 0.5rem 0.5rem 0; border-radius: 10px; background: var(--raised); overflow: clip; }
+    .peer { margin: 0.4rem 0.9rem 0.2rem; border-radius: 10px; background: var(--raised); overflow: clip; }
     .pad:focus-visible { outline-offset: -2px; }
     .pad { cursor: crosshair; touch-action: none; user-select: none; -webkit-user-select: none; }
     .ink { fill: var(--ink); }
     .outlined .ink { fill: var(--grid); stroke: var(--quiet); stroke-width: 0.75; }
     thead td { border-block-start: 0; }
     .nodes { fill: var(--handle); stroke: none; }
-    .settings { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); }
+    .settings { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)); gap: 0.3rem 1.4rem; }
+    .settings .slider { display: grid; grid-template-columns: 9rem minmax(0, 1fr) 2.6em; }
+    .settings .value { text-align: end; }
+    th:first-child, td:first-child { min-inline-size: 0; }
+    .note { margin: 0; padding: 0.6rem 0.9rem; color: var(--quiet); font-size: 0.8125rem; }
+    @media (max-width: 30rem) {
+      :host { max-inline-size: none; margin-inline: calc(-1 * var(--gap)); }
+      .frame { border-radius: 0; }
+      .surface { margin: 0; border-radius: 0; border-block-end: 1px solid var(--rim); background: none; }
+    }
   `,
   ];
 
@@ -99,6 +113,13 @@ export class InkPad extends Figure {
 
   get pad() {
     return /** @type {HTMLElement} */ (/** @type {unknown} */ (this.renderRoot.querySelector(".pad")));
+  }
+
+  /** The height of the surface in units: a drawing that was made on a higher one is shown as a whole. */
+  get height() {
+    const aspect = this.wide < NARROW_PX ? NARROW_ASPECT : ASPECT;
+    const lowest = this.editor.state.strokes.flatMap(({ samples }) => samples.map(([, y]) => y));
+    return Math.ceil(lowest.reduce((max, y) => Math.max(max, y), WIDTH * aspect));
   }
 
   /** @param {Stroke} stroke */
@@ -182,11 +203,11 @@ export class InkPad extends Figure {
     const stroke = { device: start.pointerType === "pen", samples: [] };
     const ink = this.inkOf(stroke);
     const pad = /** @type {SVGSVGElement} */ (start.currentTarget);
-    const { left, top, width, height } = pad.getBoundingClientRect();
+    const { left, top, width } = pad.getBoundingClientRect();
     const sample = (/** @type {PointerEvent} */ { clientX, clientY, pressure, timeStamp }) =>
       /** @type {Sample} */ ([
         ((clientX - left) / width) * WIDTH,
-        ((clientY - top) / height) * HEIGHT,
+        ((clientY - top) / width) * WIDTH,
         pressure,
         timeStamp,
       ]);
@@ -238,7 +259,7 @@ export class InkPad extends Figure {
   /** The drawing as an SVG file. */
   get svg() {
     const paths = this.editor.state.strokes.map((stroke) => `<path d="${this.outlinesOf(stroke).ours.d}"/>`);
-    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}">${paths.join("")}</svg>\n`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${this.height}">${paths.join("")}</svg>\n`;
   }
 
   download() {
@@ -277,46 +298,48 @@ export class InkPad extends Figure {
     const outlines = strokes.map((stroke) => this.outlinesOf(stroke));
     const [ours, theirs] = [outlines.map(({ ours }) => ours), outlines.map(({ theirs }) => theirs)];
     const samples = strokes.reduce((sum, stroke) => sum + stroke.samples.length, 0);
-    const box = `0 0 ${WIDTH} ${HEIGHT}`;
+    const box = `0 0 ${WIDTH} ${this.height}`;
     const { live } = this;
     const wet = live && [...live.settled, live.open].map((d) => svg`<path class="ink" d=${d} />`);
     return html`
-      <div class="frame" @keydown=${this.key}>
-        <div class="views ${this.marked ? "outlined" : ""}">
-          <div class="view"><b>Draw here</b>
+      <div class="frame panes ${this.marked ? "outlined" : ""}" @keydown=${this.key}>
+        <div class="pane">
+          <div class="view surface"><b>Draw here</b>
             <svg class="pad" viewBox=${box} tabindex="0" role="img" aria-label="Drawing surface with ${strokes.length} strokes"
               @pointerdown=${this.draw}>${this.strokes(ours, wet)}</svg>
           </div>
-          <div class="view"><b>perfect-freehand</b>
+          <div class="controls">
+            <div class="row">
+              <button ?disabled=${!this.editor.canUndo} @click=${this.undo}>Undo</button>
+              <button ?disabled=${!this.editor.canRedo} @click=${this.redo}>Redo</button>
+              <button ?disabled=${!strokes.length} @click=${() => this.change(() => ({ strokes: [] }))}>Clear</button>
+              <button @click=${() => this.add({ device: false, samples: hand(260, 1 + strokes.length) })}>Add a sample stroke</button>
+              <button ?disabled=${!strokes.length} @click=${this.download}>Download SVG</button>
+            </div>
+            ${check({ name: "Show the points", value: this.marked, change: (marked) => (this.marked = marked) })}
+          </div>
+          <p class="facts" role="status">${strokes.length} ${strokes.length === 1 ? "stroke" : "strokes"}, ${samples} samples.</p>
+        </div>
+        <div class="pane side">
+          <div class="controls settings">
+            ${SLIDERS.map(([key, name, min, max, step]) =>
+              slider({
+                name,
+                value: this.settings[key],
+                min,
+                max,
+                step,
+                text: step < 1 ? decimal(this.settings[key]) : String(this.settings[key]),
+                change: (value) => (this.settings = { ...this.settings, [key]: value }),
+              }),
+            )}
+          </div>
+          <div class="view peer"><b>perfect-freehand</b>
             <svg viewBox=${box} role="img" aria-label="The same strokes by perfect-freehand">
               ${this.strokes(theirs, live && svg`<path class="ink" d=${live.peer} />`)}</svg>
           </div>
+          ${this.table(ours, theirs)}
         </div>
-        <div class="controls">
-          <div class="row">
-            <button ?disabled=${!this.editor.canUndo} @click=${this.undo}>Undo</button>
-            <button ?disabled=${!this.editor.canRedo} @click=${this.redo}>Redo</button>
-            <button ?disabled=${!strokes.length} @click=${() => this.change(() => ({ strokes: [] }))}>Clear</button>
-            <button @click=${() => this.add({ device: false, samples: hand(260, 1 + strokes.length) })}>Add a sample stroke</button>
-            <button ?disabled=${!strokes.length} @click=${this.download}>Download SVG</button>
-          </div>
-          ${check({ name: "Show the points", value: this.marked, change: (marked) => (this.marked = marked) })}
-        </div>
-        <div class="controls settings">
-          ${SLIDERS.map(([key, name, min, max, step]) =>
-            slider({
-              name,
-              value: this.settings[key],
-              min,
-              max,
-              step,
-              text: step < 1 ? decimal(this.settings[key]) : String(this.settings[key]),
-              change: (value) => (this.settings = { ...this.settings, [key]: value }),
-            }),
-          )}
-        </div>
-        ${this.table(ours, theirs)}
-        <p class="facts" role="status">${strokes.length} ${strokes.length === 1 ? "stroke" : "strokes"}, ${samples} samples.</p>
       </div>
     `;
   }

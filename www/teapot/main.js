@@ -15,6 +15,7 @@ const LONGEST_FRAME_MS = 100;
 const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("teapot"));
 const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
 const button = /** @type {HTMLButtonElement} */ (document.getElementById("rotate"));
+const icon = /** @type {SVGPathElement} */ (button.querySelector("path"));
 const [turnSlider, tiltSlider, lineSlider] = ["turn", "tilt", "lines"].map(
   (id) => /** @type {HTMLInputElement} */ (document.getElementById(id)),
 );
@@ -62,7 +63,9 @@ function turnTo(turn, tilt) {
 /** @param {boolean} rotating */
 function setRotating(rotating) {
   view.rotating = rotating;
-  button.textContent = rotating ? "Pause" : "Rotate";
+  button.setAttribute("aria-label", rotating ? "Pause" : "Play");
+  icon.setAttribute("d", rotating ? "M8 5v14M16 5v14" : "M8 5l11 7-11 7z");
+  icon.setAttribute("fill", rotating ? "none" : "currentColor");
   schedule();
 }
 

@@ -19,6 +19,14 @@ export const slider = ({ name, value, min, max, step = 0.01, text, spoken = text
   </label>
 `;
 
+const PLAY = "M4 2.5v11l9-5.5z";
+const PAUSE = "M4 2.5h3v11H4zM9 2.5h3v11H9z";
+
+/** A button that starts and stops. @param {{ playing: boolean, toggle: () => void }} options */
+export const playButton = ({ playing, toggle }) => html`
+  <button class="play" aria-label=${playing ? "Pause" : "Play"} @click=${toggle}><svg viewBox="0 0 16 16" aria-hidden="true"><path d=${playing ? PAUSE : PLAY} /></svg></button>
+`;
+
 /**
  * One of several, as radio buttons.
  *
@@ -39,11 +47,11 @@ export const choice = ({ name, options, value, change }) => html`
 /**
  * A long choice, as a list that opens.
  *
- * @param {{ name: string, options: readonly (readonly [string, string])[], value: string, change: (value: string) => void }} options
+ * @param {{ name: string, options: readonly (readonly [string, string])[], value: string, disabled?: boolean, change: (value: string) => void }} options
  */
-export const list = ({ name, options, value, change }) => html`
+export const list = ({ name, options, value, disabled = false, change }) => html`
   <label><span>${name}</span>
-    <select @change=${(/** @type {Event} */ event) => change(/** @type {HTMLSelectElement} */ (event.target).value)}>
+    <select ?disabled=${disabled} @change=${(/** @type {Event} */ event) => change(/** @type {HTMLSelectElement} */ (event.target).value)}>
       ${options.map(([key, words]) => html`<option value=${key} ?selected=${key === value}>${words}</option>`)}
     </select>
   </label>

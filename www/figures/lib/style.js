@@ -66,6 +66,8 @@ export const style = css`
   button:disabled { opacity: 0.55; cursor: default; }
   button[aria-pressed="true"] { border-color: var(--accent); outline: 1px solid var(--accent); outline-offset: -2px; }
   button[aria-pressed="true"]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
+  .play { flex: none; inline-size: 2.75rem; padding: 0; }
+  .play svg { inline-size: 1rem; margin: auto; fill: currentColor; }
   label { display: inline-flex; gap: 0.45rem; align-items: center; min-block-size: 1.75rem; max-inline-size: 100%; cursor: pointer; }
   select { min-inline-size: 0; }
   input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--accent); }
@@ -141,6 +143,9 @@ export const style = css`
   .code .bar { display: flex; gap: 0.8rem; align-items: center; justify-content: space-between; padding: 0.35rem 0.5rem 0 0.9rem; }
   .code .bar span { flex: 1; color: var(--quiet); font-size: 0.875rem; }
   .code .bar button { min-block-size: 1.9rem; padding: 0.1rem 0.7rem; }
+  .code [role="tablist"] { display: flex; flex-wrap: wrap; }
+  .code [role="tab"] { border: 0; border-block-end: 2px solid transparent; border-radius: 0; background: none; color: var(--quiet); }
+  .code [role="tab"][aria-selected="true"] { border-color: var(--accent); color: var(--ink); font-weight: 600; }
   pre { margin: 0; padding: 0.35rem 0.9rem 0.75rem; white-space: pre-wrap; overflow-wrap: anywhere; max-block-size: 16rem; overflow: auto; font: 0.8125rem/1.55 ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
   pre:focus-visible { outline-offset: -2px; }
   .problem { margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--rim); border-inline-start: 4px solid var(--handle); }
