@@ -52,6 +52,46 @@ test("ink: Escape gives up the stroke; it is drawn while the pointer moves", asy
   assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
 });
 
+test("ink: the drawing is there after a reload, with the same outlines; an old one makes room for new strokes", async (t) => {
+  const page = await open(t, "/ink/");
+  await pull(page, 0.1, 0.6);
+  const paths = () => page.locator("ink-pad .pad .ink").evaluateAll((all) => all.map((path) => path.getAttribute("d")));
+  const before = await paths();
+  assert.equal(before.length, 2);
+  const status = page.locator("ink-pad [role=status]");
+  assert.match(await status.innerText(), /The drawing is kept in this browser\.$/);
+  const reload = async () => {
+    await page.reload();
+    await page.locator("ink-pad .pad").waitFor();
+  };
+  await reload();
+  assert.deepEqual(await paths(), before);
+  await page.getByRole("button", { name: "Clear" }).click();
+  await reload();
+  assert.equal(await strokes(page), 0);
+  // A drawing with a stroke that is as long as all that is kept.
+  const samples = Array.from({ length: 24_000 }, (_, k) => [100.25 + (k % 400), 100.25 + (k % 7), 0.125, 100.5 + k]);
+  await page.evaluate((samples) => {
+    const pad = document.querySelector("ink-pad");
+    pad.outlinesOf = () => ({
+      ours: { d: "", nodes: "", count: 0, error: 0 },
+      theirs: { d: "", nodes: "", count: 0, error: 0 },
+    });
+    pad.add({ device: true, samples });
+    pad.add({ device: true, samples: samples.slice(0, 10) });
+    return pad.updateComplete;
+  }, samples);
+  assert.match(await status.innerText(), /Only the last 1 are kept/);
+  await reload();
+  assert.equal(await strokes(page), 1);
+  for (const foreign of ["[", "7", '[{"device":true,"samples":[[1,2]]}]', `"${"x".repeat(600_000)}"`]) {
+    await page.evaluate((text) => localStorage.setItem("casteljau-ink", text), foreign);
+    await reload();
+    assert.equal(await strokes(page), 1, "the sample stroke");
+    assert.match(await status.innerText(), /^1 stroke, 260 samples/);
+  }
+});
+
 test("ink: a pen's pressure is the width, and settings change all strokes", async (t) => {
   const page = await open(t, "/ink/");
   await page.getByRole("button", { name: "Clear" }).click();

@@ -11,6 +11,7 @@ import { check, slider } from "../figures/lib/parts.js";
 import { toolStyle } from "../figures/lib/tool.js";
 import { discsOf, distanceFromDiscs, freehandDiscs, outlinePoints, pathData, tapering } from "./compare.js";
 import { hand } from "./samples.js";
+import { keepStrokes, keptStrokes, rounded } from "./storage.js";
 
 /**
  * @typedef {[x: number, y: number, pressure: number, time: number]} Sample
@@ -88,8 +89,14 @@ export class InkPad extends Figure {
   constructor() {
     super();
     this.settings = SETTINGS;
-    this.editor = new Editor(/** @type {Drawing} */ ({ strokes: [{ device: false, samples: hand(260, 2) }] }));
-    this.editor.subscribe(() => this.requestUpdate());
+    const strokes = keptStrokes() ?? [{ device: false, samples: hand(260, 2) }];
+    this.editor = new Editor(/** @type {Drawing} */ ({ strokes }));
+    /** How many strokes the browser keeps. */
+    this.kept = strokes.length;
+    this.editor.subscribe(() => {
+      this.kept = keepStrokes(this.editor.state.strokes);
+      this.requestUpdate();
+    });
     this.marked = false;
     /** What is being drawn. @type {{ stroke: Stroke, settled: string[], open: string, peer: string } | null} */
     this.live = null;
@@ -205,11 +212,11 @@ export class InkPad extends Figure {
     const pad = /** @type {SVGSVGElement} */ (start.currentTarget);
     const { left, top, width } = pad.getBoundingClientRect();
     const sample = (/** @type {PointerEvent} */ { clientX, clientY, pressure, timeStamp }) =>
-      /** @type {Sample} */ ([
+      rounded([
         ((clientX - left) / width) * WIDTH,
         ((clientY - top) / width) * WIDTH,
         pressure,
-        timeStamp,
+        timeStamp - start.timeStamp,
       ]);
     const take = (/** @type {PointerEvent[]} */ events) => {
       for (const each of events.map(sample)) {
@@ -293,6 +300,15 @@ export class InkPad extends Figure {
     `;
   }
 
+  /** What of the drawing is there after a reload. */
+  keptInWords() {
+    const { length } = this.editor.state.strokes;
+    if (this.kept === length) return "The drawing is kept in this browser.";
+    return this.kept > 0
+      ? `Only the last ${this.kept} are kept in this browser.`
+      : "This browser does not keep the drawing.";
+  }
+
   render() {
     const { strokes } = this.editor.state;
     const outlines = strokes.map((stroke) => this.outlinesOf(stroke));
@@ -318,7 +334,7 @@ export class InkPad extends Figure {
             </div>
             ${check({ name: "Show the points", value: this.marked, change: (marked) => (this.marked = marked) })}
           </div>
-          <p class="facts" role="status">${strokes.length} ${strokes.length === 1 ? "stroke" : "strokes"}, ${samples} samples.</p>
+          <p class="facts" role="status">${strokes.length} ${strokes.length === 1 ? "stroke" : "strokes"}, ${samples} samples. ${this.keptInWords()}</p>
         </div>
         <div class="pane side">
           <div class="controls settings">
@@ -339,6 +355,10 @@ export class InkPad extends Figure {
               ${this.strokes(theirs, live && svg`<path class="ink" d=${live.peer} />`)}</svg>
           </div>
           ${this.table(ours, theirs)}
+          <p class="note">
+            Without a pen, the widths of the two differ: casteljau computes the speed from the positions and the times of the samples, perfect-freehand from the positions alone, as if samples always came at the
+            same rate.
+          </p>
         </div>
       </div>
     `;
