@@ -104,6 +104,26 @@ test("camera: Escape takes a drag back; playing moves, pausing stops", async (t)
   assert.equal(await page.evaluate(() => document.querySelector("camera-path").progress), stood);
 });
 
+test("camera: a frame whose time is before the click moves nothing", async (t) => {
+  const page = await open(t, "/camera/");
+  const progress = await page.evaluate(async () => {
+    const camera = document.querySelector("camera-path");
+    camera.state = { ...camera.state, frames: "frenet", even: false };
+    await camera.updateComplete;
+    const request = globalThis.requestAnimationFrame;
+    /** @type {FrameRequestCallback[]} */
+    const frames = [];
+    globalThis.requestAnimationFrame = (callback) => frames.push(callback);
+    camera.play();
+    frames[0](performance.now() - 1000);
+    globalThis.requestAnimationFrame = request;
+    camera.stop();
+    await camera.updateComplete;
+    return camera.progress;
+  });
+  assert.equal(progress, 0);
+});
+
 test("camera: both pictures are drawn, and change with the time and the theme", async (t) => {
   const page = await open(t, "/camera/");
   const picture = (id) =>

@@ -122,7 +122,8 @@ export class CameraPath extends Figure {
     this.playing = true;
     let before = performance.now();
     const step = (/** @type {number} */ now) => {
-      const next = this.progress + (now - before) / 1000 / SECONDS;
+      // The time of the first frame may be earlier than the call of play().
+      const next = this.progress + Math.max(now - before, 0) / 1000 / SECONDS;
       before = now;
       this.progress = next <= 1 ? next : 0;
       this.frame = requestAnimationFrame(step);
