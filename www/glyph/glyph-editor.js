@@ -77,6 +77,7 @@ export class GlyphEditor extends Figure {
     .operation .slider { flex: 1; display: grid; grid-template-columns: 6.5rem minmax(0, 1fr) 2em; }
     .operation .slider input { min-inline-size: 0; }
     .operation button { min-inline-size: 8.2rem; }
+    @media (max-width: 30rem) { .operation { flex-wrap: wrap; } .operation > * { flex: 1 1 100% !important; } }
     .group { display: grid; gap: 0.5rem; padding: 0.3rem 0.9rem 0.6rem; }
     .group .name { color: var(--quiet); font-size: 0.8125rem; font-weight: 600; }
     .group .problem { padding-inline-end: 0; border-block-start: 0; }
