@@ -1,7 +1,6 @@
 // How little control points weigh: bytes of a curve and of the teapot, as points and as pieces.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Surface } from "casteljau/surfaces";
 import { Figure, numeric, oneOf } from "./lib/figure.js";
 import { choice, slider } from "./lib/parts.js";
 import { grouped } from "./lib/numbers.js";
@@ -9,9 +8,8 @@ import { grouped } from "./lib/numbers.js";
 const BYTES_PER_NUMBER = 4; // 32-bit floats on both sides
 const BYTES_PER_INDEX = 2;
 const MAX_SEGMENTS = 64;
-/** @type {Surface | null} made when it is first asked for: a page about curves needs none */
-let known = null;
-const teapot = () => (known ??= Surface.teapot());
+/** The teapot, once a figure has asked for it: a page about curves does not load the module of surfaces. @type {import("casteljau/surfaces").Surface} */
+let teapot;
 
 /** @typedef {{ name: string, bytes: number }} Weight */
 
@@ -21,7 +19,7 @@ const teapot = () => (known ??= Surface.teapot());
  * @param {number} segments
  * @returns {Weight[]}
  */
-export function curveBytes(segments) {
+function curveBytes(segments) {
   const curve = new Curve([
     [0, 2, 3],
     [2, 3, 5],
@@ -40,11 +38,11 @@ export function curveBytes(segments) {
  * @param {number} segments
  * @returns {Weight[]}
  */
-export function teapotBytes(segments) {
-  const mesh = teapot().tessellate({ segments, weld: "position" });
-  const indices = teapot().patches.reduce((sum, patch) => sum + patch.length, 0);
+function teapotBytes(segments) {
+  const mesh = teapot.tessellate({ segments, weld: "position" });
+  const indices = teapot.patches.reduce((sum, patch) => sum + patch.length, 0);
   return [
-    { name: "control points", bytes: teapot().vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
+    { name: "control points", bytes: teapot.vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
     { name: "mesh", bytes: mesh.positions.byteLength + mesh.indices.byteLength },
     { name: "mesh with normals", bytes: mesh.positions.byteLength + mesh.indices.byteLength + mesh.normals.byteLength },
   ];
@@ -61,6 +59,11 @@ export class FigBytes extends Figure {
     super();
     this.model = "teapot";
     this.segments = 16;
+  }
+
+  async scheduleUpdate() {
+    if (this.model === "teapot") teapot ??= (await import("casteljau/surfaces")).Surface.teapot();
+    super.scheduleUpdate();
   }
 
   /** @param {Weight[]} weights */
@@ -90,7 +93,7 @@ export class FigBytes extends Figure {
         <p class="facts">
           ${
             this.model === "teapot"
-              ? html`The teapot has ${teapot().vertices.length / 3} control points and ${teapot().patchCount} lists of 16 indices. With ${this.segments} ${this.segments === 1 ? "segment" : "segments"} in each direction of a patch, its mesh takes`
+              ? html`The teapot has ${teapot.vertices.length / 3} control points and ${teapot.patchCount} lists of 16 indices. With ${this.segments} ${this.segments === 1 ? "segment" : "segments"} in each direction of a patch, its mesh takes`
               : html`The curve has 4 control points. Its polyline with ${this.segments + 1} points takes`
           }
           <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> as many bytes${ratio < 1 ? ", which is fewer" : ""}.

@@ -1,6 +1,6 @@
 // embed.html?element=bezier-surface&model=teacup: the query's parameters become the element's attributes.
-import "casteljau/elements";
 import { apply, LONGEST_ADDRESS, read, SHARED, shortened } from "./address.js";
+import { DEFINITIONS } from "./elements.js";
 
 /** @typedef {import("./address.js").Form} Form */
 
@@ -24,6 +24,7 @@ if (asked !== name)
 if (location.search.length > LONGEST_ADDRESS)
   problems.unshift(`the address is longer than ${LONGEST_ADDRESS} characters and was not read`);
 
+void DEFINITIONS[name]();
 const element = document.createElement(name);
 apply(element, values);
 const main = /** @type {HTMLElement} */ (document.querySelector("main"));

@@ -10,5 +10,6 @@ for (const tag of tags) void SCRIPTS[`../figures/${tag}.js`]?.();
 shareAll(document);
 if (document.querySelector("bezier-surface:is([data-surface], [data-view])")) {
   const { showSurfaces } = await import("../figures/lib/surfaces.js");
+  await customElements.whenDefined("bezier-surface");
   showSurfaces();
 }

@@ -1,6 +1,6 @@
 // The scripts of a chapter: the elements, the parts, the list of sections, and the address.
-import "casteljau/elements";
 import "./contents.js";
+import "./elements.js";
 import "./figures.js";
 import "./full-screen.js";
 import "./lesson-progress.js";
