@@ -3,9 +3,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { easing } from "casteljau";
 import { close, open, PHONE, slide, state, TAGS, TOOL, TOOLS } from "./application-page.js";
-import { boxOf, frames, openPage, root } from "./browser.js";
+import { assertAccessibleInBothThemes, boxOf, frames, openPage, root } from "./browser.js";
 import { dragBy } from "./gestures.js";
 import { serve } from "./server.js";
+import { openStrict } from "./site-pages.js";
 
 for (const path of Object.keys(TAGS)) {
   test(`${path} takes no harm from addresses that somebody made up`, async (t) => {
@@ -21,6 +22,14 @@ for (const path of Object.keys(TAGS)) {
       assert.match(await page.locator(".state-message").innerText(), /could not be used: .+\. The page is as it was\./);
       await page.evaluate(() => document.querySelector(".state-message").remove());
     }
+  });
+}
+
+for (const path of TOOLS) {
+  test(`${path} is accessible on a phone, light and dark, and writes nothing into the console`, async (t) => {
+    const page = await openStrict(t, path, { ...PHONE, reducedMotion: "reduce" });
+    if (TAGS[path]) await page.locator(`${TAGS[path]} svg`).first().waitFor();
+    await assertAccessibleInBothThemes(page);
   });
 }
 
