@@ -84,12 +84,42 @@ test("ink: the drawing is there after a reload, with the same outlines; an old o
   assert.match(await status.innerText(), /Only the last 1 are kept/);
   await reload();
   assert.equal(await strokes(page), 1);
-  for (const foreign of ["[", "7", '[{"device":true,"samples":[[1,2]]}]', `"${"x".repeat(600_000)}"`]) {
+  for (const foreign of [
+    "[",
+    "7",
+    '{"height":1e9,"strokes":[]}',
+    '{"height":300,"strokes":[{"device":true,"samples":[[1,2]]}]}',
+    `"${"x".repeat(600_000)}"`,
+  ]) {
     await page.evaluate((text) => localStorage.setItem("casteljau-ink", text), foreign);
     await reload();
     assert.equal(await strokes(page), 1, "the sample stroke");
     assert.match(await status.innerText(), /^1 stroke, 260 samples/);
   }
+});
+
+test("ink: a drawing of a phone is shown as a whole on a wider surface; what leaves the surface does not enlarge it", async (t) => {
+  const page = await open(t, "/ink/", { viewport: { width: 500, height: 800 } });
+  /** Waits until the surface has this height in units. */
+  const height = (units) => page.locator(`ink-pad .pad[viewBox="0 0 600 ${units}"]`).waitFor();
+  await height(540);
+  await pull(page, 0.1, 0.6);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.reload();
+  await page.locator("ink-pad .pad").waitFor();
+  await height(540);
+  await page.getByRole("button", { name: "Clear" }).click();
+  await height(324);
+  await page.evaluate(() => scrollTo(0, 0)); // the click has scrolled to the button
+  const surface = await boxOf(page.locator("ink-pad .pad"));
+  const middle = /** @type {const} */ ([surface.x + surface.width / 2, surface.y + surface.height / 2]);
+  await page.mouse.move(...middle);
+  await page.mouse.down();
+  await page.mouse.move(middle[0], surface.y + surface.height + 100, { steps: 5 });
+  await page.mouse.up();
+  await frames(page);
+  assert.equal(await strokes(page), 1);
+  assert.equal(await page.locator("ink-pad .pad").getAttribute("viewBox"), "0 0 600 324");
 });
 
 test("ink: a pen's pressure is the width, and settings change all strokes", async (t) => {

@@ -11,13 +11,13 @@ import { check, slider } from "../figures/lib/parts.js";
 import { toolStyle } from "../figures/lib/tool.js";
 import { discsOf, distanceFromDiscs, freehandDiscs, outlinePoints, pathData, tapering } from "./compare.js";
 import { hand } from "./samples.js";
-import { keepStrokes, keptStrokes, rounded } from "./storage.js";
+import { keepDrawing, keptDrawing, rounded } from "./storage.js";
 
 /**
  * @typedef {[x: number, y: number, pressure: number, time: number]} Sample
  * @typedef {{ device: boolean, samples: Sample[] }} Stroke `device`: whether the pressures are those of a pen
  * @typedef {{ d: string, nodes: string, count: number, error: number }} Outline
- * @typedef {{ strokes: readonly Stroke[] }} Drawing
+ * @typedef {{ strokes: readonly Stroke[], height: number }} Drawing `height`: of the highest surface it was drawn on, in units
  */
 
 /** How many units are as wide as the surface, and its height by its width: more on a phone, where it is small. */
@@ -89,12 +89,13 @@ export class InkPad extends Figure {
   constructor() {
     super();
     this.settings = SETTINGS;
-    const strokes = keptStrokes() ?? [{ device: false, samples: hand(260, 2) }];
-    this.editor = new Editor(/** @type {Drawing} */ ({ strokes }));
+    /** @type {Drawing} */
+    const drawing = keptDrawing() ?? { strokes: [{ device: false, samples: hand(260, 2) }], height: 0 };
+    this.editor = new Editor(drawing);
     /** How many strokes the browser keeps. */
-    this.kept = strokes.length;
+    this.kept = drawing.strokes.length;
     this.editor.subscribe(() => {
-      this.kept = keepStrokes(this.editor.state.strokes);
+      this.kept = keepDrawing(this.editor.state);
       this.requestUpdate();
     });
     this.marked = false;
@@ -124,9 +125,7 @@ export class InkPad extends Figure {
 
   /** The height of the surface in units: a drawing that was made on a higher one is shown as a whole. */
   get height() {
-    const aspect = this.wide < NARROW_PX ? NARROW_ASPECT : ASPECT;
-    const lowest = this.editor.state.strokes.flatMap(({ samples }) => samples.map(([, y]) => y));
-    return Math.ceil(lowest.reduce((max, y) => Math.max(max, y), WIDTH * aspect));
+    return Math.max(WIDTH * (this.wide < NARROW_PX ? NARROW_ASPECT : ASPECT), this.editor.state.height);
   }
 
   /** @param {Stroke} stroke */
@@ -179,7 +178,7 @@ export class InkPad extends Figure {
 
   /** @param {Stroke} stroke */
   add(stroke) {
-    this.change(({ strokes }) => ({ strokes: [...strokes, stroke] }));
+    this.change(({ strokes }) => ({ strokes: [...strokes, stroke], height: this.height }));
   }
 
   undo() {
@@ -328,7 +327,7 @@ export class InkPad extends Figure {
             <div class="row">
               <button ?disabled=${!this.editor.canUndo} @click=${this.undo}>Undo</button>
               <button ?disabled=${!this.editor.canRedo} @click=${this.redo}>Redo</button>
-              <button ?disabled=${!strokes.length} @click=${() => this.change(() => ({ strokes: [] }))}>Clear</button>
+              <button ?disabled=${!strokes.length} @click=${() => this.change(() => ({ strokes: [], height: 0 }))}>Clear</button>
               <button @click=${() => this.add({ device: false, samples: hand(260, 1 + strokes.length) })}>Add a sample stroke</button>
               <button ?disabled=${!strokes.length} @click=${this.download}>Download SVG</button>
             </div>

@@ -1,10 +1,12 @@
 // The drawing in the browser's storage (localStorage), so that it is there after a reload.
 
-/** @typedef {import("./ink-pad.js").Stroke} Stroke */
+/** @import { Drawing, Stroke } from "./ink-pad.js" */
 
 const KEY = "casteljau-ink";
 /** The length of the text at which older strokes are left out, about 20,000 samples. Browsers keep some millions of characters for a site. */
 const MAX_CHARACTERS = 500_000;
+/** No surface is as high as this, in units. */
+const MAX_HEIGHT = 1000;
 /** Decimals of a sample: x, y, pressure, time. */
 const DIGITS = [2, 2, 3, 1];
 
@@ -15,13 +17,14 @@ export const rounded = (sample) =>
 /**
  * Keeps the last strokes of a drawing, as many as there is room for.
  *
- * @param {readonly Stroke[]} strokes
+ * @param {Drawing} drawing
  * @returns {number} how many strokes are kept; 0, too, where the browser keeps nothing
  */
-export function keepStrokes(strokes) {
+export function keepDrawing({ strokes, height }) {
   /** @type {string[]} */
   const texts = [];
-  let length = 2;
+  const frame = `{"height":${height},"strokes":[`;
+  let length = frame.length + 2;
   for (const stroke of strokes.toReversed()) {
     const text = JSON.stringify(stroke);
     length += text.length + 1;
@@ -29,19 +32,20 @@ export function keepStrokes(strokes) {
     texts.unshift(text);
   }
   try {
-    localStorage.setItem(KEY, `[${texts}]`);
+    localStorage.setItem(KEY, `${frame}${texts}]}`);
     return texts.length;
   } catch {
     return 0;
   }
 }
 
-/** The strokes that are kept; null if there are none, or if they are not ours. @returns {Stroke[] | null} */
-export function keptStrokes() {
+/** The drawing that is kept; null if there is none, or if it is not ours. @returns {Drawing | null} */
+export function keptDrawing() {
   try {
     const text = localStorage.getItem(KEY);
-    const strokes = text === null || text.length > MAX_CHARACTERS ? null : JSON.parse(text);
-    return Array.isArray(strokes) && strokes.every(isStroke) ? strokes : null;
+    const drawing = text === null || text.length > MAX_CHARACTERS ? null : JSON.parse(text);
+    const { strokes, height } = drawing ?? {};
+    return Array.isArray(strokes) && strokes.every(isStroke) && height >= 0 && height <= MAX_HEIGHT ? drawing : null;
   } catch {
     return null;
   }
