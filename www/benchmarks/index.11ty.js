@@ -3,9 +3,10 @@ import { readFileSync } from "node:fs";
 import { exponent, quantity, withUnit } from "../../benches/js/table.js";
 import { IMPORTS, sizeOfImport } from "../../xtask/sizes.js";
 import { tableHtml } from "../build/tables.js";
+import { comparison } from "./comparison.js";
 
 /**
- * @typedef {{ work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null, spread: [number, number] }} Row
+ * @typedef {{ id: string, work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null, spread: [number, number] }} Row
  * @typedef {{ work: string, costs: { size: number, ns: number }[], ours: number }} Growth
  * @typedef {{ machine: { cpu: string, cores: number, platform: string }, date: string, versions: Record<string, string>, rows: Row[], growth: Growth[] }} Results
  */
@@ -26,31 +27,20 @@ export const data = {
   heading: "Benchmarks and sizes",
   lead: "casteljau compared with other libraries, measured in one run on one machine after checking that both sides give the same answer.",
   bodyClass: "wide",
+  styles: ["benchmarks.css"],
   script: "main.js",
 };
 
 export async function render() {
   const { machine, date, versions, rows, growth } = results();
   const compared = rows.filter(({ peer }) => peer);
+  const inJavaScript = compared.filter(({ work }) => !work.startsWith(NATIVE));
+  const inRust = compared.filter(({ work }) => work.startsWith(NATIVE));
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return `
-<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. ± is half the distance of the quartiles. The ratio is the time of the other library divided by ours: above 1, casteljau is faster.</p>
-${section(
-  "javascript",
-  "JavaScript",
-  comparison(
-    "JavaScript",
-    compared.filter(({ work }) => !work.startsWith(NATIVE)),
-  ),
-)}
-${section(
-  "rust",
-  "Rust",
-  comparison(
-    "Rust",
-    compared.filter(({ work }) => work.startsWith(NATIVE)),
-  ),
-)}
+<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. ± is half the distance of the quartiles. The ratio says how many times faster casteljau is, or slower where it says so; “equal” means within 5%. The bars are logarithmic: from one line to the next is a factor of ten.</p>
+${section("javascript", "Compared with JavaScript libraries", comparison(inJavaScript, versions))}
+${section("rust", "Compared with Rust libraries", comparison(inRust, versions))}
 ${section("alone", "Without a comparison", alone(rows.filter(({ peer, unit }) => !peer && unit !== "bytes")))}
 ${section("growth", "Time per item as the input grows", `${GROWTH_TEXT}\n${growthTable(growth)}`)}
 ${section("sizes", "Sizes", await sizes())}
@@ -62,20 +52,6 @@ const section = (id, title, content) => `<section id="${id}">\n<h2>${title}</h2>
 
 /** @param {string} work rows that belong to the one above are indented */
 const nameOf = (work) => work.replace(NATIVE, "").replace(/^ +/, "– ");
-
-/** @param {string} language @param {Row[]} rows */
-const comparison = (language, rows) =>
-  tableHtml(
-    `Times compared, ${language}`,
-    ["Work", "Other library", "Its time", "casteljau", "Ratio"],
-    rows.map(({ work, peer, unit, theirs, ours, ratio, spread }) => [
-      nameOf(work),
-      peer ?? "",
-      withUnit(theirs, unit, spread[0]),
-      withUnit(ours, unit, spread[1]),
-      ratio === null ? "" : `${Number(ratio.toPrecision(2))}×`,
-    ]),
-  );
 
 /** @param {Row[]} rows */
 const alone = (rows) =>
