@@ -12,7 +12,7 @@ export const pathToRoot = (url) => "../".repeat(url.split("/").length - 2);
 export const contentsOf = (html) =>
   Array.from(html.matchAll(/<section id="([^"]+)"[^>]*>\s*<h2[^>]*>(.*?)<\/h2>/gs), ([, id, title]) => ({
     id,
-    title: title.replace(/ <a class="permalink".*<\/a>/, ""),
+    title: title.replace(/ <a class="permalink".*<\/a>/, "").replace(/<\/?a\b[^>]*>/g, ""),
   }));
 
 /** Words that a reader of English as a second language reads in a minute of a mathematical text, and minutes for a task. */

@@ -57,6 +57,7 @@ export async function pageHtml(page, addresses) {
   for (const item of page.items) items.push(await itemHtml(page, item, addresses));
   const list = page.items.map(({ id, name }) => `<li><a href="#${id}"><code>${escapeHtml(name)}</code></a></li>`);
   return `${paragraphsHtml(page.details)}
+${filterHtml(page.items.length)}
 <nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${items.join("\n")}`;
 }
@@ -67,7 +68,7 @@ async function itemHtml(page, item, addresses) {
   const signatures = item.signatures.map(
     ({ text }) => `<pre class="signature" tabindex="0"><code>${linkedType(text, addresses)}</code></pre>`,
   );
-  return `<section id="${item.id}" class="entry" aria-labelledby="${item.id}-name">
+  return `<section id="${item.id}" class="entry" data-name="${escapeHtml(`${page.title} ${item.name}`)}" aria-labelledby="${item.id}-name">
 <h2 id="${item.id}-name"><code>${escapeHtml(item.name)}</code> <small>${item.kind}</small></h2>
 <p>${inline(item.summary)}</p>
 ${signatures.join("")}
@@ -144,10 +145,11 @@ export function typesHtml(types, addresses) {
       rows.length > 0
         ? `<div class="scroll"><table class="parameters"><tbody>${rows.join("")}</tbody></table></div>`
         : "";
-    return `<section id="${type.name}" class="entry"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
+    return `<section id="${type.name}" class="entry" data-name="${type.name}"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
 <pre class="signature" tabindex="0"><code>${linkedType(type.text, addresses)}</code></pre>${table}${paragraphsHtml(type.details)}</section>`;
   });
-  return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
+  return `${filterHtml(sorted.length)}
+<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${entries.join("\n")}`;
 }
 
@@ -168,29 +170,47 @@ export function elementsHtml(elements) {
 ${entries.join("\n")}`;
 }
 
-/** The list of all names. @param {Reference} reference */
+/** The field that filters the entries of a page by name (www/api/filter.js). @param {number} count of all entries */
+const filterHtml = (count) =>
+  `<search class="filter"><label for="filter">Filter</label><input id="filter" type="search" autocomplete="off" spellcheck="false" placeholder="nearest" disabled><span role="status">${count} entries</span></search>`;
+
+/** The first sentence of a summary, which may be a phrase. @param {string} summary */
+function firstSentence(summary) {
+  const [sentence] = /^.*?[.:](?=\s+[A-Z`]|$)/s.exec(summary) ?? [summary && `${summary}.`];
+  return sentence.charAt(0).toUpperCase() + sentence.slice(1);
+}
+
+/** The list of all names, each with its first sentence. @param {Reference} reference */
 export function indexHtml({ pages, types, elements }) {
+  /** @typedef {{ id: string, name: string, summary: string }} Listed */
   const group = (
     /** @type {string} */ slug,
     /** @type {string} */ title,
     /** @type {string} */ summary,
-    /** @type {{ id: string, name: string }[]} */ list,
-  ) =>
-    `<section id="${slug}"><h2>${escapeHtml(title)}</h2><p>${inline(summary)} <a href="${slug}/">${escapeHtml(title)} in full</a></p><ul class="names">${list
-      .map(({ id, name }) => `<li><a href="${slug}/#${id}"><code>${escapeHtml(name)}</code></a></li>`)
-      .join("")}</ul></section>`;
-  return `${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}
+    /** @type {Listed[]} */ list,
+  ) => {
+    const rows = list.map(
+      (item) =>
+        `<tr data-name="${escapeHtml(`${title} ${item.name}`)}"><th scope="row"><a href="${slug}/#${item.id}"><code>${escapeHtml(item.name)}</code></a></th><td>${inline(firstSentence(item.summary))}</td></tr>`,
+    );
+    return `<section id="${slug}"><h2><a href="${slug}/">${escapeHtml(title)}</a></h2><p>${inline(summary)}</p><table class="entries" aria-label="${escapeHtml(title)}"><tbody>
+${rows.join("\n")}
+</tbody></table></section>`;
+  };
+  const count = pages.reduce((sum, { items }) => sum + items.length, elements.length + types.length);
+  return `${filterHtml(count)}
+${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}
 ${group(
   "elements",
   "Elements",
   "Custom elements for any page.",
-  elements.map(({ tag }) => ({ id: tag, name: `<${tag}>` })),
+  elements.map(({ tag, summary }) => ({ id: tag, name: `<${tag}>`, summary })),
 )}
 ${group(
   "types",
   "Types and options",
   "The types of arguments, options and results.",
-  types.map(({ name }) => ({ id: name, name })),
+  types.map(({ name, summary }) => ({ id: name, name, summary })),
 )}
-<p><a href="../rust/casteljau/index.html">Documentation of the Rust crate</a></p>`;
+<p class="rust-docs"><a href="../rust/casteljau/index.html">Documentation of the Rust crate</a></p>`;
 }

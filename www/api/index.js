@@ -1,0 +1,3 @@
+// The names of all entries.
+import "../parts/contents.js";
+import "./filter.js";
