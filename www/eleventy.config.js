@@ -1,4 +1,5 @@
 // The pages of the site: Markdown and Nunjucks below www/. Vite takes the HTML from memory (build/pages.js).
+import { addGallery } from "./build/gallery.js";
 import { includeFiles } from "./build/include.js";
 import { contentsOf, nextChapter, pathToRoot, readingTime } from "./build/layout.js";
 import { addAppletPosters } from "./build/posters.js";
@@ -44,6 +45,7 @@ export default async function configure(eleventy) {
   // build/pages.js says whether dist/ is there to be measured.
   eleventy.addGlobalData("home", () => homeData(highlight, eleventy.hasPackage));
   eleventy.addFilter("contentsOf", contentsOf);
+  eleventy.addTransform("gallery", addGallery);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));
   eleventy.addCollection("chapters", (/** @type {{ getAll(): Page[] }} */ collections) =>
     chapters(collections.getAll()),
