@@ -43,3 +43,18 @@ test("a real paste of what is no number leaves the field as it was", async (t) =
   assert.deepEqual(await on(page, "bezier-coordinates", ({ points }) => points[1]), [110, 90]);
   assert.equal(await input.inputValue(), "110");
 });
+
+test("the playground of the elements copies the tag", async (t) => {
+  const page = await openPage(t, "/elements/", { permissions });
+  const box = page.locator(".playground");
+  await box.getByRole("checkbox", { name: "hull", exact: true }).check();
+  const button = box.getByRole("button", { name: "Copy" });
+  await button.evaluate((copy) =>
+    new MutationObserver(() => (copy.dataset.copied = "")).observe(copy, { childList: true }),
+  );
+  await button.click();
+  await page.locator(".copy[data-copied]").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(copied, await box.locator("code").textContent());
+  assert.match(copied, /show="polygon hull construction"/);
+});

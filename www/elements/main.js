@@ -1,5 +1,8 @@
-// The elements themselves, what the form would send, and the frame that is as tall as what is in it.
+// The elements themselves, the playground, what the form would send, and the frame that is as tall as what is in it.
 import "../parts/page.js";
+import { startPlayground } from "./playground.js";
+
+startPlayground(/** @type {HTMLElement} */ (document.querySelector(".playground")));
 
 const form = /** @type {HTMLFormElement} */ (document.getElementById("figure-form"));
 const sent = /** @type {HTMLOutputElement} */ (document.getElementById("sent"));
