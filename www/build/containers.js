@@ -21,7 +21,7 @@ import { sampleCode } from "./samples.js";
 export function containers(md, { highlight }) {
   /** @type {Record<string, Container>} */
   const kinds = {
-    figure: { open: ({ meta }) => `<figure id="figure-${meta.name}">\n`, close: "</figure>\n" },
+    figure: { open: ({ meta }) => `<figure id="figure-${meta.name}">\n<div class="sheet">\n`, close: "</figure>\n" },
     task: { open: ({ meta }) => `<lesson-task${attributesOf(meta)}>\n`, close: "</lesson-task>\n" },
     sample: {
       open: ({ meta }) =>
@@ -35,13 +35,15 @@ export function containers(md, { highlight }) {
   for (const [kind, { open, close }] of Object.entries(kinds)) {
     md.use(container, kind, {
       render: (/** @type {Token[]} */ tokens, /** @type {number} */ i) =>
-        tokens[i].nesting === 1 ? open(tokens[i]) : close,
+        tokens[i].nesting === 1 ? open(tokens[i]) : (tokens[i].meta?.close ?? close),
     });
   }
   md.core.ruler.push("containers", ({ tokens }) => {
     for (const token of tokens) if (/^container_[\w-]+_open$/.test(token.type)) token.meta = parametersOf(token.info);
   });
   md.core.ruler.push("captions", captions);
+  md.renderer.rules.paragraph_open = (tokens, i, options, _, self) =>
+    (tokens[i].tag === "figcaption" ? "</div>\n" : "") + self.renderToken(tokens, i, options);
 }
 
 /** "figure curve for=a" as { name: "curve", for: "a" }. @param {string} info */
@@ -57,11 +59,18 @@ const attributesOf = ({ number, ...values }) =>
     .map(([name, value]) => ` ${name}="${value}"`)
     .join("");
 
-/** The last paragraph of a figure becomes its caption, with its number and a link. @param {import("markdown-it").StateCore} state */
+/**
+ * A figure is a sheet with all its elements, and below it the caption: the last paragraph, with the figure's number and a link.
+ *
+ * @param {import("markdown-it").StateCore} state
+ */
 function captions({ tokens, Token }) {
   tokens.forEach((token, i) => {
-    if (token.type !== "container_figure_close" || tokens[i - 1].type !== "paragraph_close" || tokens[i - 1].hidden)
+    if (token.type !== "container_figure_close") return;
+    if (tokens[i - 1].type !== "paragraph_close" || tokens[i - 1].hidden) {
+      token.meta = { close: "</div>\n</figure>\n" };
       return;
+    }
     const figure = tokens.findLast((each, k) => k < i && each.type === "container_figure_open");
     tokens[i - 3].tag = tokens[i - 1].tag = "figcaption";
     const [number, link] = [new Token("html_inline", "", 0), new Token("html_inline", "", 0)];

@@ -1,0 +1,42 @@
+// A figure is one sheet with a row of controls, and its room is reserved before the scripts come.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { boxOf, openPage } from "./browser.js";
+
+test("the button for the full screen is in the row of the controls, or in the caption below other elements", async (t) => {
+  const page = await openPage(t, "/curves/", { reducedMotion: "reduce", keep: true });
+  const figure = page.locator("#figure-de-casteljau");
+  await figure.scrollIntoViewIfNeeded();
+  const slider = await boxOf(figure.getByRole("slider", { name: "t", exact: true }));
+  const button = await boxOf(figure.getByRole("button", { name: "Full screen" }));
+  const middle = button.y + button.height / 2;
+  assert.ok(middle > slider.y && middle < slider.y + slider.height, `${middle} beside ${slider.y}`);
+  assert.ok(button.x >= slider.x + slider.width);
+  const other = page.locator("#figure-basis");
+  await other.scrollIntoViewIfNeeded();
+  assert.equal(await other.locator("figcaption").getByRole("button", { name: "Full screen" }).count(), 1);
+  const [sheet, matrix] = [await boxOf(other.locator(".sheet")), await boxOf(other.locator("basis-matrix table"))];
+  assert.ok(matrix.x > sheet.x && matrix.y + matrix.height < sheet.y + sheet.height, "inside of the sheet");
+});
+
+/** Figures with different controls. */
+const FIGURES = ["#figure-curve", "#figure-basis", "#figure-insert", "#figure-lengths"];
+for (const width of [360, 1280]) {
+  test(`at ${width} px figures are as tall before the scripts as afterwards`, async (t) => {
+    const isPhone = width < 500;
+    const options = { viewport: { width, height: 900 }, hasTouch: isPhone, isMobile: isPhone };
+    const plain = await openPage(t, "/curves/", { ...options, javaScriptEnabled: false });
+    const page = await openPage(t, "/curves/", { ...options, reducedMotion: "reduce" });
+    for (const id of FIGURES) {
+      const { height: reserved } = await boxOf(plain.locator(id));
+      const figure = page.locator(id);
+      await figure.scrollIntoViewIfNeeded();
+      await figure
+        .getByRole("button", { name: /Play|Halve|Split/ })
+        .first()
+        .waitFor();
+      const { height } = await boxOf(figure);
+      assert.ok(Math.abs(height - reserved) <= 4, `${id}: ${reserved} px reserved, ${height} px`);
+    }
+  });
+}
