@@ -1,5 +1,5 @@
 // The same picture as SVG: what is drawn is written down instead.
-import { LIGHT } from "../ui/tokens.js";
+import { FONT_FAMILY, LIGHT } from "../ui/tokens.js";
 import { drawFigure } from "./index.js";
 import { LEVELS } from "./theme.js";
 import type { Theme } from "./theme.js";
@@ -28,7 +28,7 @@ export function svgFigure(
   const paper = opaque ? `<path fill="${escaped(colours.paper)}" d="M0 0H${width}V${height}H0Z"/>` : "";
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" role="img" fill="none" ` +
-    `stroke-linejoin="round" stroke-linecap="round" font-family="system-ui, sans-serif" text-anchor="middle"><title>${escaped(label)}</title>${paper}${recorder.text}</svg>`
+    `stroke-linejoin="round" stroke-linecap="round" font-family="${escaped(FONT_FAMILY)}" text-anchor="middle"><title>${escaped(label)}</title>${paper}${recorder.text}</svg>`
   );
 }
 

@@ -6,6 +6,7 @@ import { figureOf } from "#js/editor/figure.js";
 import { Lens } from "#js/layers/lens.js";
 import { LAYERS } from "#js/layers/index.js";
 import { svgFigure } from "#js/layers/svg.js";
+import { FONT_FAMILY } from "#js/ui/tokens.js";
 import { BASES, LAYER_NAMES, withView } from "#js/editor/state.js";
 import { drawn, stateWith, Tape, theme } from "./layers-page.js";
 import { pointsOf } from "./reference.js";
@@ -186,6 +187,7 @@ test("SVG: the same picture, closed elements, no number that is none, colours th
   assert.match(svg, /<\/svg>$/);
   assert.doesNotMatch(svg, /NaN|Infinity|undefined|var\(/);
   assert.match(svg, /stroke="#0072b2" stroke-width="3"/);
+  assert.ok(svg.includes(`font-family="${FONT_FAMILY.replaceAll('"', "&quot;")}"`), "the letters of the elements");
   const [paths, texts] = [svg.match(/<path [^<>]*\/>/g), svg.match(/<text [^<>]*>[^<>]*<\/text>/g)];
   const rest = svg.replace(/<path [^<>]*\/>|<text [^<>]*>[^<>]*<\/text>|<title>[^<>]*<\/title>/g, "");
   assert.match(rest, /^<svg [^<>]*><\/svg>$/);

@@ -1,5 +1,6 @@
 // Draws every <bezier-applet …></bezier-applet> into the page while the site is built: the picture that is there before the
 // element starts, without JavaScript, and on paper. By the same layers that draw it later.
+import { FONT_FAMILY } from "#js/ui/tokens.js";
 import { FIELDS } from "#js/editor/schema.js";
 import { figureOf } from "#js/editor/figure.js";
 import { svgFigure } from "#js/layers/svg.js";
@@ -32,6 +33,7 @@ export function posterOf(attributes) {
 /** Attributes that most shapes have: site.css gives them by class, which keeps the pages small. */
 const SHORTER = [
   [' xmlns="http://www.w3.org/2000/svg"', ""],
+  [` font-family="${FONT_FAMILY.replaceAll('"', "&quot;")}"`, ""], // as on the page around it
   [
     ' font-weight="600" font-size="13" stroke="var(--stage)" stroke-width="4" paint-order="stroke" fill="var(--ink)"',
     ' class="l"',
