@@ -7,7 +7,7 @@ use casteljau::mesh::{Detail, TessellationOptions, View, Weld, Wire, WireframeOp
 use casteljau::models::{Height, Up};
 use casteljau::path::PathBuilder;
 use casteljau::{
-    Curve, Easing, Error, Grid, MAX_COORDINATE, Patch, Path, Point, Spline, Surface, TeapotOptions,
+    Easing, Error, Grid, MAX_COORDINATE, Patch, Path, Point, Spline, Surface, TeapotOptions,
 };
 #[cfg(target_family = "wasm")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -63,9 +63,9 @@ fn lines_quadratics_and_cubics_panic_as_documented() {
     for value in VALUES {
         let (p, q) = (DVec2::ONE, DVec2::new(1.0, value));
         let made = [
-            std::panic::catch_unwind(|| Curve::line(p, q)),
-            std::panic::catch_unwind(|| Curve::quad(p, q, p)),
-            std::panic::catch_unwind(|| Curve::cubic(q, p, p, p)),
+            std::panic::catch_unwind(|| casteljau::Curve::line(p, q)),
+            std::panic::catch_unwind(|| casteljau::Curve::quad(p, q, p)),
+            std::panic::catch_unwind(|| casteljau::Curve::cubic(q, p, p, p)),
         ];
         assert!(
             made.iter()

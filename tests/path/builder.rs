@@ -83,8 +83,6 @@ fn high_degrees_become_cubics_within_the_tolerance() {
         elements.filter(cubic).count()
     };
     assert!(count(1e-6) > count(1e-2) && count(1e-2) > 1);
-    let elements = path.elements_within(-1.0).map(Iterator::count);
-    assert_refused(elements, "tolerance: expected a finite number");
 }
 
 #[test]

@@ -2,9 +2,9 @@
 
 use super::sizes::{Largest, paths};
 use crate::support::paths::path;
-use crate::support::{Rng, assert_refused, near, real};
+use crate::support::{Rng, near, real};
+use casteljau::Path;
 use casteljau::path::PathTime;
-use casteljau::{Error, Path};
 
 #[test]
 fn values_are_those_of_the_subpath() {
@@ -111,24 +111,6 @@ fn the_parts_of_a_split_are_the_path() {
     assert_eq!(two.subsegment(from..to), Ok(path("M4 2V1H0 M4 0H2")));
     let point = two.subsegment(from..from).expect("a point");
     assert_eq!((point.segment_count(), point.length()), (1, 0.0));
-}
-
-#[test]
-fn missing_subpaths_are_refused() {
-    let one = path("M0 0H4");
-    let expected = "subpath: expected an index from 0 to 0, got 1";
-    assert_refused(one.eval(PathTime::new(1, 0.0)), expected);
-    assert_refused(one.subsegment(PathTime::new(1, 0.0)..), expected);
-    assert_refused(one.split_at(&[PathTime::new(1, 0.0)]), expected);
-    let none = Path::default().tangent(PathTime::new(0, 0.0));
-    assert!(matches!(
-        none,
-        Err(Error::Count {
-            what: "subpaths",
-            ..
-        })
-    ));
-    assert_eq!(Path::default().subsegment(..), Ok(Path::default()));
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod inside;
 mod kurbo;
 #[cfg(not(target_family = "wasm"))]
 mod large;
+mod refusals;
 mod shapes;
 mod sizes;
 mod svg;

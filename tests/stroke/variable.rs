@@ -436,12 +436,15 @@ fn degenerate_input_is_defined() {
     }
 }
 
+/// The positions and widths of a profile.
+type Stops = &'static [(f64, f64)];
+
 /// Paths with a profile and a tolerance, and a number of cubics that their sides had exceeded.
 #[test]
 fn hard_sides_have_few_cubics() {
     use WidthInterpolation::{Linear, Smooth};
     use WidthPosition::{Length, T};
-    let sides: [(&str, &[(f64, f64)], _, _, f64, usize); 4] = [
+    let sides: [(&str, Stops, _, _, f64, usize); 4] = [
         // Next to the turns of a straight curve r′ grows from nearly 0 to ±1 within 10⁻⁴ of t.
         (
             "M10,0 C0,0 20,0 10,0",
@@ -501,7 +504,7 @@ const FROM_A_STOP: [(f64, f64); 4] = [
 #[test]
 fn points_that_strokes_had_missed() {
     use WidthInterpolation::{Linear, Smooth};
-    let strokes: [(&str, &[(f64, f64)], _, f64, DVec2); 2] = [
+    let strokes: [(&str, Stops, _, f64, DVec2); 2] = [
         // Between two points where the width is 0 the stroke is thin on average, but not everywhere.
         (
             "M0 0H100",
