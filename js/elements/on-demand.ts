@@ -25,7 +25,8 @@ const NEAR = "300px";
 const SHEET = `
 :where(${NAMES.map((name) => `${name}:not(:defined, [hidden])`).join()}) { display: block; box-sizing: border-box; min-block-size: 3rem; }
 :where(bezier-applet:not(:defined)) { inline-size: 670px; max-inline-size: 100%; aspect-ratio: 670 / 480; }
-:where(bezier-surface:not(:defined)) { aspect-ratio: 4 / 3; }
+:where(bezier-surface:not(:defined)) { aspect-ratio: var(--bz-aspect, 4 / 3); }
+@media (max-width: 420px) { :where(bezier-surface:not(:defined)) { aspect-ratio: var(--bz-aspect, 1); } }
 `;
 
 const isName = (name: string): name is Name => Object.hasOwn(LOADERS, name);

@@ -88,7 +88,6 @@ inEach((test) => {
     async (session, pages) => {
       const part = "/dist/elements-surface.js";
       pages.set(part, "no script");
-      await session.waitFor(() => customElements.get("bezier-surface") !== undefined);
       await session.evaluate(() => {
         document.querySelector("bezier-surface").hidden = false;
       });

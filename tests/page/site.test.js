@@ -75,7 +75,11 @@ test("on a narrow phone the picture keeps its shape and fingers their aim", asyn
 
 test("the guide names every attribute of every element, and no other", async (t) => {
   const page = await openPage(t, "/elements/");
-  await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("bezier-surface"));
+  await page.evaluate(async () => {
+    const { loadElement } = await import("/dist/elements.js");
+    const named = [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("table[data-element]"))];
+    for (const { dataset } of named) await loadElement(/** @type {any} */ (dataset.element));
+  });
   const tables = await page.locator("table[data-element]").evaluateAll((tables) =>
     tables.map((table) => {
       const name = String(table.dataset.element);
