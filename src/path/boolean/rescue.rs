@@ -2,8 +2,8 @@
 //! segments.
 //!
 //! It is reached by none of the 1,108 drawings of other libraries' tests (tests/data/boolean, both fill rules) and none
-//! of the pairs of tests/path_boolean, but by 857 of 135,000 generated calls, half of which have features of all sizes
-//! down to 10⁻¹² of the drawing.
+//! of the pairs of tests/path_boolean, but by 1,045 of 162,000 generated calls: 1 % of those that have features of all sizes
+//! down to 10⁻¹² of the drawing, and 0.3 % of the others, whose segments often touch or coincide.
 //!
 //! The segments are flattened and the corners rounded to the centres of the cells of a grid. Then every line is led
 //! through the centres of all cells that it passes and in which another line ends or crosses a line. Such lines do not
