@@ -28,13 +28,17 @@ test("headings of the second level make sections with numbers, and the table of 
 test("a figure has an id, a number and its last paragraph as caption; an element in it is no paragraph", () => {
   const figure = '::: figure hull\n<bezier-applet id="a"></bezier-applet>\n\nThe **hull** of $P_0$.\n:::';
   const html = render(`${figure}\n\n::: figure ends\n<p>x</p>\n:::`, 1);
-  assert.match(html, /<figure id="figure-hull">\s*<bezier-applet id="a"><\/bezier-applet>\s*<figcaption>/);
+  assert.match(
+    html,
+    /<figure id="figure-hull">\s*<div class="sheet">\s*<bezier-applet id="a"><\/bezier-applet>\s*<\/div>\s*<figcaption>/,
+  );
   assert.match(
     html,
     /<figcaption><span class="nr">Figure 1\.1<\/span> The <strong>hull<\/strong> of <span class="unbroken"><math>/,
   );
   assert.match(html, /href="#figure-hull" aria-label="Link to this figure">#<\/a><\/figcaption>\s*<\/figure>/);
   assert.equal(html.match(/figcaption>/g)?.length, 2, "a figure may have no caption");
+  assert.match(html, /<p>x<\/p>\s*<\/div>\s*<\/figure>/);
 });
 
 test("a link to a figure without text says its number", () => {
