@@ -20,7 +20,7 @@ pub(crate) mod flatten;
 pub(crate) mod frames;
 pub(crate) mod hodograph;
 mod hull;
-mod inflections;
+pub(crate) mod inflections;
 mod interpolate;
 pub(crate) mod intersect;
 pub(crate) mod moments;
