@@ -5,7 +5,8 @@
 //! grows with the kth power of a difference of parameters, rounding hides differences up to ᵏ√σ. For cubics near the
 //! origin σ is about 2·10⁻¹⁵, √σ 5·10⁻⁸, ³√σ 10⁻⁵ and ⁴√σ 2·10⁻⁴.
 //!
-//! How much depends on them was measured with half and twice each constant on 9,600 pairs of curves: random ones of degree 1
+//! How much depends on them was measured with half and twice each constant (but for those of the slack, and for `SPLIT` and the
+//! two of what is worth clipping) on 9,600 pairs of curves: random ones of degree 1
 //! to 5, with coordinates 0 to 4, parts of one curve, copies moved by 10⁻³ to 10⁻¹⁶, tangent, with a common end, with a cusp,
 //! far from the origin. The number or the kinds of intersections change in at most 4 pairs, except for [`CONTACT`] (15
 //! with half of it, 7 with twice) and [`EQUAL_POINTS`] (17 and 8).
