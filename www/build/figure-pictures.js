@@ -54,6 +54,7 @@ export async function figurePicture(tag) {
   await import(`../figures/${tag}.js`);
   const figure = new /** @type {any} */ (customElements.get(tag))();
   figure.wide = WIDTH;
+  await figure.load?.();
   const html = textOf(figure.render());
   const [svg] = /<svg\b.*?<\/svg>/s.exec(html) ?? [barsOf(html)];
   return svg

@@ -61,8 +61,13 @@ export class FigBytes extends Figure {
     this.segments = 16;
   }
 
-  async scheduleUpdate() {
+  /** Loads what the figure shows, before it is drawn. */
+  async load() {
     if (this.model === "teapot") teapot ??= (await import("casteljau/surfaces")).Surface.teapot();
+  }
+
+  async scheduleUpdate() {
+    await this.load();
     super.scheduleUpdate();
   }
 
