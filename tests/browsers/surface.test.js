@@ -92,7 +92,7 @@ inEach((test) => {
         document.querySelector("bezier-surface").hidden = false;
       });
       await session.waitFor(() =>
-        /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot.textContent),
+        /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot?.textContent ?? ""),
       );
       pages.delete(part);
       await session.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));

@@ -50,8 +50,8 @@ test("every element has a control for each of its attributes, and its tag is the
     await choose(name);
     const element = box.locator(`bezier-${name}`);
     assert.equal(await element.count(), 1);
-    const observed = await page.evaluate((tag) => {
-      const type = /** @type {any} */ (customElements.get(tag));
+    const observed = await page.evaluate(async (tag) => {
+      const type = /** @type {any} */ (await customElements.whenDefined(tag));
       return [...type.observedAttributes];
     }, `bezier-${name}`);
     const controls = await box
