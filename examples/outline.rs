@@ -3,7 +3,7 @@
 //!     cargo run --example outline > outline.svg
 
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetJoin, SvgOptions};
+use casteljau::path::{FillRule, Join, SvgOptions};
 use casteljau::{Curve, Path, Spline};
 use std::error::Error;
 
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .subpaths()
         .collect::<Vec<_>>()
         .iter()
-        .map(|outline| outline.offset_within(6.0, OffsetJoin::Round, 0.01))
+        .map(|outline| outline.offset_within(6.0, Join::Round, 0.01))
         .collect::<Result<_, _>>()?;
     let line = Curve::new(&[DVec2::new(10.0, 60.0), DVec2::new(220.0, 190.0)])?;
     let cuts = letter.intersections(&Path::new(&[Spline::from_curves(

@@ -2,7 +2,7 @@
 
 use crate::inputs::Cubics;
 use casteljau::Path;
-use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
+use casteljau::path::{FillRule, Join, StrokeCap, StrokeOptions};
 use criterion::Criterion;
 use kurbo::{BezPath, Shape, StrokeOpts};
 use std::hint::black_box;
@@ -15,7 +15,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     let paths: Vec<Path> = cubics.ours.iter().map(|c| Path::from(c.clone())).collect();
     let theirs: Vec<BezPath> = cubics.kurbo.iter().map(|c| c.to_path(TOLERANCE)).collect();
     let overlapping = StrokeOptions::new()
-        .join(OffsetJoin::Round)
+        .join(Join::Round)
         .cap(StrokeCap::Round)
         .tolerance(TOLERANCE)
         .simple(false);

@@ -4,9 +4,9 @@
 //! 1, so nothing cancels, and nothing overflows unless the result does. Higher degrees use de Casteljau's algorithm,
 //! which agrees with the closed forms.
 
-use super::de_casteljau::{keep_after, lerp};
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::list::Scalars;
+use casteljau_kernels::bernstein::de_casteljau::{keep_after, lerp};
 use casteljau_kernels::numeric::vector::Vector;
 
 /// The point at t of the curve with the given control points (at least one).

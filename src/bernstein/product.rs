@@ -1,7 +1,7 @@
 //! Multiplication of polynomials in Bernstein form.
 
-use crate::bernstein::weights::binomial;
 use crate::numeric::list::Scalars;
+use casteljau_kernels::bernstein::weights::binomial;
 
 /// The Bernstein coefficients of a product of two polynomials (or of vectors of them) of the degrees n and m, where
 /// `product` multiplies the coefficients i and j of the factors.

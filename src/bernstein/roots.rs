@@ -11,11 +11,11 @@
 //! parameters among the ends and the extrema a polynomial is monotone, so the values at these parameters determine all
 //! contacts ([`contacts`], [`crossings`]).
 
-use super::de_casteljau::halve;
 use crate::numeric::float::{ratio, unit_scale};
 use crate::numeric::list::Scalars;
-use crate::numeric::work_limit::WorkLimit;
-use crate::numeric::zero::regula_falsi;
+use casteljau_kernels::bernstein::de_casteljau::halve;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::zero::regula_falsi;
 
 /// An interval below this width counts as one parameter: it contains a root of even multiplicity, or several roots that
 /// rounding cannot separate.

@@ -75,7 +75,7 @@ fn area_of_any_degree(points: &[DVec2]) -> f64 {
 
 /// The weight w of Pᵢ × Pⱼ for degree n.
 fn weight(n: usize, i: usize, j: usize) -> f64 {
-    let (m, binomial) = (i + j, crate::bernstein::weights::binomial);
+    let (m, binomial) = (i + j, casteljau_kernels::bernstein::weights::binomial);
     let share = binomial(n, i) * binomial(n, j) / binomial(2 * n, m);
     (n * (j - i)) as f64 / (m * (2 * n - m)) as f64 * share
 }

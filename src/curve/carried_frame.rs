@@ -4,8 +4,8 @@ use super::Curve;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::hodograph::Hodograph;
 use crate::geometry::point::Point;
-use crate::numeric::trigonometry::cos_sin;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::trigonometry::cos_sin;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// A step is short enough if halving it moves the normal by less than this; the remaining error is about 20 times

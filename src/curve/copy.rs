@@ -9,7 +9,6 @@ use super::intersect::intersection::{Intersection, SelfIntersection};
 use super::moments::Moments;
 use super::nearest::{Nearest, nearest_on};
 use super::trace::PathSink;
-use crate::bernstein::de_casteljau::split_cubic_with;
 use crate::bernstein::evaluate::{weigh3, weigh4};
 use crate::curve::flatten::Polyline;
 use crate::curve::split::ends_of;
@@ -18,6 +17,7 @@ use crate::geometry::check::{check_points, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::spline::Spline;
+use casteljau_kernels::bernstein::de_casteljau::split_cubic_with;
 use glam::DVec2;
 use std::ops::RangeBounds;
 

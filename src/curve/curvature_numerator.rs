@@ -1,8 +1,8 @@
 //! The cross product of a curve with its own derivative, for inflections and tangents through a point.
 
-use crate::bernstein::weights::binomial;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
+use casteljau_kernels::bernstein::weights::binomial;
 use glam::DVec2;
 
 /// The Bernstein coefficients of V×V′ for the curve V with the given control points, projected along z, and a bound on

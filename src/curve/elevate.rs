@@ -1,11 +1,11 @@
 //! Degree elevation, and its inverse for curves that are elevated.
 
 use super::Curve;
-use crate::bernstein::de_casteljau::lerp;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, points_of};
+use casteljau_kernels::bernstein::de_casteljau::lerp;
 use casteljau_kernels::numeric::vector::Vector;
 
 impl<P: Point> Curve<P> {

@@ -2,9 +2,9 @@
 
 use super::Curve;
 use crate::bernstein::evaluate::{evaluate, weigh3, weigh4};
-use crate::curve::sample_plane_cubic::sample_plane_cubic;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use casteljau_kernels::curve::sample_plane_cubic::sample_plane_cubic;
 
 /// The maximum length of one bulk result in f64 values: 1 GiB.
 pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;

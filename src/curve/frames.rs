@@ -13,7 +13,7 @@ use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// Maximum number of halvings of steps on the first curve, and for each further curve. Moderate curves need less than a

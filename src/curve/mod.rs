@@ -2,6 +2,8 @@
 //!
 //! Each file implements one operation or query: evaluation ([`eval`](Curve::eval)), tangents
 //! ([`tangent`](Curve::tangent)), flattening ([`flatten`](Curve::flatten)) …
+//!
+//! In the kernels, for their speed: points of a plane cubic at equal parameters, the rates of chords, bounds of the curvature.
 
 pub(crate) mod arc_length;
 pub(crate) mod area;
@@ -32,8 +34,6 @@ pub(crate) mod subdivide;
 mod torsion;
 pub(crate) mod trace;
 pub(crate) mod with_derivatives;
-
-pub(crate) use casteljau_kernels::curve::sample_plane_cubic;
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;

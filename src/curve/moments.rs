@@ -4,9 +4,9 @@ use super::Curve;
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
-use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_32};
 use crate::numeric::list::Points;
-use crate::numeric::trigonometry::cos_sin;
+use casteljau_kernels::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_32};
+use casteljau_kernels::numeric::trigonometry::cos_sin;
 use glam::DVec2;
 use std::f64::consts::PI;
 

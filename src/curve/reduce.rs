@@ -9,7 +9,7 @@ use super::elevate::{elevate_once, unelevated};
 use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::list::{Points, Scalars};
-use crate::numeric::trigonometry::direction;
+use casteljau_kernels::numeric::trigonometry::direction;
 use std::f64::consts::FRAC_PI_2;
 
 /// A degree-reduced curve and its error.

@@ -1,11 +1,11 @@
 //! Splitting a curve by de Casteljau's algorithm.
 
 use super::Curve;
-use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
 use crate::geometry::check::clamp_to_limit;
 use crate::geometry::point::Point;
 use crate::numeric::list::points_of_cubic;
 use crate::numeric::sort::sort_by;
+use casteljau_kernels::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
 use std::ops::{Bound, RangeBounds};
 
 impl<P: Point> Curve<P> {

@@ -5,7 +5,7 @@
 
 use super::bounds::Bounds;
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
 /// The resolution of the grid in which centres of boxes are sorted.

@@ -1,7 +1,7 @@
 //! The error type; every error carries the offending value.
 
-use crate::numeric::work_limit::WorkLimit;
 use Part::{Number, Text};
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::fmt;
 
 /// The highest degree of a curve, and of a patch in either direction.

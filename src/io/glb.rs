@@ -3,8 +3,8 @@
 use super::file_size::checked_length;
 use crate::geometry::error::Error;
 use crate::mesh::Indices;
-use crate::numeric::order::to_u32;
 use crate::text::number::{push, written};
+use casteljau_kernels::numeric::order::to_u32;
 
 /// The version of glTF, and the sizes of the file header and of the header of a chunk.
 const VERSION: u32 = 2;

@@ -6,8 +6,8 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::mesh::Mesh;
 use crate::mesh::buffers::to_f32;
-use crate::numeric::order::to_u32;
 use crate::text::number::{push, written};
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 

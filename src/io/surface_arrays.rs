@@ -2,8 +2,8 @@
 
 use super::text_reader::{ParseError, number, refuse, whole};
 use crate::geometry::check::MAX_COORDINATE;
-use crate::numeric::order::to_u32;
 use crate::text::shown::{END, shown};
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
 const VERTEX_ROW: usize = 3;

@@ -6,8 +6,8 @@
 //! ellipse, which is therefore computed from the whole run. `js/io/svg-arcs.ts` performs the same operations.
 
 use crate::numeric::float::as_f64;
-use crate::numeric::trigonometry::angle;
 use crate::path::arc::{Arc, MAX_PIECE_ANGLE, arc};
+use casteljau_kernels::numeric::trigonometry::angle;
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 

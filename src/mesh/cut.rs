@@ -6,10 +6,10 @@ use super::subdivider::{
     AdaptiveSubdivider, CLOSE_FORECAST_DEPTHS, DYADIC, FORECAST_DEPTHS, cell_limit,
 };
 use crate::geometry::error::Error;
-use crate::mesh::cell_triangulator::Cell;
-use crate::mesh::second_differences::SecondDifferences;
-use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
+use casteljau_kernels::mesh::cell_triangulator::Cell;
+use casteljau_kernels::mesh::second_differences::SecondDifferences;
+use casteljau_kernels::numeric::order::to_u32;
 #[cfg(feature = "rayon")]
 use {
     crate::parallel::{PATCHES_AT_ONCE, has_cores, map_patches},

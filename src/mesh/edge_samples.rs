@@ -3,11 +3,13 @@
 
 use super::cut::SurfaceCells;
 use crate::bernstein::evaluate::evaluate;
-use crate::mesh::cell_triangulator::{Cell, index_of, lower_half, pack, sort_distinct, upper_half};
 use crate::numeric::list::Points;
-use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use crate::surface::topology::{SIDES, SideUse};
+use casteljau_kernels::mesh::cell_triangulator::{
+    Cell, index_of, lower_half, pack, sort_distinct, upper_half,
+};
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
 /// The samples inside all lines.

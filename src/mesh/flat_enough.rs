@@ -4,9 +4,9 @@ use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
-use crate::numeric::work_limit::WorkLimit;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// The maximum number of leaves: for each patch of a surface, and in addition for any number of them.

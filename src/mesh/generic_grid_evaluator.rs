@@ -8,9 +8,9 @@
 use super::buffers::to_f32;
 use super::forward::Stepper;
 use super::grid::{Grid, GridMethod};
-use crate::bernstein::weights::weights;
 use crate::geometry::check::max_abs;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
+use casteljau_kernels::bernstein::weights::weights;
 use glam::DVec3;
 
 /// The square of the length of ∂u × ∂v below which a point is not regular.

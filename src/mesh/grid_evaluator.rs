@@ -7,9 +7,9 @@
 use super::buffers::to_f32;
 use super::generic_grid_evaluator::GenericGridEvaluator;
 use super::grid::{Grid, GridMethod};
-use crate::mesh::bicubic::grid::BicubicGrid;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::directions;
+use casteljau_kernels::mesh::bicubic::grid::BicubicGrid;
 use glam::DVec3;
 
 /// Evaluates patches on one grid; weights and buffers are reused from patch to patch.

@@ -5,8 +5,10 @@ use super::grid::{Grid, GridMethod};
 use super::grid_evaluator::GridEvaluator;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::error::Error;
-use crate::mesh::layout::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
-use crate::numeric::order::to_u32;
+use casteljau_kernels::mesh::layout::{
+    fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs,
+};
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 use std::ops::Range;
 #[cfg(feature = "rayon")]

@@ -4,9 +4,9 @@ use super::Mesh;
 use super::grid::{Grid, GridMethod};
 use super::grid_mesh::GridMeshBuilder;
 use crate::geometry::error::Error;
-use crate::mesh::layout::collect_points;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
+use casteljau_kernels::mesh::layout::collect_points;
 use glam::DVec3;
 use std::ops::Range;
 

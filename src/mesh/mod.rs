@@ -3,6 +3,8 @@
 //! A [`Grid`] is the layout of samples without points; a [`Mesh`] consists of buffers. A mesh by a number of segments
 //! is one grid for each patch; a mesh by a tolerance or by pixels is subdivided adaptively. Both are free of cracks. A
 //! surface can also be drawn as the tubes or ribbons of its isocurves.
+//!
+//! In the kernels, for their speed: grids of bicubic patches, rows of samples, bounds of second differences, the triangles of a cell.
 
 pub(crate) mod adaptive;
 pub(crate) mod buffers;
@@ -26,10 +28,6 @@ mod tracer;
 pub(crate) mod weld;
 pub(crate) mod wire;
 mod wireframe;
-
-pub(crate) use casteljau_kernels::mesh::{
-    bicubic, cell_triangulator, layout, row_sampler, second_differences,
-};
 
 pub use buffers::{Indices, Mesh, PatchRange};
 pub use flat_enough::FlatPiece;

@@ -1,10 +1,10 @@
 //! Points and normals of one patch at many parameters.
 
 use crate::geometry::point::Point;
-use crate::mesh::row_sampler::RowSampler;
 use crate::numeric::list::Net;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
+use casteljau_kernels::mesh::row_sampler::RowSampler;
 use glam::DVec3;
 
 /// A patch with precomputed data for repeated evaluation.

@@ -7,10 +7,10 @@
 use super::cut::SurfaceCells;
 use super::edge_samples::EdgeSamples;
 use super::sampler::Sampler;
-use crate::mesh::cell_triangulator::{Cell, CellTriangulator};
-use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use crate::surface::topology::SIDES;
+use casteljau_kernels::mesh::cell_triangulator::{Cell, CellTriangulator};
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 use std::ops::Range;
 #[cfg(feature = "rayon")]

@@ -11,11 +11,11 @@ use super::buffers::to_f32;
 use super::options::Detail;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
-use crate::mesh::cell_triangulator::Cell;
-use crate::mesh::second_differences::{BEND_SLACK, SecondDifferences};
 use crate::numeric::list::Net;
-use crate::numeric::order::larger;
 use crate::patch::net::{differences_u, differences_v};
+use casteljau_kernels::mesh::cell_triangulator::Cell;
+use casteljau_kernels::mesh::second_differences::{BEND_SLACK, SecondDifferences};
+use casteljau_kernels::numeric::order::larger;
 use glam::DVec3;
 
 /// Parameters are integers from 0 to this: pieces can be halved 30 times in each direction.

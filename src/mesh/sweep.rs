@@ -2,7 +2,7 @@
 
 use super::buffers::to_f32;
 use crate::numeric::float::{as_f64, ratio};
-use crate::numeric::order::to_u32;
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
 /// A full turn in radians.

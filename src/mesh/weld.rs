@@ -5,7 +5,7 @@ use super::options::Weld;
 use super::stitched_mesh::StitchedMesh;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::point::Point;
-use crate::numeric::order::to_u32;
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
 /// The square of the chord of 0.1°: normals that differ by less share a vertex.

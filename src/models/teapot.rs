@@ -7,8 +7,8 @@
 //! like all others.
 
 use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
-use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
+use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
 /// The parts, the height and the up axis of the teapot. Default: all parts, squashed, z up.

@@ -4,10 +4,10 @@ use super::Patch;
 use super::tile_area::TileArea;
 use crate::numeric::float::as_f64;
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
 use crate::parallel::map_patches;
 use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Relative error at which the integration of the area stops: a tenth of the documented error.
 const AREA_ERROR: f64 = 1e-9;

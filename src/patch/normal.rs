@@ -8,11 +8,11 @@
 //! §6.9 for products).
 
 use super::net::transpose;
-use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
-pub(crate) use crate::bernstein::weights::binomial;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
+use casteljau_kernels::bernstein::de_casteljau::keep_between;
+pub(crate) use casteljau_kernels::bernstein::weights::binomial;
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; the coefficients of the unit-sized differences carry noise of about

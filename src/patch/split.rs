@@ -2,12 +2,12 @@
 
 use super::Patch;
 use super::net::{curve_at_u, transpose};
-use crate::bernstein::de_casteljau::split;
 use crate::curve::Curve;
 use crate::curve::basis::{Basis, apply};
 use crate::geometry::check::{check_points, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::numeric::list::Net;
+use casteljau_kernels::bernstein::de_casteljau::split;
 use glam::DVec3;
 
 impl Patch {

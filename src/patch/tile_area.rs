@@ -1,7 +1,7 @@
 //! The area of a tile of a Bézier patch.
 
 use crate::numeric::float::as_f64;
-use crate::numeric::gauss::GAUSS_8;
+use casteljau_kernels::numeric::gauss::GAUSS_8;
 
 /// The nodes of the rule with 8 points.
 const NODES: usize = 8;

@@ -2,7 +2,7 @@
 
 use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::float::as_f64;
-use crate::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
+use casteljau_kernels::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_8, TAU};
 

@@ -12,7 +12,7 @@ use crate::geometry::check::{MAX_COORDINATE, check_points, check_tolerance};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::spline::cubics::{FitCriteria, FitEffort, FitSamples, is_straight};
-use crate::spline::{OffsetJoin, Spline};
+use crate::spline::{Join, Spline};
 use glam::DVec2;
 
 /// Samples on each side of one with which it is averaged at most.
@@ -772,7 +772,7 @@ impl InkStroke {
 
     fn stroke_options(&self) -> StrokeOptions {
         StrokeOptions::new()
-            .join(OffsetJoin::Round)
+            .join(Join::Round)
             .cap(StrokeCap::Round)
             .tolerance(self.tolerance)
     }

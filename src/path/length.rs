@@ -3,13 +3,13 @@
 use super::{Path, PathTime};
 use crate::curve::Curve;
 use crate::curve::PointAtLength;
-use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::curve::arc_length::segments::SegmentLengths;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
+use casteljau_kernels::curve::arc_length::plane_cubic::plane_cubic_length;
 use glam::{DVec2, DVec3};
 
 impl Path {

@@ -30,7 +30,7 @@ pub(crate) mod winding;
 
 #[cfg(feature = "io")]
 pub use crate::io::{svg_error::SvgError, svg_write::SvgOptions};
-pub use crate::spline::OffsetJoin;
+pub use crate::spline::Join;
 pub use arcs::CircularArc;
 #[cfg(all(feature = "count-work", feature = "regions"))]
 pub use boolean::take_replaced_segments;

@@ -10,7 +10,7 @@ use super::arc::Arc;
 use super::builder::PathBuilder;
 use crate::geometry::error::Error;
 use crate::numeric::float::{as_f64, ratio};
-use crate::numeric::trigonometry::{direction_of_degrees, turned};
+use casteljau_kernels::numeric::trigonometry::{direction_of_degrees, turned};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -11,10 +11,10 @@
 //! rounding cannot open the outline.
 
 use super::Path;
-use crate::bernstein::de_casteljau::split;
 use crate::geometry::check::max_abs;
 use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, points_of};
+use casteljau_kernels::bernstein::de_casteljau::split;
 use glam::DVec2;
 
 /// The rule that decides which winding numbers are inside.

@@ -2,12 +2,12 @@
 
 use super::Spline;
 use super::knots::Knots;
-use crate::bernstein::de_casteljau::lerp;
 use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
+use casteljau_kernels::bernstein::de_casteljau::lerp;
 use casteljau_kernels::numeric::vector::Vector;
 
 /// The maximum number of knot insertions, which take a few seconds. A segment of degree p needs p (p − 1).

@@ -17,7 +17,7 @@ use super::local_fit::{Parabola, TwoLines};
 use super::polyline::{Cluster, SampledPolyline};
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
-use crate::numeric::trigonometry::cos_sin;
+use casteljau_kernels::numeric::trigonometry::cos_sin;
 use std::ops::Range;
 
 /// Arm lengths in tolerances. A direction over the shortest one has an error of a few degrees if the noise is as large as

@@ -8,9 +8,9 @@
 //! Pottmann and Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance minimization", ACM
 //! TOG 25 (2006), for the iterations after it.
 
-use super::fit_run::{EDGE_ALLOWANCE, FitRun};
 use super::grid::NormalizedGrid;
 use crate::geometry::point::{CrossProduct, Point};
+use casteljau_kernels::spline::fit_run::{EDGE_ALLOWANCE, FitRun};
 
 /// The part of the tolerance that is reserved for rounding.
 pub(crate) const ROUNDING_SHARE: f64 = 1e-3;

@@ -2,6 +2,8 @@
 //!
 //! Segment k covers t from k to k + 1 and has its own degree; two segments meet at a joint. The control points are one
 //! list: neighbouring segments share the point of their joint, and a closed spline ends at the first point of the list.
+//!
+//! In the kernels, where a fit spends its time: one cubic along a run of points.
 
 mod area;
 mod bspline;
@@ -49,13 +51,11 @@ pub use cubics::FitEffort;
 pub use fit::FitOptions;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;
-pub use offset::OffsetJoin;
+pub use offset::Join;
 #[cfg(feature = "fit")]
 pub use simplify::SimplifyOptions;
 
 #[cfg(feature = "fit")]
-pub(crate) use casteljau_kernels::spline::fit_run;
-
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};

@@ -3,8 +3,8 @@
 use super::cubics::chord_lengths;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
-use crate::numeric::order::larger;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::order::larger;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::ops::Range;
 
 /// Sampled points in order, with the chord length from the start at each point.

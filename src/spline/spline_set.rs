@@ -9,7 +9,7 @@ use crate::curve::intersect::intersection::{Intersection, IntersectionKind};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::box_tree::BoxTree;
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 use std::borrow::Borrow;
 

@@ -1,7 +1,7 @@
 //! Newton's method for a minimum of a polynomial over a rectangle.
 
 use super::piece::{Jet, PolynomialPiece};
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// The maximum number of Newton steps from one start; they double the digits, unless the minimum is flat.
 const MAX_STEPS: usize = 32;

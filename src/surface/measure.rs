@@ -5,10 +5,10 @@ use super::scaling::{Scaling, box_of};
 use super::topology::{EdgeUse, PatchEdge};
 use crate::bernstein::polynomials::bernstein_into;
 use crate::numeric::float::{as_f64, ratio};
-use crate::numeric::gauss::GAUSS_8;
 use crate::parallel::map_patches;
 use crate::patch::Patch;
 use crate::patch::net::differences_u;
+use casteljau_kernels::numeric::gauss::GAUSS_8;
 use glam::DVec3;
 
 /// The largest degree that one interval of the quadrature has to integrate; the 8-point rule is exact to 15.

@@ -3,7 +3,7 @@
 use super::descent::descend;
 use super::piece::{MODERATE_DEGREE, PolynomialPiece};
 use super::queued_piece::QueuedPiece;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Rounding error of coefficients of size 1 to 8 after products and halvings; values that differ by at most this count

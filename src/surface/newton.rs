@@ -1,7 +1,7 @@
 //! Newton's method for the common zeros of two polynomials, planes 0 and 1 of a piece ("the pair").
 
 use super::piece::{Jet, PolynomialPiece};
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Zeros nearer than this in u and v count as one: between two zeros at a distance s the pair rises to s²/4, which
 /// rounding hides.

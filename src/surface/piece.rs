@@ -7,10 +7,10 @@
 //! theoretical development for the computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2
 //! (1980).
 
-use crate::bernstein::de_casteljau::halve_net;
 use crate::numeric::float::as_f64;
-use crate::numeric::work_limit::WorkLimit;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
+use casteljau_kernels::bernstein::de_casteljau::halve_net;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// More halvings than the parameters allow in both directions: each has 53 bits, and a few more until the step becomes
 /// 0.

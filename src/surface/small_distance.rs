@@ -8,7 +8,7 @@
 
 use super::piece::{MODERATE_DEGREE, PolynomialPiece};
 use super::queued_piece::QueuedPiece;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `SHARE` of that

@@ -6,7 +6,7 @@
 
 use super::hash_index::{HashIndex, mix};
 use super::network::Surface;
-use crate::numeric::order::to_u32;
+use casteljau_kernels::numeric::order::to_u32;
 
 /// The number of edges of a patch.
 pub(crate) const SIDES: usize = 4;

@@ -8,8 +8,8 @@ use super::newton::{
     SAME, distance_from_zero, greater, onto_square, project_to_zero_set, touch, zero_near,
 };
 use super::piece::{PolynomialPiece, search};
-use crate::numeric::order::range;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::order::range;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
 pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;

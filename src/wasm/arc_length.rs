@@ -17,7 +17,7 @@ fn curve(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
 #[wasm_bindgen]
 #[allow(clippy::too_many_arguments, reason = "the coordinates of four points")]
 pub fn cubic_length(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64, dx: f64, dy: f64) -> f64 {
-    crate::curve::arc_length::plane_cubic::plane_cubic_length(&[
+    casteljau_kernels::curve::arc_length::plane_cubic::plane_cubic_length(&[
         [ax, ay],
         [bx, by],
         [cx, cy],

@@ -3,7 +3,6 @@
 use super::arena;
 use super::arena::Arena;
 use super::by_dimension;
-use crate::bernstein::de_casteljau::split_net_with;
 use crate::bernstein::evaluate::{evaluate, weigh4};
 use crate::bernstein::polynomials::bernstein;
 use crate::curve::Curve;
@@ -12,6 +11,7 @@ use crate::curve::subdivide::Subdivision;
 use crate::geometry::check::images;
 use crate::geometry::point::Point;
 use bytemuck::Pod;
+use casteljau_kernels::bernstein::de_casteljau::split_net_with;
 use glam::{DAffine3, DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -5,8 +5,8 @@ use super::arena;
 use super::arena::Arena;
 use crate::curve::Curve;
 use crate::curve::nearest::distance::Distance;
-use crate::curve::nearest::search::nearest_in_space;
 use crate::curve::nearest::{Nearest, nearest_on, nearest_parameter};
+use casteljau_kernels::curve::nearest::search::nearest_in_space;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 

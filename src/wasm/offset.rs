@@ -4,7 +4,7 @@ use super::arena;
 use super::arena::Arena;
 use super::optional;
 use crate::curve::Curve;
-use crate::spline::OffsetJoin;
+use crate::spline::Join;
 use crate::spline::offset::offset_of_curves;
 use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
@@ -31,11 +31,11 @@ pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
 }
 
 /// A join by its index in js/geometry/joins.ts.
-pub(super) fn offset_join(index: u32) -> OffsetJoin {
+pub(super) fn offset_join(index: u32) -> Join {
     match index {
-        0 => OffsetJoin::Round,
-        1 => OffsetJoin::Miter,
-        _ => OffsetJoin::Bevel,
+        0 => Join::Round,
+        1 => Join::Miter,
+        _ => Join::Bevel,
     }
 }
 

@@ -6,10 +6,10 @@ use crate::support::{Rng, cases, real};
 use casteljau::path::{
     BooleanOperation, FillRule, OffsetOptions, StrokeCap, StrokeOptions, take_replaced_segments,
 };
-use casteljau::spline::OffsetJoin;
+use casteljau::spline::Join;
 use casteljau::{Error, Path};
 
-const JOINS: [OffsetJoin; 3] = [OffsetJoin::Round, OffsetJoin::Bevel, OffsetJoin::Miter];
+const JOINS: [Join; 3] = [Join::Round, Join::Bevel, Join::Miter];
 const CAPS: [StrokeCap; 3] = [StrokeCap::Round, StrokeCap::Butt, StrokeCap::Square];
 
 /// A path of one to three quadratics and cubics whose coordinates are from 0 to 10 with one decimal.

@@ -7,7 +7,7 @@ use casteljau::glam::{DAffine2, DAffine3, DMat4, DVec2, DVec3};
 use casteljau::mesh::Weld;
 use casteljau::models::{Height, Up};
 use casteljau::path::FillRule;
-use casteljau::spline::{JointMode, OffsetJoin};
+use casteljau::spline::{Join, JointMode};
 use casteljau::{Curve, GridMethod, Patch, Path, Point, Spline, Surface};
 use casteljau_generator::{Case, SplineData, SurfaceData, Value};
 
@@ -89,7 +89,7 @@ arguments! {
 
 choices! {
     FillRule: "evenodd" FillRule::EvenOdd, "nonzero" FillRule::NonZero;
-    OffsetJoin: "round" OffsetJoin::Round, "miter" OffsetJoin::Miter, "bevel" OffsetJoin::Bevel;
+    Join: "round" Join::Round, "miter" Join::Miter, "bevel" Join::Bevel;
     JointMode: "free" JointMode::Free, "g1" JointMode::G1, "c1" JointMode::C1,
         "c2" JointMode::C2, "g2" JointMode::G2, "auto" JointMode::Auto;
     Weld: "position" Weld::Position, "normal" Weld::Normal, "none" Weld::None;

@@ -6,7 +6,7 @@ use crate::recorder::Recorder;
 use crate::shared::*;
 use casteljau::glam::DVec2;
 use casteljau::path::{PathBuilder, PathElement, SvgOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::spline::Join;
 use casteljau::{Curve, Error, Path, Point, Spline};
 use casteljau_generator::Mode;
 
@@ -100,7 +100,7 @@ pub(crate) fn spline_offset(
     spline: Spline<DVec2>,
     distance: f64,
     tolerance: Option<f64>,
-    join: OffsetJoin,
+    join: Join,
 ) -> Checked {
     let offset = || match tolerance {
         None => spline.offset(distance, join),

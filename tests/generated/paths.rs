@@ -8,7 +8,7 @@ use crate::shared::*;
 use casteljau::curve::{Intersection, Moments};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::*;
-use casteljau::spline::OffsetJoin;
+use casteljau::spline::Join;
 use casteljau::{Error, Path, Spline};
 
 /// The slack for points of splines of the largest degree that is generated.
@@ -317,11 +317,11 @@ pub(crate) fn filled_moments(path: Path, rule: FillRule) -> Checked {
 pub(crate) const REFUSALS: &str = "width|widths|left|right|distance|radius|tolerance|steps of an offset|steps of a stroke|segments|contacts|dashes|pattern|sum of the pattern";
 
 /// The options of a stroke; caps follow the joins, so that all kinds occur.
-fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {
+fn options(join: Join, tolerance: Option<f64>) -> StrokeOptions {
     let cap = match join {
-        OffsetJoin::Round => StrokeCap::Round,
-        OffsetJoin::Miter => StrokeCap::Square,
-        OffsetJoin::Bevel => StrokeCap::Butt,
+        Join::Round => StrokeCap::Round,
+        Join::Miter => StrokeCap::Square,
+        Join::Bevel => StrokeCap::Butt,
     };
     let mut options = StrokeOptions::new().join(join).cap(cap);
     options.tolerance = tolerance;
@@ -329,7 +329,7 @@ fn options(join: OffsetJoin, tolerance: Option<f64>) -> StrokeOptions {
 }
 
 /// Checks that contours are closed; `call` checks that their points are finite.
-pub(crate) fn stroke(path: Path, width: f64, join: OffsetJoin, tolerance: Option<f64>) -> Checked {
+pub(crate) fn stroke(path: Path, width: f64, join: Join, tolerance: Option<f64>) -> Checked {
     let mut options = options(join, tolerance);
     let region = answer!(path.stroke(width, &options), REFUSALS);
     is_closed(&region)?;
@@ -338,12 +338,12 @@ pub(crate) fn stroke(path: Path, width: f64, join: OffsetJoin, tolerance: Option
     is_closed(&outlines)?;
     // Both kinds of positions occur, with different joins.
     let at = match join {
-        OffsetJoin::Miter => WidthPosition::Length,
+        Join::Miter => WidthPosition::Length,
         _ => WidthPosition::T,
     };
     let stops = [(0.0, 0.0), (0.4, width), (0.7, 0.2 * width), (1.0, width)];
     let interpolation = match join {
-        OffsetJoin::Bevel => WidthInterpolation::Smooth,
+        Join::Bevel => WidthInterpolation::Smooth,
         _ => WidthInterpolation::Linear,
     };
     let profile = WidthProfile::new(&stops)
@@ -356,7 +356,7 @@ pub(crate) fn stroke_sides(
     path: Path,
     left: f64,
     right: f64,
-    join: OffsetJoin,
+    join: Join,
     tolerance: Option<f64>,
 ) -> Checked {
     let mut options = options(join, tolerance);
@@ -367,13 +367,13 @@ pub(crate) fn stroke_sides(
 }
 
 /// Checks that a stroke with round joins and caps contains the points near the path, and no others.
-pub(crate) fn stroke_contains(path: Path, p: DVec2, width: f64, join: OffsetJoin) -> Checked {
+pub(crate) fn stroke_contains(path: Path, p: DVec2, width: f64, join: Join) -> Checked {
     let options = options(join, None);
     let inside = answer!(path.stroke_contains(p, width, &options), REFUSALS);
     let nearest = path.nearest(p)?;
     let distance = nearest.map_or(f64::INFINITY, |nearest| nearest.distance);
     let clear = (distance - 0.5 * width).abs() > slack_of();
-    let fits = !clear || join != OffsetJoin::Round || inside == (distance < 0.5 * width);
+    let fits = !clear || join != Join::Round || inside == (distance < 0.5 * width);
     holds!(fits, "{inside} at {distance:e}, width {width:e}")
 }
 
@@ -383,12 +383,7 @@ pub(crate) fn dash(path: Path, s: f64, width: f64, offset: f64) -> Checked {
     at_most(dashes.length(), whole, "the length of the dashes")
 }
 
-pub(crate) fn offset(
-    path: Path,
-    distance: f64,
-    join: OffsetJoin,
-    tolerance: Option<f64>,
-) -> Checked {
+pub(crate) fn offset(path: Path, distance: f64, join: Join, tolerance: Option<f64>) -> Checked {
     let default = OffsetOptions::default();
     let mut options = default.join(join);
     options.tolerance = tolerance;

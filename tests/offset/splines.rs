@@ -4,7 +4,7 @@ use crate::offset::reference::dense;
 use crate::support::{Rng, near, random_points, real, spline};
 use casteljau::Spline;
 use casteljau::glam::DVec2;
-use casteljau::spline::OffsetJoin;
+use casteljau::spline::Join;
 
 fn closed_spline(rng: &mut Rng) -> Spline<DVec2> {
     let count = 3 * (1 + rng.below(5));
@@ -21,7 +21,7 @@ fn round_joins_keep_the_distance() {
     for _ in 0..60 {
         let spline = closed_spline(&mut rng);
         let distance = rng.signed() * 3.0;
-        let offset = spline.offset_within(distance, OffsetJoin::Round, 1e-3);
+        let offset = spline.offset_within(distance, Join::Round, 1e-3);
         let offset = offset.expect("finite");
         assert!(offset.is_closed());
         let source = dense(&spline, 1e-5);
@@ -46,7 +46,7 @@ fn smooth_joints_need_no_join() {
             .expect("inside");
         let [one, other] = [&cut, &whole].map(|spline| {
             spline
-                .offset_within(0.2, OffsetJoin::Round, 1e-3)
+                .offset_within(0.2, Join::Round, 1e-3)
                 .expect("finite")
         });
         near(one.eval(0.0), other.eval(0.0), 1e-14);
@@ -57,9 +57,8 @@ fn smooth_joints_need_no_join() {
 
 #[test]
 fn segments_without_a_length_are_left_out() {
-    let offset =
-        spline("0 0, 2 0, 2 0, 2 2", 1, false).offset_within(-1.0, OffsetJoin::Miter, 0.01);
+    let offset = spline("0 0, 2 0, 2 0, 2 2", 1, false).offset_within(-1.0, Join::Miter, 0.01);
     assert_eq!(offset, Ok(spline("0 -1, 2 -1, 3 -1, 3 0, 3 2", 1, false)));
     let point = spline("1 1, 1 1, 1 1, 1 1", 3, false);
-    assert_eq!(point.offset(1.0, OffsetJoin::Round), Ok(point));
+    assert_eq!(point.offset(1.0, Join::Round), Ok(point));
 }

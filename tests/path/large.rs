@@ -5,7 +5,7 @@ use crate::support::paths::{lines, sides};
 use crate::support::{Rng, deep, near, real};
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
-use casteljau::spline::{FitOptions, Interpolation, OffsetJoin};
+use casteljau::spline::{FitOptions, Interpolation, Join};
 use casteljau::{Path, Spline};
 use std::f64::consts::TAU;
 
@@ -132,6 +132,6 @@ fn splines_through_and_near_many_points() {
             assert!(distance <= tolerance, "{distance}");
         }
     }
-    let beside = through.offset(0.01, OffsetJoin::Round);
+    let beside = through.offset(0.01, Join::Round);
     assert!(beside.expect("a distance").segment_count() >= points.len());
 }

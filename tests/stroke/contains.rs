@@ -5,11 +5,11 @@ use crate::stroke::round::{WIDTHS, samples};
 use crate::support::paths::{path, points};
 use crate::support::{Rng, de_casteljau, near};
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetJoin, OffsetOptions, StrokeCap, StrokeOptions};
+use casteljau::path::{FillRule, Join, OffsetOptions, StrokeCap, StrokeOptions};
 use casteljau::{Path, Spline};
 use std::f64::consts::{FRAC_PI_6, PI};
 
-const JOINS: [OffsetJoin; 3] = [OffsetJoin::Miter, OffsetJoin::Round, OffsetJoin::Bevel];
+const JOINS: [Join; 3] = [Join::Miter, Join::Round, Join::Bevel];
 const CAPS: [StrokeCap; 3] = [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square];
 
 /// A curve followed by two lines, so that there are corners.
@@ -78,9 +78,7 @@ fn points_beside_a_curve_that_is_straight_up_to_rounding() {
     let distances = (0..=1000).map(|k| de_casteljau(&second, f64::from(k) * 1e-3).distance(p));
     let nearest = distances.fold(f64::INFINITY, f64::min);
     let spline = Spline::with_degrees(points, &[6, 6], true).expect("valid points");
-    let options = StrokeOptions::new()
-        .join(OffsetJoin::Round)
-        .cap(StrokeCap::Round);
+    let options = StrokeOptions::new().join(Join::Round).cap(StrokeCap::Round);
     for (width, expected) in [(2.02 * nearest, true), (1.98 * nearest, false)] {
         let inside = Path::from(spline.clone()).stroke_contains(p, width, &options);
         assert_eq!(inside, Ok(expected), "{width}");
@@ -113,8 +111,8 @@ fn regions_grow_and_shrink_whatever_their_orientation() {
             near(area(-1.5, join), 0.0, 1e-9);
         }
         let hole = 49.0;
-        near(area(-0.5, OffsetJoin::Miter), 81.0 - hole, 1e-5);
-        near(area(4.0, OffsetJoin::Miter), 324.0, 1e-5);
+        near(area(-0.5, Join::Miter), 81.0 - hole, 1e-5);
+        near(area(4.0, Join::Miter), 324.0, 1e-5);
     }
 }
 

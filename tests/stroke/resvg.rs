@@ -2,7 +2,7 @@
 
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
+use casteljau::path::{FillRule, Join, StrokeCap, StrokeOptions};
 
 /// Pixels along each side of a picture, and the side of its square.
 const PIXELS: usize = 300;
@@ -29,9 +29,9 @@ fn read(line: &str) -> Case<'_> {
         _ => StrokeCap::Square,
     };
     let join = match join {
-        "bevel" => OffsetJoin::Bevel,
-        "round" => OffsetJoin::Round,
-        _ => OffsetJoin::Miter,
+        "bevel" => Join::Bevel,
+        "round" => Join::Round,
+        _ => Join::Miter,
     };
     let dash: Vec<f64> = dash.split_whitespace().map(number).collect();
     let options = StrokeOptions::new()

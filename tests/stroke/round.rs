@@ -4,7 +4,7 @@ use crate::stroke::cases::{curves, hard, size};
 use crate::support::Rng;
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{OffsetJoin, StrokeCap, StrokeOptions};
+use casteljau::path::{Join, StrokeCap, StrokeOptions};
 
 pub(crate) const WIDTHS: [f64; 5] = [0.02, 0.1, 0.5, 1.5, 4.0];
 
@@ -12,7 +12,7 @@ const POINTS: usize = 120;
 
 fn round(tolerance: f64, simple: bool) -> StrokeOptions {
     StrokeOptions::new()
-        .join(OffsetJoin::Round)
+        .join(Join::Round)
         .cap(StrokeCap::Round)
         .tolerance(tolerance)
         .simple(simple)

@@ -3,7 +3,7 @@
 use crate::support::near;
 use casteljau::Path;
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, OffsetJoin, StrokeCap, StrokeOptions};
+use casteljau::path::{FillRule, Join, StrokeCap, StrokeOptions};
 use std::f64::consts::PI;
 
 const TOLERANCE: f64 = 1e-6;
@@ -12,7 +12,7 @@ fn read(d: &str) -> Path {
     Path::from_svg_with(d, 1e-9).expect("path data")
 }
 
-fn options(join: OffsetJoin, cap: StrokeCap) -> StrokeOptions {
+fn options(join: Join, cap: StrokeCap) -> StrokeOptions {
     StrokeOptions::new()
         .join(join)
         .cap(cap)
@@ -30,7 +30,7 @@ fn assert_near(got: f64, expected: f64) {
 
 #[test]
 fn areas_of_lines_with_caps() {
-    let with = |cap| area("M1 2H11", 4.0, &options(OffsetJoin::Miter, cap));
+    let with = |cap| area("M1 2H11", 4.0, &options(Join::Miter, cap));
     assert_near(with(StrokeCap::Butt), 40.0);
     assert_near(with(StrokeCap::Square), 56.0);
     assert_near(with(StrokeCap::Round), 40.0 + 4.0 * PI);
@@ -39,7 +39,7 @@ fn areas_of_lines_with_caps() {
 #[test]
 fn areas_of_points_with_caps() {
     for d in ["M3 3H3", "M3 3Z", "M3 3C3 3 3 3 3 3", "M3 3H3H3"] {
-        let with = |cap| area(d, 4.0, &options(OffsetJoin::Miter, cap));
+        let with = |cap| area(d, 4.0, &options(Join::Miter, cap));
         assert_near(with(StrokeCap::Butt), 0.0);
         if !read(d).is_empty() {
             assert_near(with(StrokeCap::Square), 16.0);
@@ -53,7 +53,7 @@ fn widths_that_rounding_swallows_give_the_empty_region() {
     for d in ["M5 5H5", "M5 5h1e-17", "M5 5H8", "M5 5L6 6 5 5"] {
         for cap in [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square] {
             for width in [1e-300, 1e-30, 1e-17] {
-                let options = options(OffsetJoin::Round, cap);
+                let options = options(Join::Round, cap);
                 for options in [options.clone(), options.simple(false)] {
                     let stroke = read(d).stroke(width, &options).expect("a region");
                     assert_near(stroke.area(), 0.0);
@@ -85,13 +85,13 @@ fn areas_of_corners_with_joins() {
                 area(&path, 2.0, &options.miter_limit(miter_limit))
             };
             let (strips, miter, bevel) = (40.0 - half, half, 0.5 * turn.sin());
-            assert_near(with(OffsetJoin::Miter, 100.0), strips + miter);
-            assert_near(with(OffsetJoin::Round, 4.0), strips + 0.5 * turn);
-            assert_near(with(OffsetJoin::Bevel, 4.0), strips + bevel);
+            assert_near(with(Join::Miter, 100.0), strips + miter);
+            assert_near(with(Join::Round, 4.0), strips + 0.5 * turn);
+            assert_near(with(Join::Bevel, 4.0), strips + bevel);
             let limit = 1.0 / (0.5 * turn).cos();
-            let below = with(OffsetJoin::Miter, (limit * 0.999).max(1.0));
+            let below = with(Join::Miter, (limit * 0.999).max(1.0));
             assert_near(below, strips + bevel);
-            assert_near(with(OffsetJoin::Miter, limit * 1.001), strips + miter);
+            assert_near(with(Join::Miter, limit * 1.001), strips + miter);
         }
     }
 }
@@ -99,9 +99,9 @@ fn areas_of_corners_with_joins() {
 #[test]
 fn a_path_that_turns_back() {
     let with = |join, cap| area("M0 0H10H4", 2.0, &options(join, cap));
-    assert_near(with(OffsetJoin::Round, StrokeCap::Butt), 20.0 + 0.5 * PI);
-    assert_near(with(OffsetJoin::Miter, StrokeCap::Butt), 20.0);
-    assert_near(with(OffsetJoin::Bevel, StrokeCap::Square), 22.0);
+    assert_near(with(Join::Round, StrokeCap::Butt), 20.0 + 0.5 * PI);
+    assert_near(with(Join::Miter, StrokeCap::Butt), 20.0);
+    assert_near(with(Join::Bevel, StrokeCap::Square), 22.0);
 }
 
 #[test]
@@ -109,9 +109,9 @@ fn closed_paths_have_joins_instead_of_caps() {
     let square = "M0 0H10V10H0Z";
     let with = |join, cap| area(square, 2.0, &options(join, cap));
     for cap in [StrokeCap::Butt, StrokeCap::Square, StrokeCap::Round] {
-        assert_near(with(OffsetJoin::Miter, cap), 144.0 - 64.0);
-        assert_near(with(OffsetJoin::Bevel, cap), 144.0 - 64.0 - 2.0);
-        assert_near(with(OffsetJoin::Round, cap), 140.0 - 64.0 + PI);
+        assert_near(with(Join::Miter, cap), 144.0 - 64.0);
+        assert_near(with(Join::Bevel, cap), 144.0 - 64.0 - 2.0);
+        assert_near(with(Join::Round, cap), 140.0 - 64.0 + PI);
     }
     let stroke = |width| read(square).stroke(width, &StrokeOptions::default());
     let outline = stroke(2.0).expect("few segments");
@@ -124,7 +124,7 @@ fn closed_paths_have_joins_instead_of_caps() {
 #[test]
 fn circles() {
     let circle = "M5 0A5 5 0 1 1 -5 0A5 5 0 1 1 5 0Z";
-    for join in [OffsetJoin::Miter, OffsetJoin::Bevel, OffsetJoin::Round] {
+    for join in [Join::Miter, Join::Bevel, Join::Round] {
         let with = |width| area(circle, width, &options(join, StrokeCap::Butt));
         assert_near(with(2.0), PI * (36.0 - 16.0));
         assert_near(with(12.0), PI * 121.0);
@@ -138,7 +138,7 @@ fn circles() {
 fn normals_beyond_the_centre_of_an_arc() {
     let sectors = 0.25 * PI * (169.0 + 9.0);
     for simple in [true, false] {
-        let options = options(OffsetJoin::Miter, StrokeCap::Butt).simple(simple);
+        let options = options(Join::Miter, StrokeCap::Butt).simple(simple);
         let arc = read("M5 0A5 5 0 0 1 0 5");
         let outline = arc.stroke(16.0, &options).expect("few segments");
         let area = outline.filled_area(FillRule::NonZero);
@@ -148,7 +148,7 @@ fn normals_beyond_the_centre_of_an_arc() {
 
 #[test]
 fn dashes_of_strokes() {
-    let options = |cap, dash: &[f64]| options(OffsetJoin::Miter, cap).dash(dash, 0.0);
+    let options = |cap, dash: &[f64]| options(Join::Miter, cap).dash(dash, 0.0);
     let dashes = area("M0 0H10", 2.0, &options(StrokeCap::Butt, &[3.0, 2.0]));
     assert_near(dashes, 12.0);
     // Dots: disks and squares along the path.

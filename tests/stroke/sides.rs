@@ -6,7 +6,7 @@ use casteljau::Path;
 use casteljau::curve::Curve;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
-use casteljau::spline::OffsetJoin;
+use casteljau::spline::Join;
 use std::f64::consts::PI;
 
 fn fine() -> StrokeOptions {
@@ -50,9 +50,9 @@ fn of_a_corner_with_each_join() {
             let inner: f64 = left + right - outer;
             let whole = (10.0 + outer).powi(2) - (10.0 - inner).powi(2);
             for (join, missing) in [
-                (OffsetJoin::Miter, 0.0),
-                (OffsetJoin::Bevel, 0.5 * outer * outer),
-                (OffsetJoin::Round, (1.0 - 0.25 * PI) * outer * outer),
+                (Join::Miter, 0.0),
+                (Join::Bevel, 0.5 * outer * outer),
+                (Join::Round, (1.0 - 0.25 * PI) * outer * outer),
             ] {
                 let result = sides(d, [left, right], &fine().join(join));
                 near(result.area(), whole - missing, 1e-4);
@@ -87,7 +87,7 @@ fn what_turns_back_has_the_wider_half_disk() {
         let (wide, narrow) = (left.max(right), left.min(right));
         let half_disk = 0.5 * PI * wide * wide;
         let area = 6.25 * (wide + narrow) + 2.25 * (wide - narrow) + half_disk;
-        let options = fine().join(OffsetJoin::Round);
+        let options = fine().join(Join::Round);
         // A curve and lines from 0 to 6.25 and back to 4.
         for d in ["M0 0Q10 0 4 0", "M0 0H6.25H4"] {
             near(sides(d, [left, right], &options).area(), area, 1e-4);

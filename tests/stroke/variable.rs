@@ -5,7 +5,7 @@ use crate::support::paths::path;
 use crate::support::{Rng, near, real};
 use casteljau::glam::DVec2;
 use casteljau::path::{
-    FillRule, OffsetJoin, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
+    FillRule, Join, StrokeCap, StrokeOptions, WidthInterpolation, WidthPosition, WidthProfile,
 };
 use casteljau::{Curve, Path, Spline};
 use std::f64::consts::{PI, TAU};
@@ -111,7 +111,7 @@ impl Discs {
 
 fn round(tolerance: f64) -> StrokeOptions {
     StrokeOptions::new()
-        .join(OffsetJoin::Round)
+        .join(Join::Round)
         .cap(StrokeCap::Round)
         .tolerance(tolerance)
 }
@@ -297,7 +297,7 @@ fn constant_profiles_are_plain_strokes() {
         let [a, b] =
             [DVec2::new(0.3, 0.1), DVec2::new(0.05, 0.5)].map(|by| end + by * size(&curve));
         let path = path(&format!("{curve} L{} {} L{} {}", a.x, a.y, b.x, b.y));
-        let join = [OffsetJoin::Miter, OffsetJoin::Round, OffsetJoin::Bevel][k % 3];
+        let join = [Join::Miter, Join::Round, Join::Bevel][k % 3];
         for cap in [StrokeCap::Butt, StrokeCap::Round, StrokeCap::Square] {
             let tolerance = 1e-3 * size(&path);
             let options = StrokeOptions::new()
@@ -611,7 +611,7 @@ fn corners_between_fast_changes_keep_their_disc() {
         ] {
             let profile = WidthProfile::new(&stops).at(WidthPosition::T);
             let discs = Discs::new(&bent, &profile);
-            for join in [OffsetJoin::Round, OffsetJoin::Miter, OffsetJoin::Bevel] {
+            for join in [Join::Round, Join::Miter, Join::Bevel] {
                 let options = round(1e-3).join(join);
                 let outline = bent.stroke_with(&profile, &options).expect("few segments");
                 for k in 0..200 {

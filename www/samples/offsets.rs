@@ -1,4 +1,4 @@
-use casteljau::path::{OffsetJoin, StrokeOptions};
+use casteljau::path::{Join, StrokeOptions};
 use casteljau::{Curve, Path, glam::DVec2};
 
 pub(crate) fn sample(out: &mut String) {
@@ -17,9 +17,9 @@ pub(crate) fn sample(out: &mut String) {
     // The outline of a stroke: offsets on both sides, a join, two caps.
     let line = Path::from_svg("M0 0H10V10").unwrap();
     for (name, join) in [
-        ("miter", OffsetJoin::Miter),
-        ("round", OffsetJoin::Round),
-        ("bevel", OffsetJoin::Bevel),
+        ("miter", Join::Miter),
+        ("round", Join::Round),
+        ("bevel", Join::Bevel),
     ] {
         let options = StrokeOptions::new().join(join);
         let outline = line.stroke(2.0, &options).unwrap();

@@ -1,14 +1,14 @@
 //! Arc length by numerical integration for any degree, and its inverse.
 
-use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
-use crate::bernstein::weights::binomial;
-use crate::curve::arc_length::speed::speed_integral;
 use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use crate::numeric::work_limit::WorkLimit;
-use crate::numeric::zero::{newton_in_bracket, regula_falsi};
+use casteljau_kernels::bernstein::de_casteljau::keep_between;
+use casteljau_kernels::bernstein::weights::binomial;
+use casteljau_kernels::curve::arc_length::speed::speed_integral;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::zero::{newton_in_bracket, regula_falsi};
 use glam::DVec3;
 
 /// Target error as a part of the length; the documented guarantee is 10⁻¹².

@@ -2,13 +2,13 @@
 
 use super::integral::ArcLengthTable;
 use crate::curve::Curve;
-use crate::curve::arc_length::plane_cubic::PlaneCubicInverse;
 use crate::curve::eval::check_segments;
 use crate::curve::hodograph::Hodograph;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
+use casteljau_kernels::curve::arc_length::plane_cubic::PlaneCubicInverse;
 
 /// Without a tolerance, the error of a length is this part of the whole: a few roundings of its sum.
 const DEFAULT_SLACK: f64 = 4.0 * f64::EPSILON;

@@ -6,11 +6,11 @@
 
 use super::integral::ArcLengthTable;
 use crate::curve::Curve;
-use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::curve::hodograph::Hodograph;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
+use casteljau_kernels::curve::arc_length::plane_cubic::plane_cubic_length;
 
 impl<P: Point> Curve<P> {
     /// The length of the curve from t = 0 to 1.

@@ -5,9 +5,9 @@
 //! boundary of a part. Chords inside a part need no test; those across a boundary are measured, and if one of them is too
 //! long, the boundary becomes a vertex.
 
-use crate::bernstein::de_casteljau::split_cubic_with;
 use crate::bernstein::evaluate::weigh4;
 use crate::geometry::point::{CrossProduct, Point};
+use casteljau_kernels::bernstein::de_casteljau::split_cubic_with;
 use casteljau_kernels::curve::chord_rates::{ChordRates, PARTS, rates_in_plane, rates_in_space};
 use std::ops::Range;
 

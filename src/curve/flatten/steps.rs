@@ -12,9 +12,9 @@
 //! curvature needs is halved. Source of the first bound: Wang, "The subdivision method for finding the intersection
 //! between two Bézier curves or surfaces" (1984).
 
-use crate::bernstein::de_casteljau::split_with;
 use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
+use casteljau_kernels::bernstein::de_casteljau::split_with;
 use glam::DVec3;
 
 /// A part is halved if that may save more than about half this number of steps: one is lost at each end.

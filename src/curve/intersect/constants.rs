@@ -11,8 +11,8 @@
 //! far from the origin. The number or the kinds of intersections change in at most 4 pairs, except for [`CONTACT`] (15
 //! with half of it, 7 with twice) and [`EQUAL_POINTS`] (17 and 8).
 
-pub(super) use super::clipping::CONTACT;
 use crate::bernstein::roots::DOUBLE_ROOT;
+pub(super) use casteljau_kernels::curve::intersect::clipping::CONTACT;
 
 // The slack.
 

@@ -7,9 +7,9 @@ use super::constants::{
 use super::pair::NormalizedPair;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::DOUBLE_ROOT;
-use crate::curve::intersect::clipping::Contact;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
+use casteljau_kernels::curve::intersect::clipping::Contact;
 
 /// A parameter interval on which two curves cannot be distinguished.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Intersections of two curves.
 //!
 //! [`pair`] moves both curves to the origin and scales them to size 1, so that one small distance, the slack, bounds
-//! the effect of rounding. The search in [`clipping`] cuts the curves down to crossings and to intervals of
+//! the effect of rounding. The search in the kernels (`clipping`) cuts the curves down to crossings and to intervals of
 //! contact; [`contact_interval`] joins contacts that belong together, and [`classify`] decides what an interval is: a
 //! tangency, an overlap, or crossings that are too close for the search.
 
@@ -14,8 +14,6 @@ mod near;
 mod pair;
 mod self_intersections;
 mod solve;
-
-pub(crate) use casteljau_kernels::curve::intersect::clipping;
 
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 

@@ -5,7 +5,6 @@ use super::constants::{
     TANGENCY_STEPS,
 };
 use super::pair::NormalizedPair;
-use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::with_derivatives::{CurveWithDerivatives, LAST_STEP};
@@ -13,6 +12,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
+use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use glam::DVec2;
 
 impl NormalizedPair {

@@ -1,14 +1,14 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
-use super::clipping::Contact;
 use super::constants::{INPUT_ROUNDING, MAX_PAIRS, MAX_PAIRS_PER_DEGREE, STEP_ROUNDING};
 use super::intersection::IntersectionKind;
 use crate::curve::elevate::elevate_once;
 use crate::curve::hodograph::derivative_zeros;
-use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
 use crate::geometry::bounds::Bounds;
 use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
+use casteljau_kernels::curve::intersect::clipping::Contact;
+use casteljau_kernels::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
 
 /// The parameters of an intersection, and its kind.

@@ -4,12 +4,12 @@ use super::super::Curve;
 use super::constants::{LOOP_HALVINGS, MAX_SEGMENTS, MIN_LOOP};
 use super::intersection::{Intersection, IntersectionKind, SelfIntersection};
 use super::pair::{ClassifiedContact, NormalizedPair};
-use crate::bernstein::de_casteljau::keep_between;
 use crate::curve::hodograph::{derivative_zeros, is_monotone_along_chord};
 use crate::curve::straight::Chord;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
+use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use glam::DVec2;
 
 impl Curve<DVec2> {

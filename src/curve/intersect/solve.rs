@@ -1,12 +1,12 @@
 //! The complete intersection of a pair of curves: search, classification, removal of duplicates.
 
 use super::super::Curve;
-use super::clipping::Contact;
 use super::constants::{ONE_PARAMETER, TWO_CROSSINGS};
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedContact, NormalizedPair, sort};
 use crate::bernstein::roots::DOUBLE_ROOT;
+use casteljau_kernels::curve::intersect::clipping::Contact;
 use glam::DVec2;
 
 impl NormalizedPair {

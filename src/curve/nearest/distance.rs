@@ -13,7 +13,7 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ratio, ulp};
 use crate::numeric::list::Points;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// The minimum distance of two curves and the parameters where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,7 +10,7 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::list::Points;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
 const MAX_LOCATIONS: usize = 600;

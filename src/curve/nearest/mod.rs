@@ -8,21 +8,19 @@ pub(crate) mod distance;
 mod hausdorff;
 mod segment_tree;
 
-pub(crate) use casteljau_kernels::curve::nearest::search;
-
 use super::Curve;
 use super::with_derivatives::CurveWithDerivatives;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::{max_of, roots_inside, sign_changes};
-use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::curve::nearest::search::{nearest_in_plane, nearest_in_space};
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// The point of a curve or of a spline that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]

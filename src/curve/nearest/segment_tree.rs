@@ -4,7 +4,7 @@ use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, points_of};
-use crate::numeric::order::range;
+use casteljau_kernels::numeric::order::range;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

@@ -10,7 +10,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
 /// The steps that the search for contacts may take: for each segment and for each contact that is found, and in addition
@@ -262,7 +262,7 @@ fn is_beside(a: &[DVec2], b: &[DVec2], epsilon: f64) -> bool {
     let margin = epsilon * (chord.x.abs() + chord.y.abs());
     let range = |points: &[DVec2]| {
         let heights = points.iter().map(|&p| chord.perp_dot(p - start));
-        crate::numeric::order::range(heights)
+        casteljau_kernels::numeric::order::range(heights)
     };
     let ((min_a, max_a), (min_b, max_b)) = (range(a), range(b));
     min_b > max_a + margin || max_b < min_a - margin

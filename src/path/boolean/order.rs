@@ -12,7 +12,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, Scalars, points_of};
 use crate::numeric::sort::sort_by;
-use crate::numeric::zero::regula_falsi;
+use casteljau_kernels::numeric::zero::regula_falsi;
 use glam::DVec2;
 
 /// An arc's direction is taken where it is this many times farther from the vertex than arcs end from each other.

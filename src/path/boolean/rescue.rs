@@ -22,7 +22,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio, unit_scale};
 use crate::numeric::list::{Points, points_of};
 use crate::numeric::sort::sort_by;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
 /// The larger side of the box around all outlines has 2²³ to 2²⁴ cells, or fewer where cells would be smaller than this

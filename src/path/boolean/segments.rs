@@ -200,7 +200,7 @@ impl Segments {
         let (from, to) = if t0 > t1 { (t1, t0) } else { (t0, t1) };
         if (from, to) != (0.0, 1.0) {
             let points = &self.list[segment].points;
-            crate::bernstein::de_casteljau::keep_between(part, from, to);
+            casteljau_kernels::bernstein::de_casteljau::keep_between(part, from, to);
             let last = part.len() - 1;
             // With the bits of `Segment::at`, so that the parts on both sides of a cut end in the same point.
             part[0] = evaluate(points, from);

@@ -14,7 +14,7 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use crate::path::Path;
-use crate::spline::{OffsetJoin, Spline};
+use crate::spline::{Join, Spline};
 use glam::DVec2;
 
 /// A vector whose component along a unit tangent is at most this part of the size is perpendicular to it.
@@ -85,7 +85,7 @@ fn covers(spline: &Spline<DVec2>, tangent: DVec2, p: DVec2, pen: &Pen) -> bool {
         let center = spline.control_points()[0];
         return in_cap(p - center, tangent, pen) || in_cap(p - center, -tangent, pen);
     };
-    if (pen.join, pen.cap) == (OffsetJoin::Round, StrokeCap::Round) {
+    if (pen.join, pen.cap) == (Join::Round, StrokeCap::Round) {
         let is_within = |points| nearest_on(points, p).distance <= pen.radius;
         let points = curves.iter().map(Curve::control_points);
         return points
@@ -125,7 +125,7 @@ fn in_join(before: &Curve<DVec2>, after: &Curve<DVec2>, p: DVec2, pen: &Pen) -> 
     if q.dot(from) < 0.0 || q.dot(to) > 0.0 {
         return false;
     }
-    if pen.join == OffsetJoin::Round {
+    if pen.join == Join::Round {
         return Point::norm(q) <= pen.radius;
     }
     // The outer side is the right one where the path turns left.

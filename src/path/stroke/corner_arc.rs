@@ -9,7 +9,7 @@ use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::work_limit::WorkLimit;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
 /// A joint is a corner if the sine of its turn is larger. This holds for turns of 0.06° to 179.94°.

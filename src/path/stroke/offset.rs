@@ -5,7 +5,7 @@ use super::{StrokeCap, StrokeOptions};
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::winding::FillRule;
-use crate::spline::OffsetJoin;
+use crate::spline::Join;
 
 /// Options of [`Path::offset`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +17,7 @@ use crate::spline::OffsetJoin;
 #[non_exhaustive]
 pub struct OffsetOptions {
     /// The joins at corners that the offset opens: `Miter` by default.
-    pub join: OffsetJoin,
+    pub join: Join,
     /// A miter that reaches farther from its corner than this many distances becomes a bevel: 4 by default.
     pub miter_limit: f64,
     /// The largest distance of the boundary from the exact one; the default is that of [`StrokeOptions`] for a stroke
@@ -28,7 +28,7 @@ pub struct OffsetOptions {
 impl Default for OffsetOptions {
     fn default() -> Self {
         Self {
-            join: OffsetJoin::Miter,
+            join: Join::Miter,
             miter_limit: 4.0,
             tolerance: None,
         }
@@ -44,7 +44,7 @@ impl OffsetOptions {
 
     /// Sets the joins at corners.
     #[must_use]
-    pub fn join(self, join: OffsetJoin) -> Self {
+    pub fn join(self, join: Join) -> Self {
         Self { join, ..self }
     }
 

@@ -3,7 +3,7 @@
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::Error;
 use crate::path::PathTime;
-use crate::spline::OffsetJoin;
+use crate::spline::Join;
 
 /// What the ends of open subpaths look like.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub enum StrokeCap {
 #[non_exhaustive]
 pub struct StrokeOptions {
     /// The joins at corners: `Miter` by default.
-    pub join: OffsetJoin,
+    pub join: Join,
     /// A miter that reaches farther from its corner than this many half widths becomes a bevel: 4 by default.
     pub miter_limit: f64,
     /// The caps: `Butt` by default.
@@ -60,7 +60,7 @@ pub struct StrokeOptions {
 impl Default for StrokeOptions {
     fn default() -> Self {
         Self {
-            join: OffsetJoin::Miter,
+            join: Join::Miter,
             miter_limit: 4.0,
             cap: StrokeCap::Butt,
             dash: Vec::new(),
@@ -80,7 +80,7 @@ impl StrokeOptions {
 
     /// Sets the joins at corners.
     #[must_use]
-    pub fn join(self, join: OffsetJoin) -> Self {
+    pub fn join(self, join: Join) -> Self {
         Self { join, ..self }
     }
 
@@ -197,7 +197,7 @@ pub(super) struct Pen {
     pub(super) radius: f64,
     /// The widths on the left and on the right, if they are different.
     pub(super) sides: Option<[f64; 2]>,
-    pub(super) join: OffsetJoin,
+    pub(super) join: Join,
     pub(super) miter_limit: f64,
     pub(super) cap: StrokeCap,
     pub(super) tolerance: f64,
@@ -225,7 +225,7 @@ impl Pen {
         let twice = 1.0 + cos;
         let within = twice * self.miter_limit * self.miter_limit >= 2.0;
         let reach = radius / twice;
-        (self.join == OffsetJoin::Miter && within && reach <= 0.125 * MAX_COORDINATE * self.unit)
+        (self.join == Join::Miter && within && reach <= 0.125 * MAX_COORDINATE * self.unit)
             .then_some(reach)
     }
 }

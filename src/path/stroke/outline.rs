@@ -17,10 +17,10 @@ use super::side::Side;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::path::Path;
-use crate::spline::OffsetJoin;
+use crate::spline::Join;
 use crate::spline::offset::SMOOTH_PART;
-use crate::spline::offset::offset_curve::add_arc;
 use crate::spline::spline_builder::SplineBuilder;
+use casteljau_kernels::spline::offset::offset_curve::add_arc;
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -155,7 +155,7 @@ impl<'a> Outline<'a> {
         let radius = to.radius_of(outer);
         let normals = [before_turn.normal(outer), to.normal(outer)];
         let has_sides = to.slope.abs() < 1.0;
-        if !is_corner || pen.join == OffsetJoin::Round || !has_sides {
+        if !is_corner || pen.join == Join::Round || !has_sides {
             let turn = sin.atan2(before_turn.tangent.dot(to.tangent));
             // The arc goes around the outer side; rounding decides the sign of a sine near 0.
             let turn = match is_left_turn {

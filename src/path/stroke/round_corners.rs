@@ -6,10 +6,10 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_tolerance, clamp_to_limit};
 use crate::geometry::error::Error;
 use crate::numeric::float::as_f64;
-use crate::numeric::order::larger;
 use crate::numeric::sort::sort_by;
 use crate::path::{Path, PathTime, Subpath};
-use crate::spline::offset::offset_curve::add_arc;
+use casteljau_kernels::numeric::order::larger;
+use casteljau_kernels::spline::offset::offset_curve::add_arc;
 use glam::DVec2;
 
 /// The largest distance of the cubics from an arc, as a part of its radius.

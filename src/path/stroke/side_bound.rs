@@ -3,8 +3,8 @@
 
 use super::section::{Disc, SectionEvaluator};
 use crate::geometry::point::Point;
-use crate::numeric::work_limit::WorkLimit;
 use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use casteljau_kernels::spline::offset::side_bound::side_bound;
 use glam::{DVec2, DVec3};
 

@@ -8,9 +8,9 @@ use super::section::{CHEBYSHEV_NODES, Compared, Disc, Run, SectionEvaluator};
 use super::side_bound::{Pair, SideBound, foot_step};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::work_limit::WorkLimit;
 use crate::spline::spline_builder::SplineBuilder;
 use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
 /// Maximum depth of halvings of a side: a limit for the recursion; its work has one of its own.

@@ -6,15 +6,15 @@
 //! reverses, at a cusp or at a turn of a straight curve, N jumps to the other side; a half circle about that point,
 //! around its outside, joins the two sides.
 
-use super::offset_curve::{OffsetCurve, Source, add_arc};
 use crate::curve::Curve;
 use crate::geometry::check::{MAX_COORDINATE, check_tolerance};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
-use crate::numeric::work_limit::WorkLimit;
 use crate::spline::Spline;
 use crate::spline::spline_builder::SplineBuilder;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
+use casteljau_kernels::spline::offset::offset_curve::{OffsetCurve, Source, add_arc};
 use glam::DVec2;
 use std::f64::consts::PI;
 

@@ -1,8 +1,8 @@
 //! Offset curves of splines.
+//!
+//! In the kernels, where an offset spends its time: the cubics along the offset of one curve, and their bound.
 
 pub(crate) mod curve;
-
-pub(crate) use casteljau_kernels::spline::offset::offset_curve;
 
 use super::Spline;
 use super::spline_builder::SplineBuilder;
@@ -19,7 +19,7 @@ use glam::DVec2;
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "lowercase")
 )]
-pub enum OffsetJoin {
+pub enum Join {
     /// A circular arc about the corner: all its points have the offset distance from it.
     #[default]
     Round,
@@ -50,7 +50,7 @@ impl Spline<DVec2> {
     ///
     /// # Errors
     /// As [`Curve::offset`].
-    pub fn offset(&self, distance: f64, join: OffsetJoin) -> Result<Self, Error> {
+    pub fn offset(&self, distance: f64, join: Join) -> Result<Self, Error> {
         self.offset_by(distance, join, None)
     }
 
@@ -58,21 +58,11 @@ impl Spline<DVec2> {
     ///
     /// # Errors
     /// As [`Curve::offset_within`].
-    pub fn offset_within(
-        &self,
-        distance: f64,
-        join: OffsetJoin,
-        tolerance: f64,
-    ) -> Result<Self, Error> {
+    pub fn offset_within(&self, distance: f64, join: Join, tolerance: f64) -> Result<Self, Error> {
         self.offset_by(distance, join, Some(tolerance))
     }
 
-    fn offset_by(
-        &self,
-        distance: f64,
-        join: OffsetJoin,
-        tolerance: Option<f64>,
-    ) -> Result<Self, Error> {
+    fn offset_by(&self, distance: f64, join: Join, tolerance: Option<f64>) -> Result<Self, Error> {
         let curves: Vec<Curve<DVec2>> = self.segments().collect();
         offset_of_curves(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)
     }
@@ -84,7 +74,7 @@ pub(crate) fn offset_of_curves(
     closed: bool,
     distance: f64,
     tolerance: Option<f64>,
-    join: OffsetJoin,
+    join: Join,
 ) -> Result<SplineBuilder, Error> {
     let largest = curves.iter().map(Curve::max_abs).fold(0.0, f64::max);
     let box_of = || {
@@ -131,15 +121,15 @@ impl SplineBuilder {
         to: DVec2,
         distance: f64,
         tolerance: f64,
-        join: OffsetJoin,
+        join: Join,
     ) {
-        if join == OffsetJoin::Round {
+        if join == Join::Round {
             return self.add_arc_about(corner, from, to, distance, tolerance);
         }
         let outside = from.perp_dot(to) * distance < 0.0;
         // The tip is 1/cos(θ/2) distances away, and 1 + cos θ = 2cos²(θ/2).
         let twice = 1.0 + from.dot(to);
-        if join == OffsetJoin::Miter && outside && twice * MITER_LIMIT * MITER_LIMIT >= 2.0 {
+        if join == Join::Miter && outside && twice * MITER_LIMIT * MITER_LIMIT >= 2.0 {
             self.line_to(corner + (from + to).perp() * (distance / twice));
         }
         self.line_to(corner + to.perp() * distance);
