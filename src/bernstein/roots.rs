@@ -32,6 +32,7 @@ pub(crate) fn roots_inside(coefficients: &[f64]) -> Scalars {
     let mut roots = Scalars::new();
     match *coefficients {
         [_] => {}
+        // t = a/(a − b), with halves so that the difference does not overflow.
         [a, b] => push_inside(&mut roots, 0.5 * a / (0.5 * a - 0.5 * b)),
         [a, b, c] => {
             for t in quadratic_roots([a, b, c]) {
@@ -125,10 +126,12 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
             return;
         }
         match (last_nonzero, smallest) {
+            // Values between these two that count as zero belong to the crossing.
             (Some((before, old)), _) if (old < 0.0) != (height < 0.0) => {
                 report(ZeroCrossing::Cross(polynomial.refine_root(before, t, old)));
             }
             (Some(_), Some((lowest, _))) => report(ZeroCrossing::Touch(lowest)),
+            // All values since t = 0 count as zero: the contact is the end.
             (None, Some(_)) => report(ZeroCrossing::Touch(0.0)),
             _ => {}
         }
@@ -146,6 +149,7 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
 }
 
 fn push_inside(roots: &mut Scalars, t: f64) {
+    // NaN fails the comparisons; equal roots are added once.
     if t > 0.0 && t < 1.0 && roots.last().is_none_or(|&last| last < t) {
         roots.push(t);
     }
@@ -161,7 +165,9 @@ pub(crate) fn crossings_of_quadratic(coefficients: [f64; 3], slack: f64) -> Scal
     }
     let scale = unit_scale(max_of(&coefficients));
     let [a, b, c] = coefficients.map(|x| x * scale);
+    // The root of (b − a)(1 − t) + (c − b)t; it is infinite or NaN for a linear polynomial or a constant.
     let extremum = (a - b) / ((a - b) + (c - b));
+    // Without an extremum the start is visited twice, which changes nothing.
     let mut visited = [[0.0, a], [0.0, a], [1.0, c]];
     if extremum > 0.0 && extremum < 1.0 {
         // There both steps of de Casteljau's algorithm give the same value.
@@ -179,6 +185,7 @@ pub(crate) fn crossings_of_quadratic(coefficients: [f64; 3], slack: f64) -> Scal
         let [from, old] = before;
         if (value < 0.0) != (old < 0.0) {
             let root = roots.into_iter().find(|root| (from..=t).contains(root));
+            // Rounding may move the root of the formula out of its bracket.
             let root = root.unwrap_or_else(|| polynomial().refine_root(from, t, old));
             push_inside(&mut crossings, root);
         }
@@ -239,6 +246,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
     while let Some((lo, hi)) = spans.pop() {
         let from = pieces.len() - count;
         let piece = &pieces[from..];
+        // A root at a cut belongs to the interval that starts there; one at 0 is not inside.
         if piece[0] == 0.0 {
             push_inside(roots, lo);
         }
@@ -254,6 +262,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
             pieces.truncate(from);
             continue;
         }
+        // The right half replaces the whole, and the left half follows it, so that it is processed first.
         pieces.extend_from_within(from..);
         let (right, left) = pieces[from..].split_at_mut(count);
         halve(left, right);
@@ -289,6 +298,7 @@ impl Polynomial {
         let mut binomial = 1.0;
         let weigh = |(i, b): (usize, &f64)| {
             let weighted = b * binomial;
+            // C(n, i + 1) = C(n, i) · (n − i)/(i + 1).
             binomial *= ratio(n - i, i + 1);
             weighted
         };
@@ -307,17 +317,20 @@ impl Polynomial {
         } else {
             self.0.iter().rev().fold(0.0, step)
         };
+        // The common factor tⁿ or (1 − t)ⁿ.
         (1..self.0.len()).fold(sum, |value, _| value * large)
     }
 
     /// The only root in (lo, hi), where the sign at lo is that of `before`.
     fn refine_root(&self, lo: f64, hi: f64, before: f64) -> f64 {
         if let [a, b, c] = *self.0 {
+            // The middle coefficient contains the binomial coefficient 2.
             let mut roots = quadratic_roots([a, 0.5 * b, c]).into_iter();
             if let Some(root) = roots.find(|&t| lo <= t && t <= hi) {
                 return root;
             }
         }
+        // `regula_falsi` expects a positive value at lo.
         let sign = 1.0_f64.copysign(before);
         let value = |t: f64| sign * self.at(t);
         regula_falsi([lo, hi], [value(lo), value(hi)], 0.0, value)

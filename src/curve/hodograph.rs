@@ -65,10 +65,13 @@ impl<P: Point> Hodograph<P> {
         if self.unit == 0.0 || m == 0 {
             return Scalars::new();
         }
+        // B′·B″ up to a positive factor.
         let rate = product_of(m, m - 1, |i, j| vectors[i].dot(vectors[j + 1] - vectors[j]));
+        // The rounding of `at`: that of the control points, and that of the evaluation, which grows with the degree.
         let slack = 8.0 * (m + 2) as f64 * (rounding / self.unit + f64::EPSILON);
         let at = |t: f64| evaluate(vectors, t);
         let is_cusp = |t: f64| {
+            // A probe may lie outside [0, 1]; the polynomial continues there.
             at(t).norm() <= slack && at(t - CUSP_PROBE_STEP).dot(at(t + CUSP_PROBE_STEP)) < 0.0
         };
         let stops = roots_inside(&rate).into_iter();
@@ -84,6 +87,7 @@ pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
     }
     let vectors: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
     let max = VANISHING_RATIO * max_abs(&vectors);
+    // Both coordinates are searched, because one of them may be 0 everywhere.
     for axis in 0..2 {
         let row: Scalars = vectors.iter().map(|p| p.coordinate(axis)).collect();
         let still = |&t: &f64| evaluate(&vectors, t).max_abs() <= max;
@@ -99,10 +103,12 @@ pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
 fn has_no_derivative_zero(points: &[DVec2]) -> bool {
     let edge = |i: usize| points[i + 1] - points[i];
     let (resultant, size) = match points.len() {
+        // The resultant is e × f; its size is compared with e·f = e × f⊥.
         3 => (edge(0).perp_dot(edge(1)), edge(0).perp_dot(edge(1).perp())),
         4 => {
             let (e, f, g) = (edge(0), edge(1), edge(2));
             let (ef, eg, fg) = (e.perp_dot(f), e.perp_dot(g), f.perp_dot(g));
+            // The resultant is (e × g)² − 4 (e × f)(f × g).
             let product = 4.0 * ef * fg;
             let max = e.max_abs().max(f.max_abs()).max(g.max_abs());
             (eg * eg - product, max * max * max * max)
@@ -115,6 +121,7 @@ fn has_no_derivative_zero(points: &[DVec2]) -> bool {
 /// Whether no control edge points against the chord; then the curve passes no point twice.
 pub(crate) fn is_monotone_along_chord(points: &[DVec2]) -> bool {
     let chord = points[points.len() - 1] - points[0];
+    // Then B′·chord has no negative Bernstein coefficient and at least one positive one, so it is positive in (0, 1).
     chord != DVec2::ZERO && points.windows(2).all(|p| (p[1] - p[0]).dot(chord) >= 0.0)
 }
 
@@ -139,6 +146,7 @@ fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Cl
         .map(|p| Point::max_abs(step(p)))
         .fold(0.0, f64::max);
     let rounding = ROUNDING_ULPS * f64::EPSILON * Point::max_abs(from);
+    // At most half of the largest distance, so that one of the points is far enough unless all are equal.
     let negligible = rounding.clamp(NO_HANDLE * far, 0.5 * far);
     let mut steps = others.map(step);
     steps

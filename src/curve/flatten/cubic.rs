@@ -32,6 +32,7 @@ struct Taylor<P> {
 impl<P: Point> Taylor<P> {
     /// The expansion at 0 of the curve with the given control points times `scale`.
     fn of([p0, p1, p2, p3]: [P; 4], scale: f64) -> Self {
+        // D₁ = 3 ΔP₀, D₂ = 3 Δ²P₀, D₃ = Δ³P₀.
         let (e0, e1, e2) = ((p1 - p0) * scale, (p2 - p1) * scale, (p3 - p2) * scale);
         Self {
             first: e0 * 3.0,
@@ -83,14 +84,18 @@ impl<P: Point> Taylor<P> {
             third,
             ..
         } = *self;
+        // (B(t + σs) − B(t)) × (D₁ + sD₂ + s²D₃) = s²σ(1 − σ) (a + bs(1 + σ) + cs²σ). `start` and `end` are its last
+        // factor for σ = 0 and 1.
         let (a, b, c) = (first.cross(second), first.cross(third), second.cross(third));
         let start = a + b * s;
         let end = start + (b + c * s) * s;
+        // The chord divided by s.
         let chord = first + (second + third * s) * s;
         let (leaves, arrives) = (first.dot(chord), self.derivative(s).dot(chord));
         let square = chord.dot(chord);
-        // Then the four control points are in order along the chord.
+        // Then the inner control points are between the ends along the chord, and so is the curve.
         let is_inside = leaves.min(arrives) >= 0.0 && leaves.max(arrives) <= 3.0 * square;
+        // σ(1 − σ) ≤ ¼, so the distance is at most s²/4 · max(|start|, |end|) / |chord|.
         let farthest = s * s * s * s * start.size_squared().max(end.size_squared());
         square > 0.0 && is_inside && farthest <= 16.0 * tolerance * tolerance * square
     }
@@ -167,6 +172,7 @@ impl<P: Point> CubicParts<P> {
     )]
     pub(super) fn walk(&self, vertex: &mut impl FnMut(f64, P)) {
         let chords = self.chord_count();
+        // Each chord gets the same share of the integral, at most 1.
         let (share, per_share) = (self.sum / chords, chords / self.sum);
         let mut remaining = chords as u32 - 1;
         // The last vertex, the first boundary after it, and the integral of the rates up to the next vertex.
@@ -180,6 +186,7 @@ impl<P: Point> CubicParts<P> {
                 left -= within;
                 continue;
             }
+            // The rate is constant in a part, so its vertices are equal steps in t apart.
             let per_rate = 1.0 / rate;
             let (first, step) = (left * per_rate, share * per_rate);
             // A vertex may be at a boundary, before or after rounding.
@@ -207,6 +214,7 @@ impl<P: Point> CubicParts<P> {
         boundaries: Range<usize>,
         vertex: &mut impl FnMut(f64, P),
     ) {
+        // A chord without a boundary inside keeps the tolerance, because of the rate of its part.
         if let Some(before) = boundaries.clone().next().map(|first| first - 1) {
             let at = self.parts[before].moved(from - before as f64 * LENGTH);
             if !at.chord_is_within(to - from, self.tolerance) {

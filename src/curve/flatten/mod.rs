@@ -108,6 +108,7 @@ impl<P: Point> Curve<P> {
             1.0 / size
         };
         let straight = (STRAIGHT_ULPS * ulp(size)).max(NEARLY_STRAIGHT * tolerance);
+        // The quick test is only used where its squares of products are in the range of f64.
         if !(scale == 1.0 && self.is_clearly_bent(straight))
             && let Some(turns) = self.turns_of_straight(tolerance)
         {
@@ -120,6 +121,7 @@ impl<P: Point> Curve<P> {
                 if length == 1.0 {
                     return parts.walk(vertex);
                 }
+                // The curve is halved: later parts start with a vertex, and vertices are points of the whole curve.
                 if from > 0.0 {
                     vertex(from, self.eval(from));
                 }
@@ -131,6 +133,7 @@ impl<P: Point> Curve<P> {
             let mut k = 1.0;
             while k <= steps.count {
                 let t = steps.from + steps.length * (k / steps.count);
+                // The caller adds the end of the curve.
                 if t < 1.0 {
                     vertex(t, self.eval(t));
                 }
@@ -167,6 +170,8 @@ impl<P: Point> Curve<P> {
     /// A quick test that the control points are not within a distance w of a common line: its angle with the line
     /// through the end points would be at most 2w / |chord|.
     fn is_clearly_bent(&self, w: f64) -> bool {
+        // Across the line, chord and gap are at most 2w long, so |chord × gap| ≤ 2w (|chord| + |gap|). The square of
+        // this is at most 8w² (|chord|² + |gap|²).
         let start = self.start();
         let chord = self.end() - start;
         self.points.iter().any(|&p| {

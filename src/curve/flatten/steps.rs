@@ -61,6 +61,7 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
     ) {
         let n = self.degree;
         let (steps, min_squared) = self.steps_and_min_squared(&points[..=n]);
+        // The possible saving is steps − min = (steps² − min²) / (steps + min).
         let waste_squared = steps * steps - min_squared;
         let is_flat = steps <= 1.0 || is_flat(&points[..=n], self.tolerance);
         if is_flat || waste_squared <= WASTE * steps || halvings == PART_HALVINGS {
@@ -81,6 +82,7 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
     /// The number of steps that is enough, and the square of an estimate of the smallest number that is possible.
     fn steps_and_min_squared(&self, points: &[DVec3]) -> (f64, f64) {
         let n = points.len() - 1;
+        // The control vectors of B′ and of B″.
         let (mut v, mut g) = ([DVec3::ZERO; MAX_DEGREE], [DVec3::ZERO; MAX_DEGREE]);
         for i in 0..n {
             v[i] = (points[i + 1] - points[i]) * n as f64;
@@ -95,6 +97,7 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         for &v in &v[..n] {
             let ahead = v.dot(chord);
             along = along.min(ahead);
+            // |Vⱼ·d| ≥ |Vⱼ|/√2 for the direction d of the chord; `along` gives the sign.
             is_narrow &= 2.0 * ahead * ahead >= v.dot(v) * square;
             speeds += v.dot(v);
         }
@@ -107,9 +110,12 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         }
         let mut squared = bend.sqrt();
         if is_narrow && along > 0.0 {
+            // max |Gᵢ × Vⱼ| / min Vⱼ·d.
             squared = squared.min(turn.sqrt() * square.sqrt() / along);
         }
+        // An estimate of |B″ × B′| / |B′|: the mean of |Gᵢ × Vᵢ| divided by the root mean square of |Vⱼ|.
         let min_squared = turn_sum / ((n - 1) as f64 * (speeds / n as f64).sqrt());
+        // Steps h = 1/N keep the tolerance if h²/8 · bound ≤ tolerance, so N² = bound / (8 · tolerance).
         (
             (squared * self.per_tolerance).sqrt(),
             min_squared * self.per_tolerance,

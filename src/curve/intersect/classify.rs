@@ -26,6 +26,7 @@ impl NormalizedPair {
         if let Some(overlap) = self.overlap(interval) {
             return locations.push(overlap);
         }
+        // The parameter of an end or a stop is known, so it is preferred to other points of the interval.
         if let Some((t, u)) = self.end_in(interval) {
             return locations.push(self.with_kind(t, u));
         }
@@ -43,6 +44,7 @@ impl NormalizedPair {
             self.crossing(location)
                 .filter(|&location| interval.holds(location))
         };
+        // Newton's method from both ends of the interval finds two crossings that are too close for the search, or one.
         match self.paired(interval).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
                 let cross = |times| ClassifiedContact::new(times, IntersectionKind::Cross);
@@ -108,6 +110,7 @@ impl NormalizedPair {
     fn is_long(&self, curve: usize, [from, to]: [f64; 2]) -> bool {
         let points = &self.curves[curve];
         let start = evaluate(points, from);
+        // The end alone is not enough: the segment may return to its start.
         [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
             let t = from + part * (to - from);
             (evaluate(points, t) - start).max_abs() > MIN_OVERLAP * self.slack
@@ -189,6 +192,7 @@ impl NormalizedPair {
                 1.0 / Point::norm(self.with_derivatives(k).derivatives(t)[0]),
             )
         });
+        // At a zero of the derivative 1/speed is infinite, and `HIDDEN_TURN` is the limit.
         let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
         if directed && a.0.perp_dot(b.0).abs() <= turned {

@@ -91,7 +91,9 @@ impl ContactInterval {
         if gap_t <= ONE_END_OF_CONTACTS && gap_u.abs() <= ONE_END_OF_CONTACTS {
             return true;
         }
+        // The end of the range that faces the next contact.
         let from = if gap_u > 0.0 { end[1] } else { end[0] };
+        // Neither curve may turn back in the gap, and both must be in contact in it.
         gap_t < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
             && !pair.turns_back(0, self.t[1], t)
@@ -110,6 +112,7 @@ impl ContactInterval {
         if self.direction == 0.0 {
             self.direction = next.direction;
         }
+        // The result is only one crossing if both are the same one, found in two segments.
         let one = self.t[1] - self.t[0] <= ONE_CROSSING && self.u[1] - self.u[0] <= ONE_CROSSING;
         self.crossing &= next.crossing && one;
         if next.t[1] > self.last.t[1] {

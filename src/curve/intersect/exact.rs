@@ -19,6 +19,7 @@ impl NormalizedPair {
     /// The intersections of two lines. If they overlap, the ends of the overlap are ends of the lines.
     pub(crate) fn lines(&self) -> Vec<ClassifiedContact> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
+        // Collects the ends of each line that lie on the other one.
         for end in [0.0, 1.0] {
             for location in [self.foot(1, end), self.foot(0, end)] {
                 if self.coincide(location) {
@@ -62,6 +63,7 @@ impl NormalizedPair {
             (from * to < 0.0).then(|| from / (from - to))
         };
         let (t, u) = (part(0)?, part(1)?);
+        // At a small angle u is inaccurate; the point of B nearest to A(t) may still agree.
         let beside = self.project_onto_b(t, u);
         [(t, u), beside]
             .into_iter()
@@ -91,6 +93,7 @@ impl NormalizedPair {
         }
         for t in [0.0, 1.0] {
             for u in [0.0, 1.0] {
+                // Ends at exactly the same point intersect, even if the search has not found an intersection there.
                 if evaluate(&self.curves[0], t) == evaluate(&self.curves[1], u) {
                     self.merge(&mut locations, (t, u), true);
                 }
@@ -177,6 +180,7 @@ impl NormalizedPair {
     fn one_crossing_each(&self, locations: &mut Vec<ClassifiedContact>) {
         let mut k = 1;
         let mut first = 0;
+        // The crossings first … k − 1 are one run: each is continued into the next.
         while k < locations.len() {
             if self.is_continued(locations[k - 1], locations[k]) {
                 let (p, q) = (locations[first], locations[k]);
@@ -186,6 +190,7 @@ impl NormalizedPair {
                     let times = self.between(p, q);
                     locations[first] = ClassifiedContact::new(times, self.kind_between(p, q));
                     locations.drain(first + 1..=k);
+                    // The crossing after the merged one starts a new run.
                     k = first + 1;
                     first = k;
                     k += 1;
@@ -232,6 +237,7 @@ impl NormalizedPair {
 
     /// A crossing if the sides before and after differ, otherwise a tangency.
     fn kind_between(&self, p: ClassifiedContact, q: ClassifiedContact) -> IntersectionKind {
+        // The sides are determined outside the run, at first at twice its length in t from its ends.
         let (before, after) = (self.side(p, p.t - q.t), self.side(q, q.t - p.t));
         if before * after > 0.0 {
             IntersectionKind::Tangent
@@ -253,6 +259,7 @@ impl NormalizedPair {
             let (_, u) = self.project_onto_b(at, u);
             let [b, direction, _] = of_b.jet(u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
+            // The signed distance of A from the tangent of B, positive on its left.
             let height = Point::unit(direction).perp_dot(gap);
             if height.abs() > CLEAR_HEIGHT * self.slack {
                 return height.signum();

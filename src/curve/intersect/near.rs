@@ -30,6 +30,7 @@ impl NormalizedPair {
     pub(crate) fn height(&self, t: f64, u: f64) -> f64 {
         let [of_a, of_b] = self.both();
         let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
+        // At a zero of B′ the direction of A is used.
         let direction = if db == DVec2::ZERO { da } else { db };
         match Point::unit(direction) {
             DVec2::ZERO => Point::norm(a - b),
@@ -97,6 +98,7 @@ impl NormalizedPair {
         let [of_a, of_b] = self.both();
         for _ in 0..CROSSING_STEPS {
             let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
+            // The cross products of A + dt A′ = B + du B′ with B′ and with A′ give dt and du.
             let determinant = da.perp_dot(db);
             let (dt, du) = (
                 (b - a).perp_dot(db) / determinant,
@@ -126,6 +128,7 @@ impl NormalizedPair {
                 // A multiple root cannot be determined more accurately.
                 break;
             }
+            // The partial derivatives of both functions; the step follows by Cramer's rule.
             let (cross_t, cross_u) = (dda.perp_dot(db), da.perp_dot(ddb));
             let (ahead_t, ahead_u) = (da.dot(da) + (a - b).dot(dda), -db.dot(da));
             let det = cross_t * ahead_u - cross_u * ahead_t;

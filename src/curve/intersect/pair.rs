@@ -57,6 +57,7 @@ impl NormalizedPair {
         }
         let origin = a[0];
         let spread = (max - origin).abs().max((min - origin).abs());
+        // A power of two does not round; the spread times the scale is between ½ and 1.
         let scale = 0.5 * unit_scale(spread.max_element());
         let normalized = |p: &DVec2| (*p - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
@@ -64,6 +65,7 @@ impl NormalizedPair {
             a.iter().map(normalized).collect(),
             b.iter().map(normalized).collect(),
         );
+        // Differences of finite coordinates may overflow.
         if !a.iter().chain(&b).all(|p| p.is_finite()) {
             return None;
         }
@@ -85,6 +87,7 @@ impl NormalizedPair {
         let [a, b] = &self.curves;
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
+            // Lower degrees are elevated to 3, for which the search is compiled with arrays.
             let whole = [cubic(a), cubic(b)];
             let mut solver = ClippingSolver::new(whole, self.slack, MAX_PAIRS);
             for (i, j) in pairs {

@@ -52,6 +52,7 @@ impl Curve<DVec2> {
             Intersection {
                 t,
                 u,
+                // B(0) and B(1) are exact: control points.
                 point: self.eval(if u == 1.0 { 1.0 } else { t }),
                 kind: location.kind,
             }
@@ -69,6 +70,7 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
     let b = (p[2] - p[1]) * 3.0 - c;
     let a = p[3] - p[0] - c - b;
     let (ab, ac, bc) = (a.perp_dot(b), a.perp_dot(c), b.perp_dot(c));
+    // (u − t)² = σ² − 4π = 4 (b×c)/(a×b) − 3σ²; NaN if this is negative. The midpoint is σ/2.
     let spread = (4.0 * bc * ab - 3.0 * ac * ac).sqrt() / ab.abs();
     let middle = -0.5 * ac / ab;
     let (t, u) = (middle - 0.5 * spread, middle + 0.5 * spread);
@@ -100,6 +102,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedContact> {
         let gap = boxes[i].min.max(boxes[j].min) - boxes[i].max.min(boxes[j].max);
         gap.max_element() <= pair.slack
     };
+    // A segment that is monotone along its chord does not intersect itself, so i < j is enough.
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let pairs = pairs.filter(touch);
     let (found, _) = pair.search(&cuts, &cuts, pairs);

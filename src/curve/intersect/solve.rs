@@ -35,6 +35,7 @@ impl NormalizedPair {
         if self.derivative_zeros.iter().all(|zeros| zeros.is_empty()) {
             self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
         } else {
+            // The curves are cut at the zeros of B′, so that cusps and reversals are ends of segments.
             let [cuts_a, cuts_b] = self
                 .derivative_zeros
                 .each_ref()
@@ -69,6 +70,7 @@ impl NormalizedPair {
 /// duplicates.
 fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
     sort(&mut locations, |p, q| p.t < q.t);
+    // If two t differ only by rounding, u decides their order.
     for k in 1..locations.len() {
         if locations[k].t - locations[k - 1].t <= ONE_PARAMETER {
             locations[k].t = locations[k - 1].t;
@@ -77,6 +79,7 @@ fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
     sort(&mut locations, |p, q| p.times() < q.times());
     let mut kept: Vec<ClassifiedContact> = Vec::with_capacity(locations.len());
     for &location in &locations {
+        // An intersection at a cut may be found in the segments on both sides.
         let again = kept
             .iter()
             .rev()

@@ -21,12 +21,14 @@ impl<C: Coefficients> ClippingSolver<C> {
         };
         let b = if forwards { b.clone() } else { b.reversed() };
         let (a, b) = (a.turned(direction), b.turned(direction));
+        // Now no edge points against x (up to the slack), so x is monotone along both segments.
         let n = a.last();
         let from = a.x.get()[0].max(b.x.get()[0]);
         let to = a.x.get()[n].min(b.x.get()[n]);
         if to < from - self.slack {
             return true;
         }
+        // The ranges of x may miss each other by rounding.
         let to = to.max(from);
         let common = |p: &Piece<C>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
         self.compare(&common(&a), &common(&b));
@@ -48,10 +50,12 @@ impl<C: Coefficients> ClippingSolver<C> {
         if max <= contact && min >= -contact {
             return self.record_contact(a, b);
         }
+        // If one graph is steeper than the other everywhere, their height difference is monotone.
         let one_crossing = slopes_a.0 > slopes_b.1 || slopes_a.1 < slopes_b.0;
         if one_crossing && self.meet_once(a, b, &heights) {
             return;
         }
+        // Both are cut at the same x, so that the halves span the same x again.
         let (before_a, after_a) = a.split(SPLIT);
         let x = after_a.x.get()[0];
         let (before_b, after_b) = b.split(time_at(b.x.get(), x));
@@ -63,6 +67,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     fn meet_once(&mut self, a: &Piece<C>, b: &Piece<C>, heights: &Heights) -> bool {
         let (start, end) = (heights.start, heights.end);
         if start * end < 0.0 {
+            // Newton's method starts where a linear height difference would be 0.
             let s = start / (start - end);
             let found = self.newton(a, b, s, s);
             found.is_some_and(|contact| {
@@ -70,6 +75,7 @@ impl<C: Coefficients> ClippingSolver<C> {
                 true
             })
         } else {
+            // Without a change of sign, a monotone height is nearest to 0 at one of the ends.
             if start.abs().min(end.abs()) <= self.slack {
                 let s = if start.abs() <= end.abs() { 0.0 } else { 1.0 };
                 let (t, u) = (a.at(s), b.at(s));
@@ -102,6 +108,7 @@ fn common_direction<C: Coefficients>(
         (0..p.last()).all(|i| {
             let [x, y] = p.edge(i);
             let forward = sign * (x * direction[0] + y * direction[1]);
+            // Rounding determines the direction of an edge below the slack.
             forward >= cross_product(direction, [x, y]).abs() || x.abs().max(y.abs()) <= slack
         })
     };
@@ -116,6 +123,7 @@ fn normalized([x, y]: [f64; 2]) -> Option<[f64; 2]> {
 /// The smallest and the largest slope of the control edges, which bound the slopes of the curve.
 #[inline(always)]
 fn slopes<C: Coefficients>(p: &Piece<C>) -> (f64, f64) {
+    // dy/dx is a weighted mean of the slopes of the edges; the weights, Bᵢ(s) times the x of edge i, are not negative.
     let edges = (0..p.last()).map(|i| p.edge(i));
     let (min, max) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
     // All edges have zero extent: treat the segment as level.
@@ -141,6 +149,7 @@ fn heights<C: Coefficients>(a: &Piece<C>, b: &Piece<C>, sa: (f64, f64), sb: (f64
         let ([ax, ay], [bx, by]) = (a.point(i), b.point(i));
         (ay - by) - mean * (ax - bx)
     };
+    // |A_x − B_x| is at most its largest Bernstein coefficient.
     for i in 0..=n {
         let difference = (a.x.get()[i] - b.x.get()[i]).abs();
         if difference > ahead {

@@ -18,12 +18,15 @@ pub(super) fn clip<C: Coefficients>(a: &Piece<C>, b: &mut Piece<C>, slack: f64) 
             dx = 1.0;
         }
     }
+    // The signed distance from the line through point 0 along (dx, dy), times the length of (dx, dy).
     let side = |[x, y]: [f64; 2]| dx * (y - y0) - dy * (x - x0);
     let (min, max) = range((1..n + 1).map(|i| side(a.point(i))));
     let (min, max) = (min.min(0.0), max.max(0.0));
+    // A change of both coordinates by the slack changes the side by at most this.
     let margin = slack * (dx.abs() + dy.abs());
     let mut sides = b.x.clone();
     let (bx, by) = (b.x.get(), b.y.get());
+    // The side is linear in the point, so these are the Bernstein coefficients of the side of B(s).
     for (i, s) in sides.get_mut().iter_mut().enumerate() {
         *s = side([bx[i], by[i]]);
     }
@@ -72,6 +75,7 @@ fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
     if n == 3 {
         return entry_of_cubic([height(0), height(1), height(2), height(3)]);
     }
+    // Gift wrapping from point 0; `low` is the height of point i.
     let (mut i, mut low) = (0, height(0));
     loop {
         let (mut next, mut high, mut rise) = (n, low, f64::NEG_INFINITY);
@@ -103,9 +107,11 @@ fn entry_of_cubic([a, b, c, d]: [f64; 4]) -> f64 {
     };
     let (to_b, to_c, to_d) = (b - a, 0.5 * (c - a), third * (d - a));
     if to_b >= to_c && to_b >= to_d {
+        // The hull starts with the edge from a to b.
         if b >= 0.0 {
             return third * rise(a, b);
         }
+        // It goes on from b to d if d is in a steeper direction than c.
         if c - b < 0.5 * (d - b) {
             return third + 2.0 * third * rise(b, d);
         }
@@ -113,9 +119,12 @@ fn entry_of_cubic([a, b, c, d]: [f64; 4]) -> f64 {
             return third + third * rise(b, c);
         }
     } else if to_c < to_d {
+        // The hull is the edge from a to d.
         return rise(a, d);
     } else if c >= 0.0 {
+        // The hull starts with the edge from a to c.
         return 2.0 * third * rise(a, c);
     }
+    // The hull reaches 0 on its last edge, from c to d.
     2.0 * third + third * rise(c, d)
 }

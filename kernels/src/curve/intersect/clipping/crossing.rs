@@ -34,6 +34,7 @@ fn turns_to_one_side<C: Coefficients>(a: &Piece<C>, b: &Piece<C>) -> bool {
             clockwise |= product < 0.0;
         }
     }
+    // Products of 0 are allowed: if the others have one sign, A′ × B′ has this sign inside the segments.
     counter_clockwise != clockwise
 }
 
@@ -61,6 +62,7 @@ impl<C: Coefficients> ClippingSolver<C> {
             {
                 return None;
             }
+            // `converged` does the last step, on the whole curves.
             if step_s.abs() + step_r.abs() < QUADRATIC_STEP {
                 return self.converged(a, b, s, r);
             }
@@ -108,6 +110,7 @@ pub(super) fn step<C: Coefficients>(
     let ([bx, by], db) = b.taylor(r);
     let determinant = cross_product(da, db);
     let gap = [bx - ax, by - ay];
+    // The cross products of A + δs A′ = B + δr B′ with B′ and with A′ give δs and δr.
     let steps = (
         cross_product(gap, db) / determinant,
         cross_product(gap, da) / determinant,

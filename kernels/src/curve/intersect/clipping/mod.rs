@@ -45,6 +45,7 @@ impl<C: Coefficients> ClippingSolver<C> {
             if let Crossing::Found(contact) = self.crossing(&a, &b) {
                 return self.found.push(contact);
             }
+            // Clipping is slow where the segments run along each other or intersect several times.
             let stuck = remaining_a > WORTH_GOING_ON && remaining_b > WORTH_GOING_ON;
             if stuck && self.intersect_as_graphs(&a, &b) {
                 return;

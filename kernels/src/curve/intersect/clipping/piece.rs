@@ -116,6 +116,7 @@ impl<C: Coefficients> Piece<C> {
             if s0 > 0.0 {
                 keep_after(row, s0);
             }
+            // The first cut leaves the segment from s₀ to 1, in which s₁ is at (s₁ − s₀)/(1 − s₀).
             if s1 < 1.0 {
                 keep_before(
                     row,
@@ -168,6 +169,7 @@ pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
         let (abc, bcd) = (ab * r + bc * s, bc * r + cd * s);
         return (abc * r + bcd * s, 3.0 * (bcd - abc));
     }
+    // The derivative is n times the difference of the last two points of de Casteljau's triangle.
     let (before, after) = last_two(row, s);
     let n = (row.len() - 1) as f64;
     (before * (1.0 - s) + after * s, n * (after - before))
@@ -175,6 +177,7 @@ pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
 
 /// The last two numbers of de Casteljau's triangle.
 fn last_two(row: &[f64], s: f64) -> (f64, f64) {
+    // The maximum degree is 64.
     let mut level = [0.0; 65];
     let count = row.len();
     level[..count].copy_from_slice(row);

@@ -42,6 +42,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     /// Records that two whole segments are in contact.
     pub fn record_contact(&mut self, a: &Piece<C>, b: &Piece<C>) {
         let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
+        // A segment may run backwards; t increases in a contact, and each u stays with its t.
         if t[0] > t[1] {
             t.swap(0, 1);
             u.swap(0, 1);
