@@ -19,6 +19,7 @@ impl Spline<DVec2> {
 impl<P: Point> Spline<P> {
     /// [`area`](Spline::area) of the projection along z.
     pub(crate) fn area_xy(&self) -> f64 {
+        // About the start, nothing cancels far from the origin. The area about the origin differs by ½ start × end.
         let start = self.points[0];
         let mut area: f64 = (0..self.segment_count())
             .map(|k| area_about(self.curve(k).control_points(), start))

@@ -88,11 +88,13 @@ impl<P: Point> BSpline<P> {
         let p = self.degree;
         let u = knots.in_units(u);
         let starts: Vec<usize> = knots.starts().collect();
+        // The last nonempty span that starts at or before u; for a u below the range, the first one.
         let after = starts.partition_point(|&k| knots.at(k + p) <= u);
         let k = starts[after.saturating_sub(1)];
         let u = u.clamp(knots.at(k + p), knots.at(k + p + 1));
         let at = |i: usize| self.points[(k + i) % self.points.len()];
         let mut points: Vec<P> = (0..=p).map(at).collect();
+        // Before level l, point i is the blossom at l − 1 times u and the knots k + i + l to k + i + p (de Boor).
         for level in 1..=p {
             for i in 0..=p - level {
                 let (from, to) = (knots.at(k + i + level), knots.at(k + i + p + 1));
@@ -184,6 +186,7 @@ impl<P: Point> Spline<P> {
     ) -> Result<Self, Error> {
         let knots = checked_knots(points, degree, knots, closed)?;
         let spans = knots.spans();
+        // The output has degree · spans + 1 points; a span takes at most degree² steps.
         let limit = (MAX_OUTPUT_F64 / P::DIMENSION / degree - 1).min(MAX_STEPS / degree / degree);
         if spans > limit {
             return Err(Error::too_many("segments", limit, spans));
@@ -215,6 +218,7 @@ impl<P: Point> Spline<P> {
         if self.closed {
             // One period: the last joint equals the first one.
             knots.extend(repeated.take(points.len() + 1));
+            // Control point p − 1 is the blossom at the p copies of the first joint, which is the start of the spline.
             points.rotate_right(degree - 1);
         } else {
             knots.extend(repeated);
@@ -257,12 +261,14 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
 fn to_bezier<P: Vector>(points: &mut [P], u: &[f64]) {
     let p = points.len() - 1;
     let (a, b) = (u[p], u[p + 1]);
+    // Insert a until p − i arguments of point i are a; at first uₚ is one.
     for level in 1..p {
         for i in 0..p - level {
             let (from, to) = (u[i + level], u[i + p + 1]);
             points[i] = lerp(points[i], points[i + 1], (a - from) / (to - from));
         }
     }
+    // Insert b until i arguments of point i are b. In descending order of i, point i − 1 is not updated yet.
     for level in 1..p {
         for i in (level + 1..=p).rev() {
             let to = u[p + i - level + 1];

@@ -63,12 +63,14 @@ impl<P: Point> Spline<P> {
         check_points("point", &[point])?;
         let last = self.curve(self.segment_count() - 1);
         let from = last.end();
+        // The middle control point of a quadratic that starts in the direction of the last tangent.
         let corner = from + last.tangent(1.0) * (0.5 * (point - from).norm());
         let corner = clamp_to_limit(corner);
         let mut points = self.points.clone();
         match last.degree() {
             1 => points.push(point),
             2 => points.extend([corner, point]),
+            // The same quadratic, elevated to degree 3.
             _ => points.extend([
                 from.lerp(corner, 2.0 / 3.0),
                 point.lerp(corner, 2.0 / 3.0),
@@ -123,6 +125,7 @@ impl<P: Point> Spline<P> {
                 got: 1,
             });
         }
+        // After a rotation by one segment, joint 0 is the last joint.
         if joint == 0 {
             return self.rotate().remove(self.segment_count() - 1);
         }
@@ -170,6 +173,7 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
     if healed.control_points().iter().all(|&p| is_within_limit(p)) {
         return healed;
     }
+    // At ½ the larger of the extrapolation factors 1/t and 1/(1 − t) is smallest.
     let healed = healed_at(&left, &right, 0.5);
     if healed.control_points().iter().all(|&p| is_within_limit(p)) {
         return healed;
@@ -193,6 +197,7 @@ fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
 
 /// The control points of the curve whose part up to t is `left`, and of the curve whose part from t on is `right`.
 fn extrapolate<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> (Vec<P>, Vec<P>) {
+    // The parameters 0 and 1 of the whole curve are 0 and 1/t on `left`, and −t/(1 − t) and 1 on `right`.
     let whole = left.split(1.0 / t).0;
     let back = right.split(-t / (1.0 - t)).1;
     (
@@ -213,10 +218,12 @@ fn split_parameter<P: Point>(left: &Curve<P>, right: &Curve<P>) -> f64 {
             f64::NAN
         }
     };
+    // If both curves are parts of one curve, the handles at its parameter t have the ratio t to 1 − t.
     let by_handles = share((joint - l[n - 1]).norm(), (r[1] - joint).norm());
     if by_handles > 0.0 && by_handles < 1.0 {
         return by_handles;
     }
+    // Where B′ is zero, the second control points have distances in the ratio t² to (1 − t)².
     let second = |p: P| (p - joint).norm().sqrt();
     let by_next = share(second(l[n.saturating_sub(2)]), second(r[2.min(n)]));
     if by_next > 0.0 && by_next < 1.0 {

@@ -110,6 +110,7 @@ fn continuity_between<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f6
     let (before, after) = (left.tangent(1.0), right.tangent(0.0));
     let (along, across) = (before.dot(after), before.cross(after).size());
     let handle_length = handle(left, true).min(handle(right, false));
+    // The product is |handle| · sin(angle): the distance of the tip of the handle from the tangent of the other side.
     let g1 = along > 0.0 && across * handle_length <= tolerance;
     // Two parabolas with these curvatures differ by Δκ/2 · reach² at the tip of the handle.
     let bend = curvature_vector(left, 1.0) - curvature_vector(right, 0.0);

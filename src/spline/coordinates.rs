@@ -69,6 +69,7 @@ impl<P: Point> Spline<P> {
         }
         ts.dedup();
         let end = as_f64(self.segment_count());
+        // The start and the end of a closed spline are the same point.
         if self.closed && ts.first() == Some(&0.0) && ts.last() == Some(&end) {
             ts.pop();
         }
@@ -93,6 +94,7 @@ fn directions<P: Point>(curve: &Curve<P>, axis: usize) -> [f64; 2] {
             0.0
         }
     };
+    // The first control value that differs from that of an end shows the direction next to the end.
     let (first, last) = (values[0], values[values.len() - 1]);
     [
         first_nonzero(values.iter().map(|value| change(first, value))),

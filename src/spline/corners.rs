@@ -53,6 +53,7 @@ pub(crate) fn corners<P: Point>(
         ..clusters.partition_point(|c| round(c) <= rounds / 2);
     let detector = CornerDetector {
         closed: polyline.is_closed(),
+        // Both arms together do not go around a closed polyline more than once.
         max_in_arm: (own.len() / 2).clamp(1, MAX_IN_ARM),
         clusters,
         own,
@@ -138,6 +139,7 @@ impl<P: Point> CornerDetector<P> {
         let after = self.arm(k, arm, |steps| {
             Some(k + steps).filter(|&at| at < self.clusters.len())
         })?;
+        // Three points are too few to compare two models with three parameters each.
         if before == 1 && after == 1 {
             return self.sparse_corner(k);
         }
@@ -167,6 +169,7 @@ impl<P: Point> CornerDetector<P> {
         if off > limit {
             return None;
         }
+        // The addend keeps the ratio small where both models fit up to rounding.
         let ratio = Parabola::fitted(&samples).squares / (off + 1e-4 * limit);
         (ratio >= MIN_RATIO).then_some(Corner {
             cluster: k,
@@ -225,6 +228,7 @@ impl<P: Point> CornerDetector<P> {
                 .map_or_else(|| polyline.points.len(), |cluster| cluster.first)
         };
         let inwards = |index: usize| {
+            // |x|²/(4τ) − x·outward is minimal at x = 2τ · outward, 2 tolerances outside of the apex.
             let offset = polyline.point(index) - corner.apex;
             offset.dot(offset) / (4.0 * self.tolerance) - offset.dot(corner.outward)
         };

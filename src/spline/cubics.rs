@@ -137,6 +137,7 @@ impl<P: Point> FitSamples<P> {
         };
         let (mut low, mut high) = (0.0, tolerance);
         let mut best: Option<GreedyFit<P>> = None;
+        // After the first round `best` is the cover for `high`; a cover for `low` is worse, unless `low` is 0.
         for _ in 0..=bisections {
             let next = self.cover(first, last);
             let is_worse = best.as_ref().is_some_and(|best| {
@@ -159,6 +160,7 @@ impl<P: Point> FitSamples<P> {
         let mut best = (from + 1, self.handles(from, from + 1));
         let (mut fails, mut to) = (last + 1, (from + step.max(2)).min(last));
         let mut bisections = 0;
+        // Up to `best.0` a cubic fits, or that is one edge; up to `fails` none fits, or that is beyond `last`.
         while to > best.0 {
             match self.handles(from, to) {
                 Some(handles) => best = (to, Some(handles)),
@@ -168,6 +170,7 @@ impl<P: Point> FitSamples<P> {
                 to = (from + 2 * (best.0 - from)).min(last);
             } else {
                 bisections += 1;
+                // `to` = `best.0` ends the loop, after BISECTIONS steps and once the interval is short.
                 let wide = fails - best.0 > (best.0 - from) / 4;
                 to = if bisections > BISECTIONS && !wide {
                     best.0
@@ -230,6 +233,7 @@ pub(crate) fn is_straight<P: Point>(points: &[P], tolerance: f64) -> bool {
     let chord = end - start;
     let square = chord.dot(chord);
     let length = square.sqrt();
+    // |chord × gap| is the distance from the chord times its length.
     let room = (STRAIGHT * length).min(STRAIGHT_SHARE * tolerance) * length;
     square > 0.0
         && points.iter().all(|&p| {

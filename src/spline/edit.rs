@@ -95,6 +95,7 @@ impl<P: Point> Spline<P> {
 
     /// The joint at the control point with this index.
     pub(crate) fn joint_at(&self, index: usize) -> Option<usize> {
+        // `starts` also contains both ends of an open spline, which are not joints.
         let found = self.starts.binary_search(&index).ok();
         found.filter(|k| self.joints().contains(k))
     }

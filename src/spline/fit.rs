@@ -264,6 +264,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         if let Some(grid) = self.criteria.grid {
             for (joint, &point) in joints.iter_mut().zip(&self.polyline.points) {
                 let rounded = grid.nearest(*joint);
+                // A smoothed joint lies within the tolerance of its point, but rounding may move it farther away.
                 let is_near = (rounded - point).norm() <= self.criteria.tolerance;
                 *joint = if is_near {
                     rounded
@@ -287,6 +288,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         stops.retain(|&stop| 0 < stop && stop < last);
         stops.insert(0, 0);
         stops.push(last);
+        // The index on the polyline of the k-th point after the first stop.
         let around = |k: usize| {
             if k + first <= last {
                 k + first
@@ -309,6 +311,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         let cubics = samples.cover_all(&tangents, &stops, self.effort);
         let on_grid = |p: P| self.criteria.grid.map_or(p, |on| on.grid.nearest(p));
         let joint = |k: usize| {
+            // A joint that was not moved has the coordinates of the input, without the rounding of the normalization.
             on_grid(if joints[k] == points[k] {
                 self.input[around(k)]
             } else {
@@ -340,6 +343,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             // The last tangent with a coordinate that is not 0, and the ends of the straight part after it.
             let mut before = (0, 0.0);
             let mut straight: Option<[usize; 2]> = None;
+            // The second round of a closed polyline finds a change of sign across its start.
             for k in 0..rounds * count {
                 let k = k % count;
                 for side in [0, 1] {
@@ -384,6 +388,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
                 }
                 point.sum += smoothed.position;
                 point.count += 1.0;
+                // At a corner, one range ends with the tangent before it, and another starts with the tangent after it.
                 if index > first {
                     point.tangents[0] = smoothed.tangent;
                 }
@@ -405,6 +410,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         } else if let Some(&first) = stops.first() {
             stops.push(first + period);
         } else {
+            // Each point of the round from `period` to 2 · `period` has at least half a round on both sides.
             stops = vec![period / 2, 2 * period + period / 2];
         }
         stops.windows(2).map(|pair| [pair[0], pair[1]]).collect()
@@ -449,6 +455,7 @@ fn assemble<P: Point>(
         let (start, end) = (points[points.len() - 1], joint(to));
         let (p1, p2) = (handle(from, p1), handle(to, p2));
         from = to;
+        // A cubic that is a point is kept only as the last one of a spline that would otherwise be empty.
         if [p1, p2, end] == [start; 3] && (to < cubics[cubics.len() - 1].0 || !degrees.is_empty()) {
             continue;
         }

@@ -24,6 +24,7 @@ impl FrameSequence for Spline<DVec3> {
             let part = |&(k, t): &(usize, f64)| {
                 let whole = self.curve(k).split(t.clamp(0.0, 1.0)).0;
                 let length = ends[k] + whole.arc_length(f64::INFINITY);
+                // At the end of a segment the sum itself, so that the part at the end of the spline is exactly 1.
                 let part = if t < 1.0 { length } else { ends[k + 1] } / ends[count];
                 // If the length overflows f64, use the parameter instead.
                 if part.is_finite() {

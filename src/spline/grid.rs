@@ -29,6 +29,7 @@ impl Grid {
         // A plane z = 0 stays.
         let moves = |axis: &usize| points.iter().any(|p| p.coordinate(*axis) != 0.0);
         let dimension = (0..P::DIMENSION).filter(moves).count();
+        // Each coordinate moves by at most half a step.
         let radius = 0.5 * (dimension as f64).sqrt() / steps;
         let grid = Self { steps, radius };
         let fault = if decimals > MAX_DECIMALS {

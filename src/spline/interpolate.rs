@@ -132,6 +132,7 @@ fn power(length: f64, alpha: f64) -> f64 {
         return length;
     }
     let (mut product, mut root, mut rest) = (1.0, length, alpha);
+    // Invariant: the result is product · root^rest.
     while rest > 0.0 && root != 1.0 {
         (root, rest) = (root.sqrt(), 2.0 * rest);
         if rest >= 1.0 {
@@ -192,11 +193,13 @@ impl<P: Point> Equation<'_, P> {
             let i = if i < count { i } else { period - i };
             let (before, after) = self.beside(i);
             let at_end = !self.closed && (i == before || i == after);
+            // At an open end D₋₁ = D₁, so the equation is twice 2D₀ + D₁ = 3(P₁ − P₀).
             (self.points[after] - self.points[before]) * if at_end { 6.0 } else { 3.0 }
         };
         // Start a whole number of periods before the first point.
         let early = RUN_IN.div_ceil(period) * period;
         let mut found = Vec::with_capacity(count + RUN_IN);
+        // 1/(x + 4 + 1/x) = −z / ((1 − z x)(1 − z/x)) with the pole z: a forward and a backward filter.
         let mut forward = P::default();
         for i in early - RUN_IN..early + count + RUN_IN {
             forward = right(i) + forward * POLE;

@@ -133,6 +133,7 @@ pub(crate) fn catmull_rom<P: Point>([before, point, after]: [P; 3], [d1, d2]: [f
     if d1 == 0.0 || d2 == 0.0 {
         return (departure, arrival);
     }
+    // T d₂ and T d₁ as sums of the two chords. All coefficients are positive, so they do not cancel.
     let (u, v) = (d1 / (d1 + d2), d2 / (d1 + d2));
     (
         (arrival / d1) * (v * d2) + departure * u,

@@ -9,7 +9,7 @@ const HUGE: f64 = 1e300;
 /// Knots in ascending order with valid multiplicities.
 pub(crate) struct Knots {
     values: Vec<f64>,
-    /// A knot of the caller is an own one, times `unit`, plus `start`.
+    /// A knot of the caller is the sum of a value and `start`, times `unit`.
     start: f64,
     unit: f64,
     /// The number of control points.
@@ -79,6 +79,7 @@ impl Knots {
             return Some((last, "a knot above that where the curve starts"));
         }
         if self.closed {
+            // degree + 1 equal knots would disconnect the curve, also across the end of the period.
             let parted = (0..n).find(|&i| self.at(i + p) == self.at(i + 2 * p));
             return parted.map(|i| ((i + p).min(n), "at most degree times the same knot"));
         }
@@ -106,10 +107,12 @@ impl Knots {
         }
         // The first joint is preceded by `degree` knots.
         let (n, period) = (self.count, self.values[self.count]);
+        // Whole periods are added before the division, so that the index does not become negative.
         let turns = self.degree.div_ceil(n);
         let from_before = i + turns * n - self.degree;
         let turn = (from_before / n) as f64 - turns as f64;
         match self.values[from_before % n] {
+            // Equal to the first knot of the next period, also after rounding.
             value if value == period => (turn + 1.0) * period,
             value => value + turn * period,
         }

@@ -67,6 +67,7 @@ impl<P: Point> Spline<P> {
         check_segments(segments, 1)?;
         let lengths = self.segment_lengths();
         let positions = lengths.even_positions(segments, &|k| self.curve(k));
+        // Rounding of the inverses must not make the parameters decrease.
         let mut before = 0.0_f64;
         let monotone = positions.into_iter().map(|(k, t)| {
             before = before.max(as_f64(k) + t);

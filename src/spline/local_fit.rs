@@ -23,6 +23,7 @@ impl<P: Point> TwoLines<P> {
         };
         let ((s0, q0, m0), (s1, q1, m1)) = (arm(-1.0), arm(1.0));
         let total = samples.iter().fold(P::default(), |sum, &(p, _)| sum + p);
+        // Normal equations: q₀ before = m₀ − s₀ apex, q₁ after = m₁ − s₁ apex, n apex + s₀ before + s₁ after = total.
         let weight = samples.len() as f64 - s0 * s0 / q0 - s1 * s1 / q1;
         let apex = (total - m0 * (s0 / q0) - m1 * (s1 / q1)) / weight;
         Self {
@@ -80,7 +81,9 @@ impl<P: Point> Parabola<P> {
                 squares: rest.max(0.0),
             };
         }
+        // With q = y² − skew y − spread, Σ y q = s₃ − skew s₂ = 0 and Σ q = s₂ − spread n = 0, because Σ y = 0.
         let (skew, spread) = (s3 / s2, s2 / count);
+        // A second pass over the samples: the sum Σ q² = s₄ − skew s₃ − spread s₂ would cancel.
         let mut second = P::default();
         let mut norm = 0.0;
         for &(p, x) in samples {

@@ -38,6 +38,7 @@ impl<P: Point> Spline<P> {
     pub(crate) fn nearest_to(&self, p: P) -> Nearest<P> {
         let segments = (0..self.segment_count()).map(|k| self.segment_points(k));
         let found = nearest_of_curves(segments, p, nearest_on);
+        // A spline has at least one segment, so the fallback is never used.
         let (k, found) = found.unwrap_or_else(|| (0, nearest_on(&self.points, p)));
         Nearest {
             t: as_f64(k) + found.t,

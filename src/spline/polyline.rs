@@ -117,6 +117,7 @@ impl<'a, P: Point> PointTree<'a, P> {
     pub(crate) fn new(points: &'a [P]) -> Self {
         let leaves = points.len().next_power_of_two();
         let last = points[points.len() - 1];
+        // Unused leaves repeat the last point. A node with used and unused leaves contains that point anyway.
         let mut boxes = vec![Bounds::from_points(&[last]); 2 * leaves];
         for (leaf, &p) in boxes[leaves..].iter_mut().zip(points) {
             *leaf = Bounds::from_points(&[p]);
@@ -139,6 +140,7 @@ impl<'a, P: Point> PointTree<'a, P> {
 
     fn beyond(&self, p: P, distance: f64, range: &Range<usize>, ahead: bool) -> Option<usize> {
         let leaves = self.boxes.len() / 2;
+        // The distance of p from the farthest corner of a box.
         let farthest = |k: usize| {
             let Bounds { min, max } = self.boxes[k];
             (p - min).max(max - p).norm()

@@ -51,6 +51,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
         let free = self.states[index] == State::Free;
+        // A free point that is already at `to`, or cannot move there, is fixed.
         if free && is_within_limit(to) && *target != to {
             *target = to;
             self.states[index] = State::Changed;
@@ -139,6 +140,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Sets both handles of an automatic joint from the neighbouring joints.
     fn automatic(&mut self, joint: usize) {
         let [before, here, after] = self.anchors(joint).map(|index| self.spline.points[index]);
+        // The centripetal parametrization: steps are the square roots of the chords.
         let steps = [here - before, after - here].map(|chord| chord.norm().sqrt());
         let (departure, arrival) = catmull_rom([before, here, after], steps);
         let around = self.around(joint, true);
@@ -189,6 +191,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         if self.spline.degree_of(left) > 1 {
             self.set_point(near, along(self.spline.points[near]));
         }
+        // The far handle is not marked as changed yet, because `follow` may move it again.
         if self.spline.degree_of(right) > 1 && near != far && is_within_limit(along(handle)) {
             self.spline.points[far] = along(handle);
         }
@@ -207,6 +210,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         let mut ahead = self.joint_from(starts.partition_point(|&start| start <= index));
         let mut behind = self.joint_before(starts.partition_point(|&start| start < index));
         while remaining > 0 {
+            // The number of control points before the next joint on each side; the joint at `index` comes last.
             let distance_ahead = ahead.map(|k| (self.spline.starts[k] + count - index - 1) % count);
             let distance_behind =
                 behind.map(|k| (index + count - self.spline.starts[k] - 1) % count);
@@ -217,6 +221,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
                 (None, None) => return,
             };
             let front = if forward { &mut ahead } else { &mut behind };
+            // The front stays `None`, and ends, unless the joint is touched.
             let Some(joint) = front.take() else { return };
             if self.is_touched(joint, forward) {
                 self.repair(joint, forward);

@@ -150,6 +150,7 @@ impl<P: Point> Spline<P> {
         check_tolerance(tolerance, self.max_abs())?;
         check_corner_angle(corner_angle)?;
         let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
+        // The tolerance is shared by the polyline, the rounding of the result and the fit.
         let distance = tolerance * (1.0 - ROUNDING_SHARE) - share;
         let grid = match precision {
             Some(decimals) => Some(Grid::new(decimals, &self.points, tolerance)?),
@@ -218,6 +219,7 @@ impl<P: Point> Spline<P> {
             line.append(&curve, 0.0, share);
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
+                // A segment starts at the last vertex of the previous one: only the tangent after it is new.
                 if source.points.last() != Some(&p) {
                     source.points.push(p);
                     source.tangents.push([tangent; 2]);
@@ -262,6 +264,7 @@ impl<P: Point> Vertices<P> {
             .map(|[before, after]| angle_between(*before, *after));
         let inner = if closed { 0..last } else { 1..last };
         let tree = fitter.tree();
+        // Tangents may also turn where no corner is visible: the polyline must turn over arms of some tolerances too.
         let sharp = turns.enumerate().filter(|&(k, turn)| {
             let turns_at = |k| fitter.turn_at(&tree, k, ARM) > corner_angle;
             inner.contains(&k) && turn > corner_angle && turns_at(k)
@@ -269,6 +272,7 @@ impl<P: Point> Vertices<P> {
         let sharp: Vec<usize> = sharp.map(|(k, _)| k).collect();
         fitter.add_corners(sharp);
         let is_corner = |k: usize| fitter.corners().binary_search(&(k % last)).is_ok();
+        // The other joints get the mean tangent; if one turns by more than SMOOTH, the fitter computes all tangents.
         let mut is_smooth = true;
         for (k, pair) in self.tangents.iter_mut().enumerate() {
             let [before, after] = *pair;

@@ -61,6 +61,7 @@ fn local_parabola<P: Point>(clusters: &[Cluster<P>], k: usize, tolerance: f64) -
     let mut best = Fit::new(clusters, k, half);
     let mut limit = best.limit(tolerance);
     for _ in 0..MAX_DOUBLINGS {
+        // The range already contains all clusters.
         if 2 * half + 1 >= clusters.len() {
             break;
         }
@@ -101,6 +102,7 @@ impl<P: Point> Fit<P> {
         let used = count.min(MAX_SAMPLES);
         let mut samples = [(P::default(), 0.0); MAX_SAMPLES];
         for (i, sample) in samples[..used].iter_mut().enumerate() {
+            // Even steps from the first to the last cluster of the range.
             let cluster = clusters[first + i * (count - 1) / (used - 1).max(1)];
             *sample = (
                 cluster.mean - clusters[k].mean,
@@ -122,6 +124,7 @@ impl<P: Point> Fit<P> {
         if self.excess == 0 {
             return UNKNOWN * tolerance;
         }
+        // The relative standard error of a standard deviation with n degrees of freedom is 1/√(2n).
         let error = 1.0 / (2.0 * self.excess as f64).sqrt();
         (self.variance().sqrt() * (1.0 + error)).max(NEGLIGIBLE * tolerance)
     }

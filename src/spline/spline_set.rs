@@ -141,6 +141,7 @@ impl SplineSet {
                 found.push(self.intersection_of(self, (i, j), intersection));
             }
         });
+        // The joint of two neighbouring segments is not an intersection.
         found.retain_mut(|m| {
             if m.a == m.b && m.at.t > m.at.u {
                 (m.at.t, m.at.u) = (m.at.u, m.at.t);
@@ -154,6 +155,7 @@ impl SplineSet {
     /// Whether two parameters of a spline denote the same joint.
     fn one_joint(&self, spline_index: usize, t: f64, u: f64) -> bool {
         let (count, closed) = self.sizes[spline_index];
+        // On a closed spline, t and u may also be next to each other across its start.
         let around = if closed { count as f64 } else { f64::INFINITY };
         let apart = (u - t).abs();
         apart <= ONE_JOINT || around - apart <= ONE_JOINT
@@ -183,6 +185,7 @@ fn joined(
     let (pieces, points): (Vec<SplineIntersection>, Vec<SplineIntersection>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, IntersectionKind::Overlap { .. }));
+    // The ends of all overlaps: an isolated intersection at one of them is a part of the overlap.
     let mut ends: Vec<(usize, usize, f64, f64)> = pieces
         .iter()
         .flat_map(|m| {
@@ -205,6 +208,7 @@ fn joined(
             .iter_mut()
             .rev()
             .take_while(|q| point.at.t - q.at.t <= ONE_JOINT && same(q));
+        // The same intersection on the neighbouring segment; it is tangential if it is so on either segment.
         if let Some(again) = before.find(|q| near(q.at.t, q.at.u)) {
             if point.at.kind == IntersectionKind::Tangent {
                 again.at.kind = IntersectionKind::Tangent;

@@ -69,6 +69,7 @@ impl<P: Point> Spline<P> {
         }
         let (first, from) = self.locate(t0);
         let (mut last, mut to) = self.locate(t1);
+        // A part that ends at a joint ends with the segment before the joint.
         if to == 0.0 && last > first {
             (last, to) = (last - 1, 1.0);
         }

@@ -87,6 +87,7 @@ impl<V: Euclidean> FitRun<'_, V> {
                 }
                 let (q, w, _) = at(&cubic, *u);
                 worst = larger(worst, (q - p).norm());
+                // The first round has chord-length parameters and no feet: the whole residual counts.
                 let along = if round > 0 { w.unit() } else { V::default() };
                 equations.add(q - p, along, (t0, t1), *u);
             }
@@ -101,6 +102,7 @@ impl<V: Euclidean> FitRun<'_, V> {
                 });
             }
             let limit = MAX_INITIAL_ERROR * self.tolerance;
+            // The first improvements may be small; after them the error must decrease by a fifth in each round.
             if round > 1 && !(worst < 0.8 * previous && worst < limit) {
                 return None;
             }
@@ -157,6 +159,7 @@ impl<V: Euclidean> FitRun<'_, V> {
                 foot(cubic, p, guess)
             };
             let distance = |u: f64| (at(cubic, u).0 - p).norm();
+            // The feet must be in order: a foot before the last one is replaced by that one.
             let forward = larger(u, last.0);
             let tolerance = self.tolerance;
             let (u, off) = if self.bound_edges {
@@ -172,6 +175,7 @@ impl<V: Euclidean> FitRun<'_, V> {
                 let edge = (p - self.points[index - 1]).norm();
                 larger(EDGE_ALLOWANCE * edge, NOISE * tolerance)
             };
+            // The chord between two feet is as near to the edge as its ends are to the points; `sag` bounds the rest.
             if off > tolerance || larger(off, last.1) + sag(cubic, last.0, u) > tolerance + room {
                 return false;
             }
@@ -196,6 +200,7 @@ impl Equations {
     #[inline(always)]
     fn add<V: Euclidean>(&mut self, off: V, along: V, (t0, t1): (V, V), u: f64) {
         let r = 1.0 - u;
+        // ∂q/∂a = 3u(1 − u)² t₀ and ∂q/∂b = −3u²(1 − u) t₁, without their components along the curve.
         let across = |v: V| v - along * v.dot(along);
         let (ja, jb) = (
             across(t0 * (3.0 * u * r * r)),
@@ -240,6 +245,7 @@ fn foot<V: Euclidean>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
         let (q, w, b) = at(cubic, u);
         let gap = p - q;
         let slope = w.dot(w) - gap.dot(b);
+        // Where the squared distance is not convex, a step would lead away from the minimum.
         if slope > 0.0 {
             u = (u + gap.dot(w) / slope).clamp(0.0, 1.0);
         }

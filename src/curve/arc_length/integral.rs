@@ -148,8 +148,10 @@ impl ArcLengthTable {
     /// ends.
     fn first_guess(&self, lo: f64, hi: f64, x: f64, length: f64) -> f64 {
         let even = length / (hi - lo);
+        // The derivatives of t by the length at both ends, both scaled to [0, 1], minus 1.
         let [first, second] = [lo, hi].map(|t| even / self.speed(t) - 1.0);
         let guess = x + x * (1.0 - x) * (first * (1.0 - x) - second * x);
+        // The guess may be infinite or NaN if the speed is 0 at an end.
         let part = if guess > 0.0 && guess < 1.0 { guess } else { x };
         (lo + (hi - lo) * part).clamp(lo, hi)
     }
@@ -221,6 +223,7 @@ impl ArcLengthTable {
         let node = end + BEFORE_FIRST_NODE * (cut - end);
         let (lo, hi) = (end.min(node), end.max(node));
         let slopes = self.slopes_between(lo, hi);
+        // The derivative at the node.
         let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
         self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
     }
@@ -291,6 +294,7 @@ impl ArcLengthTable {
             return lo;
         }
         let precision = MIN_SPEED_PRECISION * (hi - lo) / hi;
+        // Negated, because `regula_falsi` expects a change from + to −.
         regula_falsi([lo, hi], [-before, -after], precision, |t| -growth(t))
     }
 }

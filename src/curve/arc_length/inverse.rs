@@ -106,6 +106,7 @@ impl<P: Point> Curve<P> {
         let whole = self.arc_length(f64::INFINITY);
         let mut inverse = ArcLengthInverse::new(self, None);
         let mut ts = vec![0.0; segments + 1];
+        // Rounding of the inverse must not make the parameters decrease.
         let mut before = 0.0;
         for (i, t) in ts.iter_mut().enumerate().skip(1) {
             let part = ratio(i, segments);

@@ -100,12 +100,14 @@ fn line_integral<P: Point>(d: P, e: P) -> f64 {
     }
     let along = chord / a;
     let (mut s0, mut s1) = (d.dot(along), e.dot(along));
+    // The integrand depends on |s| only, so the range may be reflected; then |s₀| ≤ s₁.
     if s0 + s1 < 0.0 {
         (s0, s1) = (-s1, -s0);
     }
     let h = d.cross(along).size();
     let square = h * h;
     let [r0, r1] = [s0, s1].map(|s| (s * s + square).sqrt());
+    // (s₁r₁ − s₀r₀)/a = ½ [r₀ + r₁ + (s₀ + s₁)(r₁ − r₀)/a], and (r₁ − r₀)/a = (s₀ + s₁)/(r₀ + r₁).
     let ratio = (s0 + s1) / (r0 + r1);
     let lengths = 0.5 * ((r0 + r1) + (s0 + s1) * ratio);
     // h² is below rounding: its term is negligible, and its value is not known.

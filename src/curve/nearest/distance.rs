@@ -165,6 +165,7 @@ impl<'a, P: Point> Search<'a, P> {
             if !self.may_improve(min) || first.max(second) <= self.rounding {
                 continue;
             }
+            // Halve the larger segment of the pair.
             let halves = if first >= second {
                 left.halves(i).map(|i| (i, j))
             } else {
@@ -244,6 +245,7 @@ impl<'a, P: Point> Search<'a, P> {
             }
             let vector = self.a.at(t) - self.b.at(u);
             let (step_t, step_u) = self.newton(vector, t, u);
+            // Shorten the step until it reduces the distance.
             let mut share = 1.0;
             let old = vector.norm();
             loop {
@@ -268,6 +270,7 @@ impl<'a, P: Point> Search<'a, P> {
     /// step, otherwise a Gauss–Newton step.
     fn newton(&self, vector: P, t: f64, u: f64) -> (f64, f64) {
         let ([a1, a2], [b1, b2]) = (self.a.derivatives(t), self.b.derivatives(u));
+        // Half the gradient of |A − B|² is (g, h), half its Hessian (p, ab; ab, q); Gauss–Newton has (aa, ab; ab, bb).
         let (g, h) = (vector.dot(a1), -vector.dot(b1));
         let (aa, bb, ab) = (a1.dot(a1), b1.dot(b1), -a1.dot(b1));
         // If a step would leave the range at an end, only the other parameter moves.
@@ -282,6 +285,7 @@ impl<'a, P: Point> Search<'a, P> {
             (true, false) => (0.0, root_of_one(h, q, bb)),
             (false, true) => (root_of_one(g, p, aa), 0.0),
             (false, false) => {
+                // The Hessian is positive definite by more than its rounding.
                 let convex = p > 0.0 && q > 0.0 && p * q - ab * ab > 1e-14 * p * q;
                 let damped = 1e-12 * (aa + bb) + f64::MIN_POSITIVE;
                 let (p, q) = if convex {

@@ -72,6 +72,7 @@ fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     }
     let project = |p: P| (p - start).dot(chord.direction);
     let curve = Curve::from_points(points);
+    // The extreme points are ends, or points where the projection onto the chord turns.
     let turns = crate::curve::extrema::extrema_of(
         &curve
             .points
@@ -134,6 +135,7 @@ fn farthest<P: Point>(
         from,
         to,
     };
+    // The heap gives the smallest number first, so the upper bounds are stored with the opposite sign.
     let mut segments = Heap::new();
     segments.push(Bounded {
         min: -whole.max(&b_curve, straight),
@@ -192,6 +194,7 @@ impl<P: Point> Segment<P> {
                 .map(|(i, &p)| (p - to(i)).norm());
             away.fold(0.0, f64::max)
         };
+        // The difference of curves of one degree lies in the convex hull of the differences of their control points.
         far(&|i| along.points[i])
             .min(far(&|_| along.start()))
             .min(far(&|_| along.end()))

@@ -138,6 +138,7 @@ pub(crate) fn nearest_with_steps<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
     }
+    // The kernel does not take lines, degrees above 3, and numbers whose powers leave the range of f64.
     let size = max_abs(points).max(p.max_abs());
     let about: Points<P> = Normalized::new(p, size).points(points);
     if let [a, b] = *about {
@@ -230,6 +231,7 @@ impl<P: Point> Search<'_, P> {
             .binomials
             .product(|i, j| points[i].dot(points[j + 1] - points[j]));
         let (changes, sign) = sign_changes(&rate);
+        // Without a sign change the distance is monotone; a change from + to − is a maximum.
         if changes == 0 || changes == 1 && sign > 0.0 {
             return;
         }
@@ -246,6 +248,7 @@ impl<P: Point> Search<'_, P> {
         }
         let (left, right) = Curve::from_slice(points).halve();
         self.run(&left.points, [lo, mid], halvings - 1);
+        // Because of rounding, a root in the middle may lie in neither half.
         self.consider(mid);
         self.run(&right.points, [mid, hi], halvings - 1);
     }

@@ -53,6 +53,7 @@ impl<P: Point> Segment<P> {
 
     /// A lower bound on the distance of two segments.
     pub(crate) fn apart(&self, other: &Self) -> f64 {
+        // The gap between the projections onto any direction is a lower bound, negative if they overlap.
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
             let direction = vector.unit();

@@ -190,6 +190,7 @@ impl SplineBuilder {
         tolerance: f64,
     ) {
         let (sin, cos) = (from.perp_dot(to), from.dot(to));
+        // On the outside of a half turn the tangent rotates clockwise for a positive distance.
         let reversed = cos < 0.0 && sin.abs() <= REVERSED_SINE;
         let angle = if reversed {
             -PI.copysign(distance)
@@ -255,6 +256,7 @@ impl<'a> NormalizedCurve<'a> {
         let points: crate::numeric::list::Points<DVec2> =
             curve.control_points().iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
+        // For a clamped distance, the unit maps the clamped distance to the given one.
         let unit = if scaled.abs() < FARTHEST {
             1.0 / scale
         } else {
@@ -328,6 +330,7 @@ impl<'a> NormalizedCurve<'a> {
 
 /// The largest difference of a coordinate from that of the start.
 fn farthest(curve: &Curve<DVec2>) -> f64 {
+    // The difference of two coordinates may overflow, that of their halves does not.
     let start = curve.start() * 0.5;
     let half = curve
         .control_points()

@@ -84,6 +84,7 @@ pub(crate) fn offset_of_curves(
             .map_or(0.0, |b| b.diagonal())
     };
     let tolerance = offset_tolerance(distance, tolerance, largest, box_of)?;
+    // A part of the tolerance is reserved for the gaps at joints without a join.
     let own = tolerance * (1.0 - SMOOTH_PART);
     let mut builder = SplineBuilder::default();
     let moves = |curve: &&Curve<DVec2>| distance == 0.0 || curve.has_size();
@@ -93,6 +94,7 @@ pub(crate) fn offset_of_curves(
     }
     let corner = |builder: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
         let (from, to) = (before.end_tangent(), after.start_tangent());
+        // The ends of both offset curves are |to − from| · |distance| apart.
         if Point::norm(to - from) * distance.abs() > SMOOTH_PART * tolerance {
             builder.join(after.start(), from, to, distance, own, join);
         }

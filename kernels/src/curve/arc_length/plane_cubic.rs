@@ -98,6 +98,7 @@ impl PlaneCubicInverse {
             let (z, [at, before]) = (2.0 * t - 1.0, self.last);
             let between = self.speed.integral(&self.roots, at.min(z), at.max(z), 0);
             self.last = [z, before + between.copysign(z - at)];
+            // The derivative by t is twice the speed, because z = 2t − 1.
             (self.last[1] - s, 2.0 * self.speed.at(z))
         })
     }
@@ -110,6 +111,7 @@ impl PlaneCubicInverse {
         if (s - before).abs() < NEAR * self.whole && near > 0.0 && near < 1.0 {
             return near;
         }
+        // The derivatives of t, minus 1. The mean speed over z is half of the whole, because z runs from −1 to 1.
         let [first, second] = [-1.0, 1.0].map(|z| 0.5 * self.whole / self.speed.at(z) - 1.0);
         let guess = part + part * (1.0 - part) * (first * (1.0 - part) - second * part);
         if guess > 0.0 && guess < 1.0 {
@@ -199,6 +201,7 @@ impl Speed {
         // The roots are sum/e and m/sum.
         let pairs = |k: usize| (f64x2::new([sum[k], m[k]]), f64x2::new([e[k], sum[k]]));
         let ((over_x, under_x), (over_y, under_y)) = (pairs(0), pairs(1));
+        // The quotient of complex numbers: a/b = a b̄ / |b|².
         let part = f64x2::splat(1.0) / (under_x * under_x + under_y * under_y);
         Roots {
             x: (over_x * under_x + over_y * under_y) * part,
@@ -265,6 +268,7 @@ impl Speed {
         for (z, w) in rule.nodes.chunks_exact(2).zip(rule.weights.chunks_exact(2)) {
             let (z, w) = (f64x2::new([z[0], z[1]]), f64x2::new([w[0], w[1]]));
             let square = z * z;
+            // The value at z is the sum of the even and the odd part, that at −z their difference.
             let (even_x, odd_x) = (m[0] + e[0] * square, d[0] * z);
             let (even_y, odd_y) = (m[1] + e[1] * square, d[1] * z);
             let [x, y] = [even_x + odd_x, even_y + odd_y];
@@ -306,6 +310,7 @@ impl Roots {
         } else {
             (second, [u, v])
         };
+        // Only a real root can be at an end.
         if root[1].abs() > AT_THE_END * 0.5 * (hi - lo) {
             (axis, root)
         } else {
@@ -352,6 +357,7 @@ fn location_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
     if off.abs() <= SPLIT_AT_PROJECTION_WITHIN * half {
         return x;
     }
+    // The distance of the root from the nearer end.
     let beyond = off.abs() - half;
     let distance = (beyond * beyond + y * y).sqrt();
     let kept = half - CUT_RATIO * distance;

@@ -10,6 +10,7 @@ use glam::DVec3;
 /// Every term equals its exact value up to rounding, so no accuracy is lost at high degrees.
 pub fn speed_integral(coefficients: &[DVec3], lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    // 1 − t is computed from the ends, so that it keeps its digits next to t = 1.
     let (t, s) = (
         f64x2::splat(middle),
         f64x2::splat(0.5 * ((1.0 - lo) + (1.0 - hi))),

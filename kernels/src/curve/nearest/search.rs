@@ -47,6 +47,7 @@ fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64>
     }
     let cubic = Cubic::new(points);
     let whole = cubic.quintic();
+    // Without a negative coefficient the distance does not decrease, and the start is nearest.
     if signs(&whole) != 0 {
         cubic.search(&whole, [0.0, 1.0], ROUGH_HALVINGS, &mut best);
     }
@@ -54,7 +55,8 @@ fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64>
     Some(best.t)
 }
 
-/// The Bernstein coefficients of B·B′/3 on a segment.
+/// The Bernstein coefficients of B·B′ on a segment. Only their signs and ratios count, so B′ may have any
+/// positive factor.
 type Quintic = [f64; 6];
 
 /// One bit for each negative coefficient. Zeros count as positive, which can add sign changes but never hide one.
@@ -182,11 +184,13 @@ impl<const D: usize> Cubic<D> {
         best: &mut Best,
     ) -> bool {
         let signs = signs(quintic);
+        // Bit k is set if the coefficients k and k + 1 differ in sign. x & (x − 1) clears the lowest bit that is set.
         let changes = (signs ^ (signs >> 1)) & 31;
         let converged = changes & changes.wrapping_sub(1) == 0 || force;
         if converged && changes != 0 && signs & 1 == 1 {
             let k = changes.trailing_zeros() as usize;
             let (before, after) = (quintic[k], quintic[k + 1]);
+            // The zero of the control polygon.
             let guess = 0.2 * (k as f64 + before / (before - after));
             let (t, square) = self.refine_root([lo, hi], lo + (hi - lo) * guess, best.slack);
             best.take(from + (to - from) * t, square);
@@ -204,6 +208,7 @@ impl<const D: usize> Cubic<D> {
             let (pq, qr, rs) = (mix(p, q, a), mix(q, r, a), mix(r, s, a));
             mix(&mix(&pq, &qr, b), &mix(&qr, &rs, b), c)
         };
+        // The control points are the values of the blossom.
         [[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at)
     }
 
@@ -221,6 +226,7 @@ impl<const D: usize> Cubic<D> {
             } else {
                 hi = t;
             }
+            // To second order, the step reduces |B|² by value²/slope.
             let step = value / slope;
             let (next, gain) = (t - step, value * step);
             if gain * gain <= slack * square && next >= lo && next <= hi {
@@ -284,7 +290,7 @@ impl Best {
     /// Accepts t if it is nearer by more than rounding.
     #[inline(always)]
     fn take(&mut self, t: f64, square: f64) {
-        // |a|² < |b|² − 2|b|·rounding, without a square root.
+        // |a|² < |b|² − |b|·rounding, without a square root.
         let gain = self.square - square;
         if gain > 0.0 && gain * gain > self.slack * self.square {
             (self.t, self.square) = (t, square);

@@ -60,16 +60,20 @@ pub fn side_bound(m: &[DVec3; 4], w: &[DVec3; 3], sign: f64, rest: f64, toleranc
     }
     let square = cubic_square(m, product);
     let (min, max) = range(square.into_iter());
+    // |E|² = ⟨M, M⟩ + r², and f = ⟨M, M⟩ / (|E| + r).
     let least = larger(least_radius * least_radius + min, 0.0).sqrt();
     let off = larger(max, -min) / (least_radius + least);
     let (min, max) = range(cubic_by_quadratic(m, w, product).into_iter());
     let (along, radius_slope) = (larger(max, -min), largest(w));
+    // |E||f′| = |⟨M, W⟩ + f r′|.
     let slope = (along + off * radius_slope) / least;
     let squares = quadratic_by_quadratic(w, w, product);
     let bends = cubic_by_linear(m, &changes, product);
     let (ahead, _) = range((0..5).map(|k| sign * (squares[k] - bends[k])));
+    // A lower bound of |E| f″ = ⟨W, W⟩ − ⟨M, W′⟩ − f′(f′ + 2r′) − f r″, times `sign`.
     let curvature = ahead - slope * (2.0 * radius_slope + slope) - off * largest(&changes);
     let reach = 2.0 * slope * size / curvature;
+    // f′²/F is half of |f′| times `reach`.
     let (anywhere, near_zero) = (off + slope + rest, off + 0.5 * slope * reach + rest);
     if anywhere <= tolerance || !(curvature > 0.0 && near_zero <= tolerance) {
         return anywhere;
@@ -82,6 +86,7 @@ pub fn side_bound(m: &[DVec3; 4], w: &[DVec3; 3], sign: f64, rest: f64, toleranc
     let (speed, bend) = (longest(w), longest(&changes));
     let cubic_speed = longest(&[0, 1, 2].map(|k| (m[k + 1] - m[k]) * 3.0 + w[k]));
     let (min, max) = range(square.windows(2).map(|pair| pair[1] - pair[0]));
+    // Half the derivative of ⟨M, M⟩, of degree 6, has the coefficients 3 (cₖ₊₁ − cₖ).
     let outwards = 3.0 * larger(max, -min) + along;
     let nearest = least - cubic_speed * reach;
     // df″/ds times |q|³.
@@ -91,6 +96,7 @@ pub fn side_bound(m: &[DVec3; 4], w: &[DVec3; 3], sign: f64, rest: f64, toleranc
             + cubic_speed * size * (radius_slope + slope)
             + speed * cubic_speed * reach * (speed + cubic_speed))
         + cubic_speed * bend * nearest * nearest;
+    // `nearest` bounds |q| from below; df″/ds times `reach` is then at most F/2.
     let is_proved =
         nearest > 0.0 && 2.0 * size * reach * change <= curvature * nearest * nearest * nearest;
     if is_proved { near_zero } else { anywhere }

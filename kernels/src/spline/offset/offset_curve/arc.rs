@@ -21,6 +21,7 @@ pub fn add_arc(
 ) {
     let pieces = arc_pieces(angle, distance.abs(), tolerance);
     let (cos, sin) = cos_sin(0.25 * angle / pieces);
+    // The angle of a piece is θ = angle/pieces; the sign is that of N′ = −θ′T.
     let handle = -distance * (4.0 / 3.0) * (sin / cos);
     let [first, end] = [0, 1].map(|k| (centers[k], tangents[k]));
     let point = |(center, tangent): (DVec2, DVec2)| center + tangent.perp() * distance;

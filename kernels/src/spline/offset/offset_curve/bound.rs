@@ -81,6 +81,7 @@ impl OffsetCurve<'_> {
         if chord > self.tolerance {
             return false;
         }
+        // The length of the control polygon is at most that: its outer legs have the lengths Δs |Q′|/3.
         let cubic_length =
             chord + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
         let (a, b) = (&from.foot, &to.foot);
@@ -114,6 +115,7 @@ impl OffsetCurve<'_> {
         let (min, max) = range(cubic_square(&e, DVec2::dot).into_iter());
         let (low, high) = (larger(min, 0.0).sqrt() - rest, max.sqrt() + rest);
         let off = larger(high - distance, distance - low);
+        // Q(u) is at most `high` from B(u), and the point of the offset curve is `distance` from it.
         if high + distance <= self.tolerance {
             return high + distance;
         }
@@ -145,12 +147,14 @@ impl OffsetCurve<'_> {
         } else {
             quadratic_by_quadratic(&v, d, DVec2::dot)
         };
+        // `ahead` − `curved` is the derivative of −E·d by the parameter of the foot.
         let curved = cubic_by_linear(e, &d_slopes, DVec2::dot);
         let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
         let mut tangential_max = larger(tangential_high, -tangential_low);
         let mut forward = larger(f_min, -f_max);
         let longest =
             |vectors: &[DVec2]| range(vectors.iter().map(|v| v.length_squared())).1.sqrt();
+        // The control vectors of Q′ = E′ + B′.
         let mut rate = longest(&[
             (e[1] - e[0]) * 3.0 + v[0],
             (e[2] - e[1]) * 3.0 + v[1],
@@ -166,6 +170,7 @@ impl OffsetCurve<'_> {
             rate += rest * 20.0;
             slope += rest * 160.0;
         }
+        // −E·B′ is the derivative of ½ |E|² by the parameter of the foot.
         let square_change = 2.0 * difference_at_zero(tangential_max, forward, rate * slope);
         if square_change < low * low {
             let found = if f_min > 0.0 {
@@ -187,6 +192,7 @@ impl OffsetCurve<'_> {
         if min <= 0.0 || tangential_square >= low * low * min {
             return f64::INFINITY;
         }
+        // δ² is at most that, and the normal component of E is between √(low² − δ²) and `high`.
         let delta_squared = tangential_square / min;
         let up = larger(low * low - delta_squared, 0.0).sqrt();
         let across = larger(high - distance, distance - up);
@@ -203,6 +209,7 @@ impl OffsetCurve<'_> {
             if still(v1) {
                 return [v2; 3];
             }
+            // B′dt / u is linear, with the ends 2v₁ and v₂; it is elevated to degree 2.
             return [v1 * 2.0, v1 + v2 * 0.5, v2];
         }
         if still(v2) {

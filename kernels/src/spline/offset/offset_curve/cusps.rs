@@ -53,6 +53,7 @@ impl Source {
         found: &mut Vec<f64>,
     ) {
         let direction = vectors[0] + vectors[n - 1];
+        // B′·direction is then positive inside. A zero at an end is tested as the middle of a longer interval.
         let agree = vectors[..n].iter().all(|v| v.dot(direction) >= 0.0);
         if agree && vectors[..n].iter().any(|v| v.dot(direction) > 0.0) {
             return;
@@ -94,6 +95,7 @@ impl Source {
     pub fn cusp_tangents(&self, t: f64) -> (DVec2, DVec2) {
         let sample = self.at(t);
         if sample.second.length() > VANISHING_BEND * self.speed() {
+            // Next to the cusp, B′ is about B″ times the difference of the parameters.
             return (
                 -sample.second.normalize_or_zero(),
                 sample.second.normalize_or_zero(),
@@ -153,6 +155,7 @@ impl OffsetCurve<'_> {
     fn outer_end(&self, t: f64, tangent: DVec2, inwards: f64) -> End {
         let mut end = self.end(t);
         if self.source.is_still(&end.sample) {
+            // Only the limit of the tangent is known: B′ has no direction, and the sign is evaluated inside.
             end.sample.first = DVec2::default();
             end.sign_t = t + inwards;
             end.sign = self.end(end.sign_t).sign;
@@ -166,6 +169,7 @@ impl OffsetCurve<'_> {
             return false;
         }
         let limit = 1.0 / self.distance;
+        // 1 − κd > 0 means κ < 1/d for a positive distance, and κ > 1/d for a negative one.
         let limits = if limit > 0.0 {
             [f64::NEG_INFINITY, limit]
         } else {

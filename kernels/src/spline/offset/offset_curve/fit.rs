@@ -51,6 +51,7 @@ impl OffsetCurve<'_> {
             let mut worst: f64 = 0.0;
             let [_, inner @ .., _] = &mut pairs;
             evaluate(&cubic, inner);
+            // In the first round the feet start at proportional parameters, later at the feet of the previous round.
             for _ in 0..if round == 0 { 2 } else { 1 } {
                 self.step(inner, between);
             }
@@ -60,6 +61,7 @@ impl OffsetCurve<'_> {
                 let error = self.error(pair);
                 worst = larger(worst, error.abs());
                 let r = 1.0 - pair.s;
+                // The derivatives of the distance by both handle lengths.
                 let (ja, jb) = (
                     3.0 * pair.s * r * r * from.tangent.dot(n),
                     -3.0 * pair.s * pair.s * r * to.tangent.dot(n),
@@ -91,6 +93,7 @@ impl OffsetCurve<'_> {
             let (aa, bb) = (aa + damping, bb + damping);
             let scale = 1.0 / (aa * bb - ab * ab);
             let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
+            // A handle must not lead against the direction of the offset curve; it may have the length 0.
             a = from.sign * larger(from.sign * (a + da), 0.0);
             b = to.sign * larger(to.sign * (b + db), 0.0);
         }
@@ -111,6 +114,7 @@ impl OffsetCurve<'_> {
         } else {
             larger(0.5 - 0.5 * cos, 0.0).sqrt().copysign(sin)
         };
+        // tan(θ/4) = sin(θ/2) / (1 + cos(θ/2)).
         let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
         let handle = |end: &End| {
             let length = third * end.sample.first.length() - arc;

@@ -49,6 +49,7 @@ impl Source {
         let s = 1.0 - t;
         if self.degree() <= 3 {
             let [a, b, c] = self.first_vectors().map(DVec2::length);
+            // The quadratic with the coefficients a, b and c; they contain the factor n.
             return (a * s + b * t) * s + (b * s + c * t) * t;
         }
         let n = self.degree();
@@ -64,6 +65,7 @@ impl Source {
     pub(super) fn slopes_between(&self, t0: f64, t1: f64, holds: impl Fn(DVec2) -> bool) -> bool {
         if self.degree() <= 3 {
             let (from, to) = (self.at(t0), self.at(t1));
+            // The middle control vector of B′, a quadratic, between both parameters.
             let middle = from.first + from.second * (0.5 * (t1 - t0));
             return holds(from.first) && holds(middle) && holds(to.first);
         }
@@ -79,6 +81,7 @@ impl Source {
         let mut row = [DVec2::default(); MAX_POINTS];
         let mut count = self.degree();
         row[..count].copy_from_slice(self.differences());
+        // The control vectors of the k-th derivative are n(n − 1)…(n − k + 1) times the k-th differences.
         let mut factor = count as f64;
         for _ in 1..k {
             factor *= (count - 1) as f64;

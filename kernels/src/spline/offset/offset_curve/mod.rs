@@ -135,6 +135,7 @@ impl<'a> OffsetCurve<'a> {
         if !work.spend(1) {
             return;
         }
+        // The direction of the offset curve changes at a cusp between the ends.
         if from.sign != to.sign
             && let Some((before, after)) = self.cusp(from, to)
         {
@@ -162,6 +163,7 @@ impl<'a> OffsetCurve<'a> {
         }
         let mut middle = self.cut(from, to);
         if self.source.is_still(&middle.sample) {
+            // The direction of B′ is only rounding here.
             middle.tangent = (from.tangent + to.tangent).normalize_or_zero();
         }
         self.cover_deep(from, &middle, cuts - 1, out, work);
@@ -208,6 +210,7 @@ impl<'a> OffsetCurve<'a> {
     /// |B‴|. Near a cusp of the offset curve this is far shorter than the segment of the source.
     fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
+        // On the piece, B″ changes by at most h max|B‴|, and B′ by at most h max|B″|.
         let max_second = larger(a.second.length(), b.second.length()) + h * third;
         let (u, v) = (a.first.length(), b.first.length());
         let (slowest, fastest) = (
@@ -279,6 +282,7 @@ impl<'a> OffsetCurve<'a> {
     /// the second.
     fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&OffsetSample) -> f64) -> Option<f64> {
         let value = |t: f64| sign * f(&self.source.at(t));
+        // Rounding may have changed a sign; `regula_falsi` expects no negative value at t0 and no positive one at t1.
         let ends = [value(t0).max(0.0), value(t1).min(0.0)];
         let t = regula_falsi([t0, t1], ends, ROOT_WIDTH, value);
         (t > t0 && t < t1).then_some(t)

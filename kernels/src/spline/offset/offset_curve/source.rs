@@ -78,6 +78,7 @@ impl Source {
                 powers(e, n, DVec2::default()),
                 powers(reversed(e, n), n, end),
             ];
+            // The control vectors n (Pᵢ₊₁ − Pᵢ), elevated to degree 2.
             source.slopes = match n {
                 1 => [e[0]; 3],
                 2 => [e[0] * 2.0, e[0] + e[1], e[1] * 2.0],
@@ -141,6 +142,7 @@ impl Source {
         if self.count > 4 {
             return self.at_by_casteljau(t);
         }
+        // With respect to 1 − t, the first derivative has the opposite sign and the second one the same.
         let (side, sign, s) = if t <= 0.5 {
             (0, 1.0, t)
         } else {
@@ -166,6 +168,7 @@ impl Source {
         let s = 1.0 - t;
         let n = self.degree();
         keep_after(&mut row[..=n], t);
+        // Two vectors remain: B′ is their interpolant, B″ their difference.
         levels(&mut slopes[..n], n - 2, t);
         let n = n as f64;
         OffsetSample {
@@ -179,6 +182,7 @@ impl Source {
 
 /// The Taylor coefficients of a curve, computed from its start and the differences of its n + 1 control points.
 fn powers(e: [DVec2; 3], n: usize, start: DVec2) -> [DVec2; 4] {
+    // The binomial coefficients C(n, 2) and C(n, 3), times the second and the third difference.
     let second = (e[1] - e[0]) * [0.0, 0.0, 1.0, 3.0][n];
     let third = ((e[2] - e[1]) - (e[1] - e[0])) * if n == 3 { 1.0 } else { 0.0 };
     [start, e[0] * n as f64, second, third]
