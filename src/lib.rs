@@ -117,6 +117,8 @@ mod serde;
 #[cfg(feature = "wasm")]
 mod wasm;
 
+#[cfg(feature = "count-work")]
+pub use casteljau_kernels::numeric::work_limit::take_steps;
 pub use curve::Curve;
 #[cfg(feature = "easing")]
 pub use easing::{Easing, EasingError};
@@ -128,8 +130,6 @@ pub use glam;
 pub use mesh::{Grid, GridMethod, Indices, Mesh, TessellationOptions};
 #[cfg(feature = "surfaces")]
 pub use models::TeapotOptions;
-#[cfg(feature = "count-work")]
-pub use numeric::work_limit::take_steps;
 #[cfg(feature = "surfaces")]
 pub use patch::Patch;
 #[cfg(feature = "regions")]
