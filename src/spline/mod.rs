@@ -55,7 +55,6 @@ pub use offset::Join;
 #[cfg(feature = "fit")]
 pub use simplify::SimplifyOptions;
 
-#[cfg(feature = "fit")]
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, images, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
