@@ -114,6 +114,23 @@ fn distances_next_to_a_radius_of_curvature() {
     });
 }
 
+/// Almost a cusp at the start: the foot of a perpendicular may be many parts away, where a bound of one part says nothing.
+#[test]
+fn feet_far_away_prove_nothing() {
+    let curve = Curve::new(&[
+        DVec2::new(0.6509320390646245, -0.8577206577962122),
+        DVec2::new(0.07479403842377463, -0.28605753994343974),
+        DVec2::new(-0.5711409049282405, -0.3800446199259646),
+        DVec2::new(-0.635390615107307, 0.39999368140976554),
+    ]);
+    let found = error(
+        &curve.expect("finite"),
+        1.9051521353270293,
+        1.0636582474878334e-5,
+    );
+    assert!(found <= 1.0, "{found} tolerances");
+}
+
 /// Huge and tiny curves of any degree: the result consists of finite numbers and is returned in time.
 #[test]
 fn any_curve_has_an_offset() {

@@ -172,7 +172,8 @@ impl OffsetCurve<'_> {
         }
         // −E·B′ is the derivative of ½ |E|² by the parameter of the foot.
         let square_change = 2.0 * difference_at_zero(tangential_max, forward, rate * slope);
-        if square_change < low * low {
+        // Only then is the foot next to this part: where the curve turns slowly, the first condition holds for feet far away.
+        if tangential_max < forward && square_change < low * low {
             let found = if f_min > 0.0 {
                 larger(
                     high - distance,
