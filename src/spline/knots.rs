@@ -107,7 +107,7 @@ impl Knots {
         }
         // The first joint is preceded by `degree` knots.
         let (n, period) = (self.count, self.values[self.count]);
-        // Whole periods are added before the division, so that the index does not become negative.
+        // Whole periods are added before the division, so that the index is not negative.
         let turns = self.degree.div_ceil(n);
         let from_before = i + turns * n - self.degree;
         let turn = (from_before / n) as f64 - turns as f64;

@@ -110,8 +110,8 @@ impl Spoke {
         }
         let probe = evaluate(&points, s);
         let direction = Point::unit(probe);
-        // While the arc bends evenly, the chord to s is off from the tangent at its start by twice the angle between
-        // the chords to s and to s/2.
+        // Where the curvature of the arc is almost constant, the chord to s is off from the tangent at its start by
+        // twice the angle between the chords to s and to s/2.
         let half_way = Point::unit(evaluate(&points, 0.5 * s));
         let uncertain = spread / Point::norm(probe).max(f64::MIN_POSITIVE);
         Self {
