@@ -52,6 +52,7 @@
 //! - `fit`: fitting points ([`Spline::fit`]) and simplification ([`Spline::simplify`]).
 //! - `easing`: CSS timing functions ([`Easing`]).
 //! - `io`: SVG path data ([`Path::from_svg`]); with `surfaces` also their text forms, and meshes as OBJ, STL and GLB.
+//! - `nurbs`: curves with weights ([`RationalCurve`]).
 //! - `surfaces`: patches, surfaces, meshes and the teapot.
 //! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
 //!   results are the same. The npm package does without it.
@@ -104,6 +105,8 @@ mod parallel;
 #[cfg(feature = "surfaces")]
 pub mod patch;
 pub mod path;
+#[cfg(feature = "nurbs")]
+mod rational;
 pub mod spline;
 #[cfg(feature = "surfaces")]
 pub mod surface;
@@ -135,6 +138,8 @@ pub use patch::Patch;
 #[cfg(feature = "regions")]
 pub use path::StrokeOptions;
 pub use path::{FillRule, Path, PathBuilder, PathTime};
+#[cfg(feature = "nurbs")]
+pub use rational::RationalCurve;
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

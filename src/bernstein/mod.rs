@@ -6,3 +6,4 @@ pub(crate) mod evaluate;
 pub(crate) mod polynomials;
 pub(crate) mod product;
 pub(crate) mod roots;
+pub(crate) mod wronskian;

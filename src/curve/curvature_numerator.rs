@@ -1,15 +1,12 @@
 //! The cross product of a curve with its own derivative, for inflections and tangents through a point.
 
+use crate::bernstein::wronskian::wronskian;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
-use casteljau_kernels::bernstein::weights::binomial;
 use glam::DVec2;
 
 /// The Bernstein coefficients of V×V′ for the curve V with the given control points, projected along z, and a bound on
-/// their error if each coordinate has an error of `rounding`.
-///
-/// Since V×V = 0, a pair i < j contributes only vᵢ×vⱼ · C(m, i) C(m, j) (j − i) tᵏ (1 − t)²ᵐ⁻²⁻ᵏ with k = i + j − 1, so
-/// the degree is 2m − 2 and not 2m − 1. The result for a single point is zero.
+/// their error if each coordinate has an error of `rounding`. The result for a single point is zero.
 pub(crate) fn curvature_numerator<P: Point>(v: &[P], rounding: f64) -> (Scalars, f64) {
     if let [a, b, c] = *v {
         let (coefficients, slack) =
@@ -24,22 +21,17 @@ pub(crate) fn curvature_numerator<P: Point>(v: &[P], rounding: f64) -> (Scalars,
 
 fn curvature_numerator_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f64) {
     let m = v.len() - 1;
-    let mut coefficients: Scalars = (0..2 * m.max(1) - 1).map(|_| 0.0).collect();
-    let mut errors = coefficients.clone();
-    for j in 1..=m {
-        for i in 0..j {
-            let k = i + j - 1;
-            let share = binomial(m, i) * binomial(m, j) * (j - i) as f64 / binomial(2 * m - 2, k);
-            let sizes = v[i].abs().element_sum() + v[j].abs().element_sum();
-            coefficients[k] += share * v[i].perp_dot(v[j]);
-            errors[k] += share * sizes * (rounding + f64::EPSILON * sizes);
-        }
-    }
-    let slack = errors.iter().copied().fold(0.0, f64::max);
-    (coefficients, slack)
+    // V = (f, g) in the sense of `wronskian`.
+    let coefficients = wronskian(m, |i, j| v[i].perp_dot(v[j]));
+    let errors = wronskian(m, |i, j| {
+        let sizes = v[i].abs().element_sum() + v[j].abs().element_sum();
+        sizes * (rounding + f64::EPSILON * sizes)
+    });
+    let slack = errors.into_iter().fold(0.0, f64::max);
+    (coefficients.into_iter().collect(), slack)
 }
 
-/// [`turning`] for degree 2, as for the derivative of a cubic.
+/// [`curvature_numerator`] for degree 2, as for the derivative of a cubic.
 #[cfg_attr(feature = "fast", inline)]
 pub(crate) fn curvature_numerator_of_quadratic(
     [a, b, c]: [DVec2; 3],

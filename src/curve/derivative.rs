@@ -49,7 +49,7 @@ impl<P: Point> Curve<P> {
     /// §5.3.
     pub fn tangent(&self, t: f64) -> P {
         self.taylor(t)
-            .map_or(P::default(), |local| local.direction(local.first))
+            .map_or(P::default(), |local| local.tangent())
     }
 
     /// The unit normal at t.
@@ -58,25 +58,7 @@ impl<P: Point> Curve<P> {
     /// direction of the component perpendicular to the tangent of the first higher derivative that has one. The result
     /// is zero for a curve that is a point and, in space, for a straight curve.
     pub fn normal(&self, t: f64) -> P {
-        let Some(local) = self.taylor(t) else {
-            return P::default();
-        };
-        let tangent = local.direction(local.first);
-        if P::DIMENSION == 2 {
-            return P::normal_of(tangent, P::default());
-        }
-        local.bend().map_or(P::default(), |order| {
-            let bend = local.coefficients[order - 1];
-            // In the limit from the left, odd powers of τ change sign.
-            P::normal_of(
-                tangent,
-                if local.from_left && !order.is_multiple_of(2) {
-                    -bend
-                } else {
-                    bend
-                },
-            )
-        })
+        self.taylor(t).map_or(P::default(), |local| local.normal())
     }
 
     /// The curvature κ = (B′ × B″) / |B′|³ at t, in 1 / unit of length.
@@ -86,30 +68,7 @@ impl<P: Point> Curve<P> {
     /// point it is 0. In space a curve counts as straight where the angle between B″ and B′ is at most 10⁻¹³. Source:
     /// Farin, *Curves and Surfaces for CAGD*, §11.2.
     pub fn curvature(&self, t: f64) -> f64 {
-        let Some(local) = self.taylor(t) else {
-            return 0.0;
-        };
-        let Some(order) = local.bend() else {
-            return 0.0;
-        };
-        let (a, c) = (local.first as f64, order as f64);
-        let first = local.coefficients[local.first - 1];
-        let cross = first.cross(local.coefficients[order - 1]);
-        let turned =
-            P::DIMENSION == 2 && local.from_left && (local.first + order).is_multiple_of(2);
-        let sign = if turned {
-            -cross.curvature_sign()
-        } else {
-            cross.curvature_sign()
-        };
-        // With B ≈ A tᵃ + C tᶜ the curvature is A×C·c(c−a)/(a²|A|³) · t to the power c − 2a.
-        match order.cmp(&(2 * local.first)) {
-            Ordering::Less => sign * f64::INFINITY,
-            Ordering::Greater => 0.0,
-            Ordering::Equal => {
-                sign * cross.size() / first.norm().powi(3) * (c * (c - a) / (a * a)) / local.scale
-            }
-        }
+        self.taylor(t).map_or(0.0, |local| local.curvature())
     }
 
     /// The Taylor expansion at t; `None` for a curve that is a point.
@@ -166,6 +125,56 @@ pub(crate) struct Taylor<P: Point> {
 }
 
 impl<P: Point> Taylor<P> {
+    /// The unit tangent.
+    pub(crate) fn tangent(&self) -> P {
+        self.direction(self.first)
+    }
+
+    /// The unit normal; see [`Curve::normal`].
+    pub(crate) fn normal(&self) -> P {
+        let tangent = self.tangent();
+        if P::DIMENSION == 2 {
+            return P::normal_of(tangent, P::default());
+        }
+        self.bend().map_or(P::default(), |order| {
+            let bend = self.coefficients[order - 1];
+            // In the limit from the left, odd powers of τ change sign.
+            P::normal_of(
+                tangent,
+                if self.from_left && !order.is_multiple_of(2) {
+                    -bend
+                } else {
+                    bend
+                },
+            )
+        })
+    }
+
+    /// The curvature; see [`Curve::curvature`].
+    pub(crate) fn curvature(&self) -> f64 {
+        let Some(order) = self.bend() else {
+            return 0.0;
+        };
+        let (a, c) = (self.first as f64, order as f64);
+        let first = self.coefficients[self.first - 1];
+        let cross = first.cross(self.coefficients[order - 1]);
+        let turned =
+            P::DIMENSION == 2 && self.from_left && (self.first + order).is_multiple_of(2);
+        let sign = if turned {
+            -cross.curvature_sign()
+        } else {
+            cross.curvature_sign()
+        };
+        // With B ≈ A tᵃ + C tᶜ the curvature is A×C·c(c−a)/(a²|A|³) · t to the power c − 2a.
+        match order.cmp(&(2 * self.first)) {
+            Ordering::Less => sign * f64::INFINITY,
+            Ordering::Greater => 0.0,
+            Ordering::Equal => {
+                sign * cross.size() / first.norm().powi(3) * (c * (c - a) / (a * a)) / self.scale
+            }
+        }
+    }
+
     /// The direction in which the term of this order moves the point as t increases.
     fn direction(&self, order: usize) -> P {
         let unit = self.coefficients[order - 1].unit();

@@ -6,7 +6,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, points_of};
 use casteljau_kernels::bernstein::de_casteljau::lerp;
-use casteljau_kernels::numeric::vector::Vector;
+use casteljau_kernels::numeric::vector::{Interpolate, Vector};
 
 impl<P: Point> Curve<P> {
     /// The same curve with degree n + 1, and so with one more control point.
@@ -35,8 +35,8 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// Replaces the Bernstein coefficients, points or numbers, by those of degree n + 1.
-pub(crate) fn elevate_once<T: Vector>(points: &mut Points<T>) {
+/// Replaces the Bernstein coefficients (numbers, points, points with weights) by those of degree n + 1.
+pub(crate) fn elevate_once<T: Interpolate>(points: &mut Points<T>) {
     let count = points.len();
     points.push(points[count - 1]);
     for i in (1..count).rev() {

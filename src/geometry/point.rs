@@ -2,7 +2,7 @@
 
 use casteljau_kernels::numeric::vector::Vector;
 use casteljau_kernels::spline::fit_run::{FitRun, plane_handles, space_handles};
-use glam::{DAffine2, DAffine3, DVec2, DVec3};
+use glam::{DAffine2, DAffine3, DMat3, DMat4, DVec2, DVec3};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -64,6 +64,8 @@ pub trait Point:
     const ZERO: Self;
     /// The affine maps of this space.
     type Affine: Copy + Debug;
+    /// The projective maps of this space: `DMat3` for the plane, `DMat4` for space.
+    type Projective: Copy + Debug;
     /// The type of A×B: a number in the plane (the signed area), a vector in space.
     type CrossProduct: CrossProduct;
 
@@ -90,6 +92,8 @@ pub trait Point:
     fn max(self, other: Self) -> Self;
     /// The image of this point under an affine map.
     fn transform(self, map: &Self::Affine) -> Self;
+    /// The numerator and the denominator of the image of this point under a projective map.
+    fn project(self, map: &Self::Projective) -> (Self, f64);
     /// The normal of a unit tangent: the tangent rotated by +90° in the plane; in space the normalized component of
     /// `bend` perpendicular to the tangent (zero if there is none).
     fn normal_of(tangent: Self, bend: Self) -> Self;
@@ -193,6 +197,7 @@ impl Point for DVec2 {
     const DIMENSION: usize = 2;
     const ZERO: Self = DVec2::ZERO;
     type Affine = DAffine2;
+    type Projective = DMat3;
     type CrossProduct = f64;
 
     #[inline]
@@ -244,6 +249,11 @@ impl Point for DVec2 {
         map.transform_point2(self)
     }
     #[inline]
+    fn project(self, map: &DMat3) -> (Self, f64) {
+        let image = *map * self.extend(1.0);
+        (image.truncate(), image.z)
+    }
+    #[inline]
     fn normal_of(tangent: Self, _bend: Self) -> Self {
         // 0 − y, so that a zero tangent does not become a normal of −0.
         DVec2::new(0.0 - tangent.y, tangent.x)
@@ -254,6 +264,7 @@ impl Point for DVec3 {
     const DIMENSION: usize = 3;
     const ZERO: Self = DVec3::ZERO;
     type Affine = DAffine3;
+    type Projective = DMat4;
     type CrossProduct = DVec3;
 
     #[inline]
@@ -304,6 +315,11 @@ impl Point for DVec3 {
     #[inline]
     fn transform(self, map: &DAffine3) -> Self {
         map.transform_point3(self)
+    }
+    #[inline]
+    fn project(self, map: &DMat4) -> (Self, f64) {
+        let image = *map * self.extend(1.0);
+        (image.truncate(), image.w)
     }
     #[inline]
     fn normal_of(tangent: Self, bend: Self) -> Self {

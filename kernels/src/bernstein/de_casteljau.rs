@@ -6,20 +6,20 @@
 //! after t. Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*,
 //! §4.2.
 //!
-//! The control points are numbers, points, or groups of lanes. The halves at ½ are sums times ½, with one
+//! The control points are numbers, points, groups of lanes, or points with weights. The halves at ½ are sums times ½, with one
 //! multiplication instead of two.
 
-use crate::numeric::vector::Vector;
+use crate::numeric::vector::Interpolate;
 
-/// (1 − t)·a + t·b.
+/// The value at t between two others; (1 − t)·a + t·b for numbers and points.
 #[inline(always)]
-pub fn lerp<T: Vector>(a: T, b: T, t: f64) -> T {
-    a * (1.0 - t) + b * t
+pub fn lerp<T: Interpolate>(a: T, b: T, t: f64) -> T {
+    a.interpolate(b, t)
 }
 
 /// Computes some levels of the triangle in place: `points` then begins with the points of the last one.
 #[inline(always)]
-pub fn levels<T: Vector>(points: &mut [T], count: usize, t: f64) {
+pub fn levels<T: Interpolate>(points: &mut [T], count: usize, t: f64) {
     for level in 1..=count {
         for i in 0..points.len() - level {
             points[i] = lerp(points[i], points[i + 1], t);
@@ -29,13 +29,13 @@ pub fn levels<T: Vector>(points: &mut [T], count: usize, t: f64) {
 
 /// Keeps the control points of the segment after t.
 #[inline(always)]
-pub fn keep_after<T: Vector>(points: &mut [T], t: f64) {
+pub fn keep_after<T: Interpolate>(points: &mut [T], t: f64) {
     levels(points, points.len().saturating_sub(1), t);
 }
 
 /// Keeps the control points of the segment before t.
 #[inline(always)]
-pub fn keep_before<T: Vector>(points: &mut [T], t: f64) {
+pub fn keep_before<T: Interpolate>(points: &mut [T], t: f64) {
     for level in 1..points.len() {
         for i in (level..points.len()).rev() {
             points[i] = lerp(points[i - 1], points[i], t);
@@ -47,7 +47,7 @@ pub fn keep_before<T: Vector>(points: &mut [T], t: f64) {
 ///
 /// The first cut keeps the longer of the ranges from t₀ to 1 and from 0 to t₁. So the parameter of the second cut stays
 /// in [0, 1] if t₀ and t₁ do, and every step is a convex combination.
-pub fn keep_between<T: Vector>(points: &mut [T], t0: f64, t1: f64) {
+pub fn keep_between<T: Interpolate>(points: &mut [T], t0: f64, t1: f64) {
     if 1.0 - t0 > t1 {
         keep_after(points, t0);
         let t = if t0 == 1.0 {
@@ -65,7 +65,7 @@ pub fn keep_between<T: Vector>(points: &mut [T], t0: f64, t1: f64) {
 /// Splits a curve at t. Both slices hold all control points at first, and those of the segments before and after t
 /// afterwards.
 #[inline(always)]
-pub fn split<T: Vector>(left: &mut [T], right: &mut [T], t: f64) {
+pub fn split<T: Interpolate>(left: &mut [T], right: &mut [T], t: f64) {
     split_with(left, right, |a, b| lerp(a, b, t));
 }
 

@@ -26,6 +26,22 @@ pub trait Vector:
 
 impl Vector for f64 {}
 
+/// What has others between itself and a second one: vectors, and control points with weights.
+///
+/// De Casteljau's algorithm, degree elevation and B-splines need nothing else.
+pub trait Interpolate: Copy {
+    /// The value at t between this one (t = 0) and the other (t = 1), exact at both ends.
+    fn interpolate(self, other: Self, t: f64) -> Self;
+}
+
+impl<V: Vector> Interpolate for V {
+    /// (1 − t)·a + t·b.
+    #[inline(always)]
+    fn interpolate(self, other: Self, t: f64) -> Self {
+        self * (1.0 - t) + other * t
+    }
+}
+
 // The sums are written out by coordinates, because a build optimized for size would call every operator.
 impl Vector for DVec2 {
     #[inline(always)]

@@ -7,6 +7,7 @@ use crate::numeric::list::Points;
 use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use casteljau_kernels::bernstein::weights::binomial;
 use casteljau_kernels::curve::arc_length::speed::speed_integral;
+use casteljau_kernels::numeric::vector::Vector;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use casteljau_kernels::numeric::zero::{newton_in_bracket, regula_falsi};
 use glam::DVec3;
@@ -48,9 +49,70 @@ const STEEP_PART: f64 = 1.0 / 256.0;
 /// Cosine of the largest allowed change of direction (25°) before the first node.
 const SHARP_COSINE: f64 = 0.9;
 
-/// The rounding error of an integral over an interval of length 1 on which the derivative has these control vectors.
-fn rounding_error(slopes: &[DVec3]) -> f64 {
-    (slopes.len() as f64 + 4.0) * f64::EPSILON * max_abs(slopes)
+/// The speed of a curve, as the table needs it.
+pub(crate) trait Speed {
+    /// The speed at t.
+    fn at(&self, t: f64) -> f64;
+    /// The integral of the speed from `lo` to `hi`, by one rule.
+    fn integral(&self, lo: f64, hi: f64) -> f64;
+    /// A function with the sign of the derivative of the speed.
+    fn growth(&self) -> impl Fn(f64) -> f64 + '_;
+    /// Vectors whose hull contains the derivative of the curve in an interval; those at the ends have its direction there.
+    fn slopes_between(&self, lo: f64, hi: f64) -> Points<DVec3>;
+    /// The rounding error of an integral over an interval of length 1 in which the derivative is as between `lo` and `hi`.
+    fn rounding_error(&self, lo: f64, hi: f64, slopes: &[DVec3]) -> f64;
+}
+
+/// The speed of a polynomial curve.
+pub(crate) struct PolynomialSpeed {
+    /// The control vectors of B′.
+    slopes: Points<DVec3>,
+    /// `slopes` times their binomial coefficients.
+    weighted: Points<DVec3>,
+}
+
+impl PolynomialSpeed {
+    /// The speed for the differences of the control points.
+    pub(crate) fn new<P: Point>(differences: &[P]) -> Self {
+        let degree = differences.len() as f64;
+        let slopes: Points<DVec3> = differences.iter().map(|p| p.to_3d() * degree).collect();
+        let weighted = times_binomials(&slopes);
+        Self { slopes, weighted }
+    }
+}
+
+/// Coefficients times their binomial coefficients.
+pub(crate) fn times_binomials<V: Vector>(coefficients: &[V]) -> Points<V> {
+    let last = coefficients.len() - 1;
+    let pairs = coefficients.iter().enumerate();
+    pairs.map(|(i, &c)| c * binomial(last, i)).collect()
+}
+
+impl Speed for PolynomialSpeed {
+    fn at(&self, t: f64) -> f64 {
+        Point::norm(evaluate(&self.slopes, t))
+    }
+
+    fn integral(&self, lo: f64, hi: f64) -> f64 {
+        speed_integral(&self.weighted, lo, hi)
+    }
+
+    /// B′·B″.
+    fn growth(&self) -> impl Fn(f64) -> f64 + '_ {
+        let pairs = self.slopes.windows(2);
+        let bend: Points<DVec3> = pairs.map(|pair| pair[1] - pair[0]).collect();
+        move |t| evaluate(&self.slopes, t).dot(evaluate(&bend, t))
+    }
+
+    fn slopes_between(&self, lo: f64, hi: f64) -> Points<DVec3> {
+        let mut slopes = self.slopes.clone();
+        keep_between(&mut slopes, lo, hi);
+        slopes
+    }
+
+    fn rounding_error(&self, _lo: f64, _hi: f64, slopes: &[DVec3]) -> f64 {
+        (slopes.len() as f64 + 4.0) * f64::EPSILON * max_abs(slopes)
+    }
 }
 
 /// An interval that one rule integrates: its end, and the arc length up to that end.
@@ -61,10 +123,10 @@ struct Interval {
 }
 
 /// The speed of a curve, cut into intervals that one rule integrates accurately.
-pub(crate) struct ArcLengthTable {
-    slopes: Points<DVec3>,
-    /// `slopes` times their binomial coefficients.
-    weighted: Points<DVec3>,
+pub(crate) struct ArcLengthTable<S = PolynomialSpeed> {
+    source: S,
+    /// The number of control vectors of B′.
+    slope_count: usize,
     intervals: Vec<Interval>,
     /// Counts the intervals.
     work: WorkLimit,
@@ -73,22 +135,19 @@ pub(crate) struct ArcLengthTable {
     noise: f64,
 }
 
-impl ArcLengthTable {
-    /// Makes the table from the differences of the control points, which are of moderate size and not all zero.
+impl<S: Speed> ArcLengthTable<S> {
+    /// Makes the table from a speed that is of moderate size and not 0 everywhere.
     /// `tolerance`, infinite for none, is used only if it is finer than the usual target. A coarser tolerance does not
     /// reduce the work: rules of a few points may agree by chance, and a large error would not be detected.
-    pub(crate) fn new<P: Point>(slopes: &[P], tolerance: f64) -> Self {
-        let degree = slopes.len() as f64;
-        let slopes: Points<DVec3> = slopes.iter().map(|p| p.to_3d() * degree).collect();
-        let last = slopes.len() - 1;
-        let weighted = slopes.iter().enumerate();
+    pub(crate) fn new(source: S, tolerance: f64) -> Self {
+        let slopes = source.slopes_between(0.0, 1.0);
         let mut arc = Self {
-            weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
             intervals: Vec::new(),
             work: WorkLimit::new(MAX_INTERVALS),
             tolerance: 0.0,
-            noise: rounding_error(&slopes),
-            slopes,
+            noise: source.rounding_error(0.0, 1.0, &slopes),
+            slope_count: slopes.len(),
+            source,
         };
         let whole = arc.between(0.0, 1.0);
         arc.tolerance = (USUAL_PART * whole).min(tolerance / 8.0);
@@ -157,12 +216,12 @@ impl ArcLengthTable {
     }
 
     fn speed(&self, t: f64) -> f64 {
-        Point::norm(evaluate(&self.slopes, t))
+        self.source.at(t)
     }
 
     /// ∫ |B′| from `lo` to `hi`, by one rule.
     fn between(&self, lo: f64, hi: f64) -> f64 {
-        speed_integral(&self.weighted, lo, hi)
+        self.source.integral(lo, hi)
     }
 
     /// Cuts an interval until the integrals over both parts together agree with the integral over the whole; then each
@@ -189,8 +248,8 @@ impl ArcLengthTable {
     /// Whether the difference between both levels is allowed for the rounding of this interval alone, and the curve does
     /// not reverse between the nodes of a rule, which would not detect it.
     fn is_accurate(&self, at @ [lo, _, hi]: [f64; 3], off: f64) -> bool {
-        let slopes = self.slopes_between(lo, hi);
-        let noise = rounding_error(&slopes);
+        let slopes = self.source.slopes_between(lo, hi);
+        let noise = self.source.rounding_error(lo, hi, &slopes);
         let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
         off <= self.allowed_difference(at, noise) && !self.deviates(&slopes, chord, 0.0, hi - lo)
     }
@@ -214,7 +273,7 @@ impl ArcLengthTable {
 
     /// High degrees may oscillate between the nodes of the first rules.
     fn min_depth(&self) -> usize {
-        (self.slopes.len() / 4).min(MAX_MIN_DEPTH)
+        (self.slope_count / 4).min(MAX_MIN_DEPTH)
     }
 
     /// Whether the curve turns sharply between an end and the first node, where no rule samples it. At the end itself
@@ -222,7 +281,7 @@ impl ArcLengthTable {
     fn turns_near(&self, end: f64, cut: f64) -> bool {
         let node = end + BEFORE_FIRST_NODE * (cut - end);
         let (lo, hi) = (end.min(node), end.max(node));
-        let slopes = self.slopes_between(lo, hi);
+        let slopes = self.source.slopes_between(lo, hi);
         // The derivative at the node.
         let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
         self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
@@ -251,13 +310,6 @@ impl ArcLengthTable {
         })
     }
 
-    /// The control points of the derivative on an interval.
-    fn slopes_between(&self, lo: f64, hi: f64) -> Points<DVec3> {
-        let mut slopes = self.slopes.clone();
-        keep_between(&mut slopes, lo, hi);
-        slopes
-    }
-
     fn push(&mut self, t: f64, length: f64) {
         let before = self.length();
         self.intervals.push(Interval {
@@ -281,14 +333,9 @@ impl ArcLengthTable {
         }
     }
 
-    /// The parameter of a minimum of the speed inside, a zero of B′·B″; otherwise an end.
+    /// The parameter of a minimum of the speed inside; otherwise an end.
     fn min_speed(&self, lo: f64, hi: f64) -> f64 {
-        let bend: Points<DVec3> = self
-            .slopes
-            .windows(2)
-            .map(|pair| pair[1] - pair[0])
-            .collect();
-        let growth = |t: f64| evaluate(&self.slopes, t).dot(evaluate(&bend, t));
+        let growth = self.source.growth();
         let (before, after) = (growth(lo), growth(hi));
         if !(before < 0.0 && after > 0.0) {
             return lo;

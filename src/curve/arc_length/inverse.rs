@@ -1,6 +1,6 @@
 //! The parameter at a given arc length.
 
-use super::integral::ArcLengthTable;
+use super::integral::{ArcLengthTable, PolynomialSpeed, Speed};
 use crate::curve::Curve;
 use crate::curve::eval::check_segments;
 use crate::curve::hodograph::Hodograph;
@@ -25,7 +25,7 @@ impl ArcLengthInverse {
         let slack = 0.5 * tolerance.unwrap_or(0.0);
         match curve.plane_cubic() {
             Some(points) => Self::PlaneCubic(PlaneCubicInverse::new(&points, slack)),
-            None => Self::Table(InverseByTable::new(curve, slack)),
+            None => Self::Table(InverseByTable::of(curve, slack)),
         }
     }
 
@@ -39,8 +39,8 @@ impl ArcLengthInverse {
 }
 
 /// The inverse of the arc length of a curve of any degree; the table is computed once.
-pub(crate) struct InverseByTable {
-    arc: Option<ArcLengthTable>,
+pub(crate) struct InverseByTable<S = PolynomialSpeed> {
+    arc: Option<ArcLengthTable<S>>,
     /// The curve's length.
     length: f64,
     /// The length according to the table; it may differ by some roundings.
@@ -49,19 +49,28 @@ pub(crate) struct InverseByTable {
 }
 
 impl InverseByTable {
-    fn new<P: Point>(curve: &Curve<P>, slack: f64) -> Self {
+    fn of<P: Point>(curve: &Curve<P>, slack: f64) -> Self {
         let Hodograph { vectors, unit } = Hodograph::of(curve.control_points());
-        let arc = (unit > 0.0).then(|| ArcLengthTable::new(&vectors, f64::INFINITY));
+        let table = || ArcLengthTable::new(PolynomialSpeed::new(&vectors), f64::INFINITY);
+        let arc = (unit > 0.0).then(table);
+        Self::new(arc, curve.arc_length(f64::INFINITY), slack / unit)
+    }
+}
+
+impl<S: Speed> InverseByTable<S> {
+    /// The inverse for a curve of a given length; `slack`, an error in the unit of the table, is used where it is more than
+    /// rounding.
+    pub(crate) fn new(arc: Option<ArcLengthTable<S>>, length: f64, slack: f64) -> Self {
         let in_table = arc.as_ref().map_or(0.0, ArcLengthTable::length);
         Self {
-            slack: (slack / unit).max(DEFAULT_SLACK * in_table),
+            slack: slack.max(DEFAULT_SLACK * in_table),
             arc,
-            length: curve.arc_length(f64::INFINITY),
+            length,
             in_table,
         }
     }
 
-    fn time(&self, s: f64) -> f64 {
+    pub(crate) fn time(&self, s: f64) -> f64 {
         let Some(arc) = self.arc.as_ref().filter(|_| s > 0.0) else {
             return if s.is_nan() { s } else { 0.0 };
         };

@@ -4,7 +4,7 @@
 //! integrate the speed. They converge fast where the speed is smooth and slowly where it is close to zero, so the curve
 //! is cut at the minima of the speed.
 
-use super::integral::ArcLengthTable;
+use super::integral::{ArcLengthTable, PolynomialSpeed};
 use crate::curve::Curve;
 use crate::curve::hodograph::Hodograph;
 use crate::geometry::check::check_tolerance;
@@ -63,7 +63,7 @@ impl<P: Point> Curve<P> {
         let length = match *vectors {
             [d] => d.norm(),
             [d, e] => line_integral(d, e),
-            _ => ArcLengthTable::new(&vectors, tolerance / unit).length(),
+            _ => ArcLengthTable::new(PolynomialSpeed::new(&vectors), tolerance / unit).length(),
         };
         length * unit
     }

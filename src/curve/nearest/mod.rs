@@ -18,7 +18,7 @@ use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
-use crate::numeric::list::Points;
+use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 
@@ -182,24 +182,91 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 /// The parameter for points relative to the query, by the roots of B·B′, and the number of processed segments.
 fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
     let n = points.len() - 1;
-    let mut search = Search {
+    let curve = PolynomialDistance {
         curve: CurveWithDerivatives::new(points),
         binomials: Binomials::new(n, n - 1),
+    };
+    nearest_to_origin(&curve, Curve::from_slice(points))
+}
+
+/// A curve relative to the query point: what the search for the nearest point needs.
+pub(crate) trait DistanceToOrigin<P: Point> {
+    /// The curve, or a part of it.
+    type Part;
+    /// Points whose hull contains a part; the first and the last are its ends.
+    fn hull(part: &Self::Part) -> &[P];
+    /// The Bernstein coefficients of a polynomial with the sign of the derivative of the distance.
+    fn rate(&self, part: &Self::Part) -> Scalars;
+    /// A bound of |B·B′| on a part, by the coefficients of the rate.
+    fn rate_bound(part: &Self::Part, rate: &[f64]) -> f64;
+    /// Both halves of a part.
+    fn halve(part: &Self::Part) -> (Self::Part, Self::Part);
+    /// The point at t of the whole curve.
+    fn at(&self, t: f64) -> P;
+    /// The first two derivatives there.
+    fn derivatives(&self, t: f64) -> [P; 2];
+}
+
+/// A polynomial curve relative to the query point.
+struct PolynomialDistance<'a, P: Point> {
+    curve: CurveWithDerivatives<'a, P>,
+    binomials: Binomials,
+}
+
+impl<P: Point> DistanceToOrigin<P> for PolynomialDistance<'_, P> {
+    type Part = Curve<P>;
+
+    fn hull(part: &Curve<P>) -> &[P] {
+        &part.points
+    }
+
+    /// B·B′/n.
+    fn rate(&self, part: &Curve<P>) -> Scalars {
+        let points = &part.points;
+        self.binomials
+            .product(|i, j| points[i].dot(points[j + 1] - points[j]))
+    }
+
+    fn rate_bound(part: &Curve<P>, rate: &[f64]) -> f64 {
+        part.degree() as f64 * max_of(rate)
+    }
+
+    fn halve(part: &Curve<P>) -> (Curve<P>, Curve<P>) {
+        part.halve()
+    }
+
+    fn at(&self, t: f64) -> P {
+        self.curve.at(t)
+    }
+
+    fn derivatives(&self, t: f64) -> [P; 2] {
+        self.curve.derivatives(t)
+    }
+}
+
+/// The parameter of the point that is nearest to the origin, and the number of processed parts.
+pub(crate) fn nearest_to_origin<P: Point, C: DistanceToOrigin<P>>(
+    curve: &C,
+    whole: C::Part,
+) -> (f64, usize) {
+    let points = C::hull(&whole);
+    let n = points.len() - 1;
+    let mut search = Search {
+        curve,
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
         min: points[0].norm(),
         end: points[n].norm(),
         work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
-    search.run(points, [0.0, 1.0], ROOT_HALVINGS);
+    search.run(&whole, [0.0, 1.0], ROOT_HALVINGS);
     search.consider(1.0);
     (search.t, search.work.used())
 }
 
 /// The search for the point of a curve that is nearest to the origin.
-struct Search<'a, P: Point> {
-    curve: CurveWithDerivatives<'a, P>,
-    binomials: Binomials,
+struct Search<'a, C> {
+    curve: &'a C,
     /// Distances that differ by less than this are equal.
     slack: f64,
     t: f64,
@@ -210,9 +277,12 @@ struct Search<'a, P: Point> {
     work: WorkLimit,
 }
 
-impl<P: Point> Search<'_, P> {
-    fn consider(&mut self, t: f64) {
-        let (t, distance) = polish(&self.curve, t);
+impl<C> Search<'_, C> {
+    fn consider<P: Point>(&mut self, t: f64)
+    where
+        C: DistanceToOrigin<P>,
+    {
+        let (t, distance) = polish(self.curve, t);
         if distance < self.min - self.slack {
             (self.t, self.min) = (t, distance);
         }
@@ -221,22 +291,23 @@ impl<P: Point> Search<'_, P> {
     /// Considers the parameters where B·B′ changes sign from − to +, from left to right. The control points of B are
     /// subdivided, not the coefficients of B·B′: near multiple roots the coefficients of the parts are small, and so is
     /// their rounding.
-    fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
+    fn run<P: Point>(&mut self, part: &C::Part, [lo, hi]: [f64; 2], halvings: usize)
+    where
+        C: DistanceToOrigin<P>,
+    {
         let within = self.work.spend(1);
-        let bound = Bounds::from_points(points).distance(P::default());
+        let bound = Bounds::from_points(C::hull(part)).distance(P::default());
         if bound > self.min.min(self.end) + self.slack {
             return;
         }
-        let rate = self
-            .binomials
-            .product(|i, j| points[i].dot(points[j + 1] - points[j]));
+        let rate = self.curve.rate(part);
         let (changes, sign) = sign_changes(&rate);
         // Without a sign change the distance is monotone; a change from + to − is a maximum.
         if changes == 0 || changes == 1 && sign > 0.0 {
             return;
         }
         let mid = 0.5 * (lo + hi);
-        if (points.len() - 1) as f64 * max_of(&rate) <= self.slack * bound {
+        if C::rate_bound(part, &rate) <= self.slack * bound {
             // B·B′ / |B| is the derivative of the distance, which is constant here up to rounding.
             return self.consider(mid);
         }
@@ -246,18 +317,18 @@ impl<P: Point> Search<'_, P> {
                 .for_each(|s| self.consider(lo + (hi - lo) * s));
             return;
         }
-        let (left, right) = Curve::from_slice(points).halve();
-        self.run(&left.points, [lo, mid], halvings - 1);
+        let (left, right) = C::halve(part);
+        self.run(&left, [lo, mid], halvings - 1);
         // Because of rounding, a root in the middle may lie in neither half.
         self.consider(mid);
-        self.run(&right.points, [mid, hi], halvings - 1);
+        self.run(&right, [mid, hi], halvings - 1);
     }
 }
 
 /// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the
 /// origin. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
 /// moves.
-fn polish<P: Point>(curve: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
+fn polish<P: Point>(curve: &impl DistanceToOrigin<P>, mut t: f64) -> (f64, f64) {
     let mut p = curve.at(t);
     for _ in 0..MAX_STEPS {
         let [first, second] = curve.derivatives(t);

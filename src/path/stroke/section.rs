@@ -2,7 +2,7 @@
 
 use super::profile::{Radii, RadiusPolynomial, WidthPosition};
 use crate::curve::Curve;
-use crate::curve::arc_length::integral::ArcLengthTable;
+use crate::curve::arc_length::integral::{ArcLengthTable, PolynomialSpeed};
 use crate::curve::hodograph::Hodograph;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
@@ -178,7 +178,7 @@ impl PositionedCurve {
             WidthPosition::Length => {
                 let (table, unit) = &**self.table.get_or_init(|| {
                     let Hodograph { vectors, unit } = Hodograph::of(self.curve.control_points());
-                    Box::new((ArcLengthTable::new(&vectors, f64::INFINITY), unit))
+                    Box::new((ArcLengthTable::new(PolynomialSpeed::new(&vectors), f64::INFINITY), unit))
                 });
                 unit * table.length_at(t)
             }

@@ -9,6 +9,25 @@ use glam::DVec3;
 /// q(t) = Σ cᵢ tⁱ (1 − t)ᵈ⁻ⁱ: `coefficients` are Bernstein coefficients, each multiplied by its binomial coefficient.
 /// Every term equals its exact value up to rounding, so no accuracy is lost at high degrees.
 pub fn speed_integral(coefficients: &[DVec3], lo: f64, hi: f64) -> f64 {
+    integral(lo, hi, |t, s| size(coefficients, t, s))
+}
+
+/// ∫ |q(t)| / w(t)² dt: as [`speed_integral`], for a rational curve with the denominator w and the numerator q of its
+/// derivative.
+pub fn rational_speed_integral(numerator: &[DVec3], denominator: &[f64], lo: f64, hi: f64) -> f64 {
+    integral(lo, hi, |t, s| {
+        let (mut w, mut power) = (f64x2::splat(0.0), f64x2::splat(1.0));
+        for &c in denominator.iter().rev() {
+            w = w * t + power * f64x2::splat(c);
+            power *= s;
+        }
+        size(numerator, t, s) / (w * w)
+    })
+}
+
+/// The integral of a function of t and 1 − t by the 16-point rule.
+#[inline(always)]
+fn integral(lo: f64, hi: f64, f: impl Fn(f64x2, f64x2) -> f64x2) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     // 1 − t is computed from the ends, so that it keeps its digits next to t = 1.
     let (t, s) = (
@@ -23,7 +42,7 @@ pub fn speed_integral(coefficients: &[DVec3], lo: f64, hi: f64) -> f64 {
     );
     for (z, w) in nodes.zip(weights) {
         let off = half_twice * f64x2::new([z[0], z[1]]);
-        let both = size(coefficients, t - off, s + off) + size(coefficients, t + off, s - off);
+        let both = f(t - off, s + off) + f(t + off, s - off);
         sum += f64x2::new([w[0], w[1]]) * both;
     }
     let [a, b] = sum.to_array();

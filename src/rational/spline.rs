@@ -1,0 +1,108 @@
+//! Approximation by polynomial curves.
+//!
+//! A part becomes the cubic with the same ends and end tangents, and is halved until that is close enough. With the
+//! numerator A, the denominator w and the cubic C, the error is (A − wC)/w. Its numerator is a polynomial, so the largest of its
+//! Bernstein coefficients divided by the smallest weight is a bound. It falls to 1/16 with each halving.
+
+use super::RationalCurve;
+use crate::bernstein::polynomials::binomials;
+use crate::curve::Curve;
+use crate::curve::trace::{CUBIC_HALVINGS, PathSink, hidden_by_rounding};
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+use crate::spline::Spline;
+use glam::DVec2;
+
+impl<P: Point> RationalCurve<P> {
+    /// A spline of cubics within `tolerance` of the curve, in the unit of the points; exactly the curve, as one segment of its degree, if
+    /// all weights are equal.
+    ///
+    /// Its joints are smooth: each cubic has the ends and the end tangents of its part of the curve. A circle of radius 1
+    /// takes 8 cubics for 10⁻⁴ and 16 for 10⁻⁶.
+    ///
+    /// # Errors
+    /// As [`flatten`](Self::flatten) for the tolerance.
+    pub fn to_spline(&self, tolerance: f64) -> Result<Spline<P>, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        let mut points = vec![self.start()];
+        let mut degrees = Vec::new();
+        self.for_each_polynomial(tolerance, &mut |curve| {
+            degrees.push(curve.degree());
+            points.extend_from_slice(&curve.control_points()[1..]);
+        });
+        Ok(Spline::from_parts(points, &degrees, false))
+    }
+
+    /// Calls `act` with the curve if it is polynomial, and otherwise with lines or cubics in its place.
+    pub(crate) fn for_each_polynomial(&self, tolerance: f64, act: &mut impl FnMut(&Curve<P>)) {
+        // Each halving also halves the ratio of the weights on the side where it is large.
+        let weights = self.scaled_weights();
+        let ratio = 2.0 / weights.iter().copied().fold(f64::INFINITY, f64::min);
+        let halvings = CUBIC_HALVINGS as f64 + ratio.log2();
+        let hidden = hidden_by_rounding(self.degree(), self.max_abs());
+        self.halve_to_cubics(tolerance.max(hidden), halvings, act);
+    }
+
+    fn halve_to_cubics(&self, tolerance: f64, halvings: f64, act: &mut impl FnMut(&Curve<P>)) {
+        if self.degree() == 1 {
+            return act(&Curve::from_slice(&self.points));
+        }
+        if let Some(curve) = self.as_polynomial() {
+            return act(&curve);
+        }
+        let cubic = self.cubic_of_same_tangents();
+        if halvings <= 0.0 || self.error_bound(&cubic) <= tolerance {
+            return act(&Curve::from_slice(&cubic));
+        }
+        let (left, right) = self.halve();
+        left.halve_to_cubics(tolerance, halvings - 1.0, act);
+        right.halve_to_cubics(tolerance, halvings - 1.0, act);
+    }
+
+    /// The cubic with the ends and end derivatives of the curve: the first is n·w₁/w₀·(P₁ − P₀), the last its mirror image.
+    fn cubic_of_same_tangents(&self) -> [P; 4] {
+        let (n, points, w) = (self.degree(), &self.points, &self.weights);
+        let reach = |end: usize, inner: usize| {
+            points[end] + (points[inner] - points[end]) * (ratio(n, 3) * w[inner] / w[end])
+        };
+        [points[0], reach(0, 1), reach(n, n - 1), points[n]]
+    }
+
+    /// A bound on the distance from a cubic at equal parameters.
+    fn error_bound(&self, cubic: &[P; 4]) -> f64 {
+        let (n, shares) = (self.degree(), [1.0, 3.0, 3.0, 1.0]);
+        let (of_points, of_product) = (binomials(n), binomials(n + 3));
+        let weights = self.scaled_weights();
+        let mut largest: f64 = 0.0;
+        for (k, whole) in of_product.iter().enumerate() {
+            let terms = k.saturating_sub(n)..=k.min(3);
+            let sum = terms.fold(P::default(), |sum, i| {
+                let share = shares[i] * of_points[k - i] * weights[k - i];
+                sum + (self.points[k - i] - cubic[i]) * share
+            });
+            largest = largest.max(sum.norm() / whole);
+        }
+        largest / weights.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl RationalCurve<DVec2> {
+    /// Sends the curve to `sink` as lines and cubics within `tolerance`, beginning with a `move_to` its start.
+    ///
+    /// # Errors
+    /// As [`flatten`](Self::flatten) for the tolerance.
+    pub fn trace_within(
+        &self,
+        sink: &mut (impl PathSink + ?Sized),
+        tolerance: f64,
+    ) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        sink.move_to(self.start());
+        self.for_each_polynomial(tolerance, &mut |curve| {
+            curve.trace_on(sink, Some(tolerance));
+        });
+        Ok(())
+    }
+}
