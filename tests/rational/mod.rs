@@ -17,12 +17,17 @@ fn quarter() -> RationalCurve<DVec2> {
     RationalCurve::new(&points, &[1.0, 0.5_f64.sqrt(), 1.0]).expect("valid")
 }
 
+/// A random number in a range.
+fn within(rng: &mut Rng, from: f64, to: f64) -> f64 {
+    from + (to - from) * rng.unit()
+}
+
 /// A random curve with coordinates in [−1, 1] and weights from 2^−k to 2^k.
 fn random_curve(rng: &mut Rng, degree: usize, k: f64) -> RationalCurve<DVec2> {
     let points: Vec<DVec2> = (0..=degree)
-        .map(|_| DVec2::new(rng.range(-1.0, 1.0), rng.range(-1.0, 1.0)))
+        .map(|_| DVec2::new(within(rng, -1.0, 1.0), within(rng, -1.0, 1.0)))
         .collect();
-    let weights: Vec<f64> = (0..=degree).map(|_| rng.range(-k, k).exp2()).collect();
+    let weights: Vec<f64> = (0..=degree).map(|_| within(rng, -k, k).exp2()).collect();
     RationalCurve::new(&points, &weights).expect("valid")
 }
 
@@ -52,10 +57,11 @@ fn curvature_of_the_circle() {
 
 #[test]
 fn derivatives_are_limits_of_differences() {
-    let mut rng = Rng::new(1);
+    let mut rng = Rng(1);
     for _ in 0..100 {
-        let curve = random_curve(&mut rng, 1 + rng.below(5), 3.0);
-        let t = rng.range(0.1, 0.9);
+        let degree = 1 + rng.below(5);
+        let curve = random_curve(&mut rng, degree, 3.0);
+        let t = within(&mut rng, 0.1, 0.9);
         for k in 1..4 {
             let h = 1e-5;
             let at = |t| curve.derivative_at(t, k - 1).expect("an order");
@@ -82,10 +88,10 @@ fn lengths_and_areas_of_arcs() {
 
 #[test]
 fn equal_weights_are_the_polynomial() {
-    let mut rng = Rng::new(2);
+    let mut rng = Rng(2);
     for degree in 1..8 {
         let points: Vec<DVec2> = (0..=degree)
-            .map(|_| DVec2::new(rng.range(-1.0, 1.0), rng.range(-1.0, 1.0)))
+            .map(|_| DVec2::new(within(&mut rng, -1.0, 1.0), within(&mut rng, -1.0, 1.0)))
             .collect();
         let curve = Curve::new(&points).expect("valid");
         let rational = RationalCurve::new(&points, &vec![3.0; points.len()]).expect("valid");
@@ -115,11 +121,11 @@ fn equal_weights_are_the_polynomial() {
 
 #[test]
 fn splitting_and_elevation_keep_the_curve() {
-    let mut rng = Rng::new(3);
+    let mut rng = Rng(3);
     for _ in 0..200 {
         let degree = 1 + rng.below(6);
         let curve = random_curve(&mut rng, degree, 5.0);
-        let t = rng.range(0.0, 1.0);
+        let t = within(&mut rng, 0.0, 1.0);
         let (left, right) = curve.split(t).expect("inside");
         let raised = curve.elevate().expect("below 64");
         let standard = curve.reparametrize().expect("moderate");
@@ -147,7 +153,7 @@ fn splitting_and_elevation_keep_the_curve() {
 #[test]
 fn projections_move_every_point() {
     let matrix = DMat3::from_cols_array(&[1.0, 0.2, 0.1, -0.3, 1.1, 0.2, 0.4, 0.5, 1.5]);
-    let mut rng = Rng::new(4);
+    let mut rng = Rng(4);
     for _ in 0..50 {
         let curve = random_curve(&mut rng, 3, 2.0);
         let image = curve.project(&matrix).expect("in front of the horizon");
@@ -183,10 +189,11 @@ fn farthest(curve: &RationalCurve<DVec2>, line: &[DVec2]) -> f64 {
 
 #[test]
 fn flattening_and_cubics_keep_the_tolerance() {
-    let mut rng = Rng::new(5);
+    let mut rng = Rng(5);
     for round in 0..60 {
-        let curve = random_curve(&mut rng, 1 + rng.below(5), 10.0);
-        let tolerance = 10.0_f64.powf(rng.range(-4.0, -1.0));
+        let degree = 1 + rng.below(5);
+        let curve = random_curve(&mut rng, degree, 10.0);
+        let tolerance = 10.0_f64.powf(within(&mut rng, -4.0, -1.0));
         let line = curve.flatten(tolerance).expect("a tolerance");
         let off = farthest(&curve, &line.points);
         assert!(off <= tolerance, "{round}: {off} of {tolerance}");
@@ -201,12 +208,13 @@ fn flattening_and_cubics_keep_the_tolerance() {
 
 #[test]
 fn extrema_bounds_and_nearest_points_are_those_of_dense_samples() {
-    let mut rng = Rng::new(6);
+    let mut rng = Rng(6);
     for _ in 0..200 {
-        let curve = random_curve(&mut rng, 1 + rng.below(6), 6.0);
+        let degree = 1 + rng.below(6);
+        let curve = random_curve(&mut rng, degree, 6.0);
         let samples = curve.sample(4000).expect("a count");
         let bounds = curve.bounds();
-        let p = DVec2::new(rng.range(-1.5, 1.5), rng.range(-1.5, 1.5));
+        let p = DVec2::new(within(&mut rng, -1.5, 1.5), within(&mut rng, -1.5, 1.5));
         let nearest = curve.nearest(p).expect("finite");
         let mut closest = f64::INFINITY;
         let (mut min, mut max) = (samples[0], samples[0]);
@@ -224,10 +232,11 @@ fn extrema_bounds_and_nearest_points_are_those_of_dense_samples() {
 
 #[test]
 fn inflections_are_changes_of_the_sign_of_curvature() {
-    let mut rng = Rng::new(7);
+    let mut rng = Rng(7);
     let mut found = 0;
     for _ in 0..200 {
-        let curve = random_curve(&mut rng, 3 + rng.below(3), 3.0);
+        let degree = 3 + rng.below(3);
+        let curve = random_curve(&mut rng, degree, 3.0);
         for t in curve.inflections() {
             found += 1;
             let (before, after) = (curve.curvature(t - 1e-6), curve.curvature(t + 1e-6));
