@@ -52,7 +52,7 @@
 //! - `fit`: fitting points ([`Spline::fit`]) and simplification ([`Spline::simplify`]).
 //! - `easing`: CSS timing functions ([`Easing`]).
 //! - `io`: SVG path data ([`Path::from_svg`]); with `surfaces` also their text forms, and meshes as OBJ, STL and GLB.
-//! - `nurbs`: curves with weights ([`RationalCurve`]).
+//! - `nurbs`: curves with weights ([`RationalCurve`], [`NurbsCurve`]).
 //! - `surfaces`: patches, surfaces, meshes and the teapot.
 //! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
 //!   results are the same. The npm package does without it.
@@ -139,7 +139,7 @@ pub use patch::Patch;
 pub use path::StrokeOptions;
 pub use path::{FillRule, Path, PathBuilder, PathTime};
 #[cfg(feature = "nurbs")]
-pub use rational::RationalCurve;
+pub use rational::{NurbsCurve, RationalCurve};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

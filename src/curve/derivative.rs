@@ -48,8 +48,7 @@ impl<P: Point> Curve<P> {
     /// from the left. The result is zero for a curve that is a point. Source: Farin, *Curves and Surfaces for CAGD*,
     /// §5.3.
     pub fn tangent(&self, t: f64) -> P {
-        self.taylor(t)
-            .map_or(P::default(), |local| local.tangent())
+        self.taylor(t).map_or(P::default(), |local| local.tangent())
     }
 
     /// The unit normal at t.
@@ -158,8 +157,7 @@ impl<P: Point> Taylor<P> {
         let (a, c) = (self.first as f64, order as f64);
         let first = self.coefficients[self.first - 1];
         let cross = first.cross(self.coefficients[order - 1]);
-        let turned =
-            P::DIMENSION == 2 && self.from_left && (self.first + order).is_multiple_of(2);
+        let turned = P::DIMENSION == 2 && self.from_left && (self.first + order).is_multiple_of(2);
         let sign = if turned {
             -cross.curvature_sign()
         } else {

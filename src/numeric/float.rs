@@ -36,6 +36,11 @@ pub(crate) fn unit_scale(x: f64) -> f64 {
     f64::from_bits((2046 - exponent) << 52)
 }
 
+/// The exponent e of a normal number x: |x| is from 2ᵉ to below 2ᵉ⁺¹.
+pub(crate) fn exponent(x: f64) -> i32 {
+    i32::from((x.abs().to_bits() >> 52) as u16) - 1023
+}
+
 /// The whole part of t, at most `last` and at least 0, and the rest; NaN gives 0 and NaN.
 #[allow(
     clippy::cast_possible_truncation,

@@ -94,8 +94,7 @@ impl<P: Point> RationalCurve<P> {
     /// At zero-length handles and at cusps this is the limit from the right, except at t = 1, where it is the limit
     /// from the left. The result is zero for a curve that is a point.
     pub fn tangent(&self, t: f64) -> P {
-        self.taylor(t)
-            .map_or(P::default(), |local| local.tangent())
+        self.taylor(t).map_or(P::default(), |local| local.tangent())
     }
 
     /// The unit normal at t: in the plane the tangent rotated by +90°, in space the principal normal.

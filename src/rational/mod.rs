@@ -11,11 +11,14 @@ mod flatten;
 mod length;
 mod nearest;
 mod numerators;
+mod nurbs;
 mod shape;
-mod split;
 mod spline;
+mod split;
 mod transform;
 mod weighted;
+
+pub use nurbs::NurbsCurve;
 
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, max_abs};
@@ -97,6 +100,20 @@ impl<P: Point> RationalCurve<P> {
             points: parts.iter().map(|part| part.point).collect(),
             weights: parts.iter().map(|part| part.weight).collect(),
         }
+    }
+
+    /// The curve of the given degree whose control points begin at an index of valid lists.
+    fn between(points: &[P], weights: &[f64], from: usize, degree: usize) -> Self {
+        Self {
+            points: points_of(&points[from..=from + degree]),
+            weights: points_of(&weights[from..=from + degree]),
+        }
+    }
+
+    /// Replaces the end.
+    fn end_at(&mut self, end: WeightedPoint<P>) {
+        let n = self.degree();
+        (self.points[n], self.weights[n]) = (end.point, end.weight);
     }
 
     /// The degree n; a conic has 2.

@@ -77,7 +77,9 @@ impl<P: Point> RationalCurve<P> {
         let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
         let w = self.scaled_weights();
         let rounding = ulp(max_of(&values));
-        let rates = wronskian(self.degree(), |i, j| (values[j] - values[i]) * (w[i] * w[j]));
+        let rates = wronskian(self.degree(), |i, j| {
+            (values[j] - values[i]) * (w[i] * w[j])
+        });
         let errors = wronskian(self.degree(), |i, j| rounding * (w[i] * w[j]));
         Ok(crossings(&rates, max_of(&errors)).to_vec())
     }

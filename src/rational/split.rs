@@ -6,7 +6,7 @@ use crate::curve::split::ends_of;
 use crate::geometry::check::check_points;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
-use crate::numeric::float::{as_f64, unit_scale};
+use crate::numeric::float::{as_f64, exponent};
 use crate::numeric::list::Scalars;
 use casteljau_kernels::bernstein::de_casteljau::{keep_between, split};
 use std::ops::RangeBounds;
@@ -114,12 +114,15 @@ impl<P: Point> RationalCurve<P> {
         let (first, last) = (self.weights[0], self.weights[n]);
         let ratio = nth_root(first / last, n);
         let mut power = 1.0 / first;
-        let mut weights: Scalars = self.weights.iter().map(|w| {
-            let weight = w * power;
-            power *= ratio;
-            weight
-        })
-        .collect();
+        let mut weights: Scalars = self
+            .weights
+            .iter()
+            .map(|w| {
+                let weight = w * power;
+                power *= ratio;
+                weight
+            })
+            .collect();
         (weights[0], weights[n]) = (1.0, 1.0);
         check_weights(&weights, n + 1)?;
         let points = self.points.clone();
@@ -138,8 +141,14 @@ fn nth_root(x: f64, n: usize) -> f64 {
     }
     let power = |r: f64| (1..n).fold(1.0, |product, _| product * r);
     // 2ᵏ with k·n above the exponent of x, so that the first guess is at least the root.
-    let exponent = f64::from(2046 - (unit_scale(x).to_bits() >> 52) as u32) - 1023.0 + 1.0;
-    let mut root = (exponent / as_f64(n)).ceil().exp2();
+    let steps = (f64::from(exponent(x) + 1) / as_f64(n)).ceil();
+    let factor = if steps < 0.0 { 0.5 } else { 2.0 };
+    let mut root = 1.0;
+    let mut left = steps.abs();
+    while left > 0.0 {
+        root *= factor;
+        left -= 1.0;
+    }
     for _ in 0..ROOT_STEPS {
         let next = root - (root - x / power(root)) / as_f64(n);
         if next >= root {

@@ -4,7 +4,8 @@ use super::RationalCurve;
 use crate::geometry::check::{check_points, images};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::list::{Points, Scalars, points_of};
+use crate::numeric::float::unit_scale;
+use crate::numeric::list::points_of;
 
 impl<P: Point> RationalCurve<P> {
     /// The image of the curve under an affine map, which is the curve of the mapped control points with the same weights.
@@ -30,26 +31,45 @@ impl<P: Point> RationalCurve<P> {
     ///
     /// Source: Farin, *Curves and Surfaces for CAGD*, §13.2.
     pub fn project(&self, matrix: &P::Projective) -> Result<Self, Error> {
-        let images: Points<(P, f64)> = self.points.iter().map(|p| p.project(matrix)).collect();
-        let sign = if images[0].1 < 0.0 { -1.0 } else { 1.0 };
-        let scale = self.weight_scale();
-        let mut weights = Scalars::new();
-        let mut points = Points::new();
-        for (index, (&(numerator, v), w)) in images.iter().zip(&self.weights).enumerate() {
-            let weight = w * scale * v * sign;
-            if !(weight > 0.0 && weight < f64::INFINITY) {
-                return Err(Error::Item {
-                    what: "projected weights",
-                    index,
-                    expected: "a number above 0 (split the curve where the map sends it to infinity)",
-                    got: weight,
-                });
-            }
-            points.push(numerator / v);
-            weights.push(weight);
-        }
-        check_points("image", &points)?;
-        super::check_weights(&weights, points.len())?;
-        Ok(Self { points, weights })
+        let (points, weights) = projected(&self.points, &self.weights, matrix)?;
+        Ok(Self {
+            points: points_of(&points),
+            weights: points_of(&weights),
+        })
     }
+}
+
+/// The images of control points with weights under a projective map, and their weights; see [`RationalCurve::project`].
+pub(super) fn projected<P: Point>(
+    points: &[P],
+    weights: &[f64],
+    matrix: &P::Projective,
+) -> Result<(Vec<P>, Vec<f64>), Error> {
+    let sign = if points[0].project(matrix).1 < 0.0 {
+        -1.0
+    } else {
+        1.0
+    };
+    let scale = unit_scale(weights.iter().copied().fold(0.0, f64::max));
+    let mut images = (
+        Vec::with_capacity(points.len()),
+        Vec::with_capacity(points.len()),
+    );
+    for (index, (&p, w)) in points.iter().zip(weights).enumerate() {
+        let (numerator, v) = p.project(matrix);
+        let weight = w * scale * v * sign;
+        if !(weight > 0.0 && weight < f64::INFINITY) {
+            return Err(Error::Item {
+                what: "projected weights",
+                index,
+                expected: "a number above 0 (split the curve where the map sends it to infinity)",
+                got: weight,
+            });
+        }
+        images.0.push(numerator / v);
+        images.1.push(weight);
+    }
+    check_points("image", &images.0)?;
+    super::check_weights(&images.1, points.len())?;
+    Ok(images)
 }

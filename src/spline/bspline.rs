@@ -11,7 +11,7 @@ use casteljau_kernels::bernstein::de_casteljau::lerp;
 use casteljau_kernels::numeric::vector::Interpolate;
 
 /// The maximum number of knot insertions, which take a few seconds. A segment of degree p needs p (p − 1).
-const MAX_STEPS: usize = 1 << 28;
+pub(crate) const MAX_STEPS: usize = 1 << 28;
 
 /// A B-spline: control points, knots and a degree.
 ///
@@ -258,7 +258,7 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
 ///
 /// With f the blossom of the segment, point i is initially f(uᵢ₊₁ … uᵢ₊ₚ). Inserting a gives f(a … a uₚ₊₁ … uₚ₊ᵢ), with
 /// i knots from b on; inserting b gives f(a … a b … b).
-fn to_bezier<P: Interpolate>(points: &mut [P], u: &[f64]) {
+pub(crate) fn to_bezier<P: Interpolate>(points: &mut [P], u: &[f64]) {
     let p = points.len() - 1;
     let (a, b) = (u[p], u[p + 1]);
     // Insert a until p − i arguments of point i are a; at first uₚ is one.

@@ -6,7 +6,7 @@
 //! In the kernels, where a fit spends its time: one cubic along a run of points.
 
 mod area;
-mod bspline;
+pub(crate) mod bspline;
 mod build;
 mod continuity;
 mod convert;
@@ -25,7 +25,7 @@ mod grid;
 mod interpolate;
 mod intersect;
 pub(crate) mod joint;
-mod knots;
+pub(crate) mod knots;
 mod length;
 #[cfg(feature = "fit")]
 mod local_fit;

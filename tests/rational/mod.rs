@@ -1,5 +1,7 @@
 //! Rational curves: closed forms on conics, invariance, and slow methods as references.
 
+mod nurbs;
+
 use crate::support::Rng;
 use casteljau::glam::{DAffine2, DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error, RationalCurve};
@@ -48,7 +50,11 @@ fn curvature_of_the_circle() {
     let arc = quarter();
     for i in 0..=100 {
         let t = f64::from(i) / 100.0;
-        assert!((arc.curvature(t) - 1.0).abs() < 1e-13, "{t}: {}", arc.curvature(t));
+        assert!(
+            (arc.curvature(t) - 1.0).abs() < 1e-13,
+            "{t}: {}",
+            arc.curvature(t)
+        );
         // The tangent is perpendicular to the radius.
         assert!(arc.tangent(t).dot(arc.eval(t)).abs() < 1e-15);
         assert!((arc.normal(t) + arc.eval(t)).length() < 1e-14);
@@ -167,8 +173,13 @@ fn projections_move_every_point() {
     let matrix = DMat3::from_cols(DVec3::new(1.0, 0.0, 1.0), DVec3::Y, DVec3::Z);
     let points = [(-2.0, 0.0), (0.0, 1.0), (2.0, 0.0)].map(DVec2::from);
     let arc = RationalCurve::new(&points, &[1.0, 2.0, 1.0]).expect("valid");
-    assert!(matches!(arc.project(&matrix), Err(Error::Item { index: 1, .. })));
-    let moved = arc.transform(&DAffine2::from_translation(DVec2::ONE)).expect("finite");
+    assert!(matches!(
+        arc.project(&matrix),
+        Err(Error::Item { index: 1, .. })
+    ));
+    let moved = arc
+        .transform(&DAffine2::from_translation(DVec2::ONE))
+        .expect("finite");
     assert_eq!(moved.weights(), arc.weights());
 }
 
@@ -253,11 +264,23 @@ fn invalid_arguments_are_named() {
         let error = RationalCurve::new(&points, weights).expect_err("invalid");
         error.to_string()
     };
-    assert_eq!(message(&[1.0, 1.0]), "weights: expected a weight for each point, got 2");
+    assert_eq!(
+        message(&[1.0, 1.0]),
+        "weights: expected a weight for each point, got 2"
+    );
     let above = "a number above 0, from 2^-500 to 2^500";
-    assert_eq!(message(&[1.0, 0.0, 1.0]), format!("weights[1]: expected {above}, got 0"));
-    assert_eq!(message(&[1.0, 1.0, -2.0]), format!("weights[2]: expected {above}, got -2"));
-    assert_eq!(message(&[f64::NAN, 1.0, 1.0]), "weights[0]: expected a finite number, got NaN");
+    assert_eq!(
+        message(&[1.0, 0.0, 1.0]),
+        format!("weights[1]: expected {above}, got 0")
+    );
+    assert_eq!(
+        message(&[1.0, 1.0, -2.0]),
+        format!("weights[2]: expected {above}, got -2")
+    );
+    assert_eq!(
+        message(&[f64::NAN, 1.0, 1.0]),
+        "weights[0]: expected a finite number, got NaN"
+    );
     let arc = RationalCurve::new(&points, &[1.0, 0.1, 1.0]).expect("valid");
     // The denominator (1 − t)² + 0.2 t (1 − t) + t² has no zero; that of the weights 1, 4, 1 has.
     assert!(arc.eval(-3.0).x.is_finite());

@@ -178,7 +178,10 @@ impl PositionedCurve {
             WidthPosition::Length => {
                 let (table, unit) = &**self.table.get_or_init(|| {
                     let Hodograph { vectors, unit } = Hodograph::of(self.curve.control_points());
-                    Box::new((ArcLengthTable::new(PolynomialSpeed::new(&vectors), f64::INFINITY), unit))
+                    Box::new((
+                        ArcLengthTable::new(PolynomialSpeed::new(&vectors), f64::INFINITY),
+                        unit,
+                    ))
                 });
                 unit * table.length_at(t)
             }
