@@ -37,6 +37,7 @@ pub(crate) fn unit_scale(x: f64) -> f64 {
 }
 
 /// The exponent e of a normal number x: |x| is from 2ᵉ to below 2ᵉ⁺¹.
+#[cfg(feature = "nurbs")]
 pub(crate) fn exponent(x: f64) -> i32 {
     i32::from((x.abs().to_bits() >> 52) as u16) - 1023
 }

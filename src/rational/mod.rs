@@ -102,6 +102,13 @@ impl<P: Point> RationalCurve<P> {
         }
     }
 
+    /// The curve of valid points with weights, or of points of which some are not finite.
+    #[cfg(feature = "surfaces")]
+    pub(crate) fn from_valid(parts: impl Iterator<Item = (P, f64)>) -> Self {
+        let (points, weights) = parts.unzip();
+        Self { points, weights }
+    }
+
     /// The curve of the given degree whose control points begin at an index of valid lists.
     fn between(points: &[P], weights: &[f64], from: usize, degree: usize) -> Self {
         Self {

@@ -41,6 +41,12 @@ impl<P: Point> RationalCurve<P> {
         let weights = self.scaled_weights();
         let min = weights.iter().copied().fold(f64::INFINITY, f64::min);
         let halvings = CUBIC_HALVINGS + 1 + exponent(min).unsigned_abs() as usize;
+        // Otherwise no bound would end the halving.
+        let halvings = if self.points.iter().all(|p| p.is_finite()) {
+            halvings
+        } else {
+            0
+        };
         let hidden = hidden_by_rounding(self.degree(), self.max_abs());
         self.halve_to_cubics(tolerance.max(hidden), halvings, act);
     }
