@@ -5,6 +5,8 @@ use crate::curve::{self, Curve};
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::builder::PathBuilder;
+#[cfg(feature = "nurbs")]
+use crate::rational::{NurbsCurve, RationalCurve};
 use crate::spline::Spline;
 use glam::DVec2;
 use kurbo::{BezPath, CubicBez, Line, PathEl, PathSeg, Point, QuadBez, Shape};
@@ -240,5 +242,74 @@ impl Path {
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn from_kurbo(shape: &impl Shape, tolerance: f64) -> Result<Self, Error> {
         Self::try_from(&shape.to_path(tolerance))
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl TryFrom<kurbo::Arc> for NurbsCurve<DVec2> {
+    type Error = Error;
+
+    /// The same arc, exactly: center + cos(θ) u + sin(θ) v with the radii rotated by `x_rotation`, over the domain [0, 1].
+    ///
+    /// # Errors
+    /// As [`NurbsCurve::arc`].
+    fn try_from(arc: kurbo::Arc) -> Result<Self, Error> {
+        let axis = kurbo::Vec2::from_angle(arc.x_rotation);
+        let (u, v) = (axis * arc.radii.x, axis.turn_90() * arc.radii.y);
+        let [center, u, v] = [arc.center, u.to_point(), v.to_point()].map(from_kurbo);
+        let end = arc.start_angle + arc.sweep_angle;
+        Self::arc(center, u, v, arc.start_angle, end)
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl TryFrom<kurbo::Circle> for NurbsCurve<DVec2> {
+    type Error = Error;
+
+    /// The same circle, exactly.
+    ///
+    /// # Errors
+    /// As [`NurbsCurve::circle`].
+    fn try_from(circle: kurbo::Circle) -> Result<Self, Error> {
+        Self::circle(from_kurbo(circle.center), circle.radius)
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl TryFrom<kurbo::Ellipse> for NurbsCurve<DVec2> {
+    type Error = Error;
+
+    /// The same ellipse, exactly.
+    ///
+    /// # Errors
+    /// As [`NurbsCurve::ellipse`].
+    fn try_from(ellipse: kurbo::Ellipse) -> Result<Self, Error> {
+        let radii = ellipse.radii();
+        let radii = DVec2::new(radii.x, radii.y);
+        Self::ellipse(from_kurbo(ellipse.center()), radii, ellipse.rotation())
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl TryFrom<&RationalCurve<DVec2>> for kurbo::Arc {
+    type Error = Error;
+
+    /// The arc of a conic; see [`RationalCurve::to_elliptical_arc`].
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a curve that is not an arc of an ellipse.
+    fn try_from(curve: &RationalCurve<DVec2>) -> Result<Self, Error> {
+        let arc = curve.to_elliptical_arc().ok_or(Error::Range {
+            what: "degree",
+            expected: "an arc of an ellipse, of degree 2",
+            got: curve.degree() as f64,
+        })?;
+        Ok(Self {
+            center: to_kurbo(arc.center),
+            radii: to_kurbo(arc.radii).to_vec2(),
+            start_angle: arc.start_angle,
+            sweep_angle: arc.sweep_angle,
+            x_rotation: arc.rotation,
+        })
     }
 }

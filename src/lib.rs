@@ -139,7 +139,7 @@ pub use patch::Patch;
 pub use path::StrokeOptions;
 pub use path::{FillRule, Path, PathBuilder, PathTime};
 #[cfg(feature = "nurbs")]
-pub use rational::{NurbsCurve, RationalCurve};
+pub use rational::{EllipticalArc, NurbsCurve, RationalCurve};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

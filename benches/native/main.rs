@@ -10,6 +10,7 @@ mod intersect;
 mod length;
 mod nearest;
 mod offset;
+mod rational;
 mod regions;
 mod simplify;
 mod stroke;
@@ -24,6 +25,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, forms::bench, nearest::bench, offset::bench, regions::bench, simplify::bench, stroke::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, forms::bench, nearest::bench, offset::bench, rational::bench, regions::bench, simplify::bench, stroke::bench, teapot::bench
 }
 criterion_main!(all);

@@ -4,9 +4,13 @@ use super::svg_arcs::Run;
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
+#[cfg(feature = "nurbs")]
+use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::path::Path;
 use crate::path::arc::Arc;
+#[cfg(feature = "nurbs")]
+use crate::rational::{NurbsCurve, RationalCurve};
 use crate::spline::Spline;
 use crate::text::number::{push, push_number, written_number};
 use glam::DVec2;
@@ -181,6 +185,51 @@ impl Spline<DVec2> {
     }
 }
 
+#[cfg(feature = "nurbs")]
+impl RationalCurve<DVec2> {
+    /// The curve as SVG path data: an arc of a circle or an ellipse as `A`, which is read as the same arc up to rounding; others as
+    /// lines and cubics within `tolerance`.
+    ///
+    /// # Errors
+    /// As [`trace_within`](Self::trace_within).
+    ///
+    /// ```
+    /// use casteljau::{RationalCurve, glam::DVec2};
+    ///
+    /// let points = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+    /// let parabola = RationalCurve::new(&points, &[1.0, 2.0, 4.0])?;
+    /// assert_eq!(parabola.to_svg(1e-3)?.get(..4), Some("M1,0"));
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn to_svg(&self, tolerance: f64) -> Result<String, Error> {
+        check_tolerance(tolerance, max_abs(self.control_points()))?;
+        let mut writer = Writer::new(None);
+        writer.move_to(self.start());
+        writer.rational(self, tolerance);
+        Ok(writer.text)
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl NurbsCurve<DVec2> {
+    /// The curve as SVG path data; see [`RationalCurve::to_svg`]. A curve that ends where it starts is closed.
+    ///
+    /// # Errors
+    /// As [`trace_within`](Self::trace_within).
+    pub fn to_svg(&self, tolerance: f64) -> Result<String, Error> {
+        check_tolerance(tolerance, max_abs(self.control_points()))?;
+        let mut writer = Writer::new(None);
+        writer.move_to(self.start());
+        for segment in self.segments() {
+            writer.rational(segment, tolerance);
+        }
+        if self.start() == self.end() {
+            writer.close();
+        }
+        Ok(writer.text)
+    }
+}
+
 /// The sink that writes path data.
 struct Writer {
     text: String,
@@ -240,6 +289,24 @@ impl Writer {
             run.halve();
         }
         None
+    }
+
+    /// Continues with a rational curve.
+    #[cfg(feature = "nurbs")]
+    fn rational(&mut self, curve: &RationalCurve<DVec2>, tolerance: f64) {
+        let Some(arc) = curve.to_elliptical_arc() else {
+            let mut draw = |part: &Curve<DVec2>| part.trace_on(self, Some(tolerance));
+            return curve.for_each_polynomial(tolerance, &mut draw);
+        };
+        let (radii, to) = (arc.radii, curve.end());
+        let numbers = [radii.x, radii.y, arc.rotation.to_degrees(), to.x, to.y];
+        let [rx, ry, degrees, x, y] = numbers.map(written_number);
+        // A conic turns by less than half a turn.
+        let sweep = u8::from(arc.sweep_angle > 0.0);
+        push(
+            &mut self.text,
+            format_args!(" A{rx},{ry} {degrees} 0 {sweep} {x},{y}"),
+        );
     }
 
     fn arc_exactly(&mut self, run: &Run<'_>) -> bool {

@@ -6,6 +6,7 @@
 //! ([`numerators`]), never homogeneous coordinates.
 
 mod area;
+mod ellipse;
 mod eval;
 mod flatten;
 mod length;
@@ -18,6 +19,7 @@ mod split;
 mod transform;
 mod weighted;
 
+pub use ellipse::EllipticalArc;
 pub use nurbs::NurbsCurve;
 
 use crate::curve::Curve;

@@ -11,6 +11,8 @@ mod surfaces;
 use crate::curve::{Cubic, Curve, Line, Quad};
 use crate::geometry::point::Point;
 use crate::path::Path;
+#[cfg(feature = "nurbs")]
+use crate::rational::{NurbsCurve, RationalCurve};
 use crate::spline::Spline;
 use glam::DVec2;
 use serde::de::{Deserialize, Deserializer, Error};
@@ -88,6 +90,68 @@ impl<'de, P: Point + Read<'de>> Deserialize<'de> for Spline<P> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let form = SplineForm::deserialize(deserializer)?;
         Self::with_degrees(form.points, &form.degrees, form.closed).map_err(D::Error::custom)
+    }
+}
+
+/// `{ "points": [[x, y], …], "weights": [1, …] }`
+#[cfg(feature = "nurbs")]
+#[derive(Read, Write)]
+struct RationalForm<P> {
+    points: Vec<P>,
+    weights: Vec<f64>,
+}
+
+#[cfg(feature = "nurbs")]
+impl<P: Point + Write> Write for RationalCurve<P> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        RationalForm {
+            points: self.control_points().to_vec(),
+            weights: self.weights().to_vec(),
+        }
+        .serialize(serializer)
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl<'de, P: Point + Read<'de>> Deserialize<'de> for RationalCurve<P> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = RationalForm::deserialize(deserializer)?;
+        Self::new(&form.points, &form.weights).map_err(D::Error::custom)
+    }
+}
+
+/// `{ "degree": 2, "points": [[x, y], …], "weights": [1, …], "knots": [0, …], "closed": false }`
+#[cfg(feature = "nurbs")]
+#[derive(Read, Write)]
+struct NurbsForm<P> {
+    degree: usize,
+    points: Vec<P>,
+    weights: Vec<f64>,
+    knots: Vec<f64>,
+    closed: bool,
+}
+
+#[cfg(feature = "nurbs")]
+impl<P: Point + Write> Write for NurbsCurve<P> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        NurbsForm {
+            degree: self.degree(),
+            points: self.control_points().to_vec(),
+            weights: self.weights().to_vec(),
+            knots: self.knots().to_vec(),
+            closed: self.is_closed(),
+        }
+        .serialize(serializer)
+    }
+}
+
+#[cfg(feature = "nurbs")]
+impl<'de, P: Point + Read<'de>> Deserialize<'de> for NurbsCurve<P> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = NurbsForm::deserialize(deserializer)?;
+        let weights = Some(&form.weights[..]);
+        Self::new(form.degree, &form.points, weights, &form.knots, form.closed)
+            .map_err(D::Error::custom)
     }
 }
 

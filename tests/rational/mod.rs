@@ -1,5 +1,6 @@
 //! Rational curves: closed forms on conics, invariance, and slow methods as references.
 
+mod forms;
 mod nurbs;
 
 use crate::support::Rng;
