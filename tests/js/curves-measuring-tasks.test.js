@@ -1,9 +1,10 @@
 // The tasks of the chapter on curves about derivatives, lengths, boxes, distances, intersections, offsets, circles and faces.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve } from "casteljau";
 import { arcOf, maxRadialError, standardHandle } from "../../www/figures/lib/circle.js";
-import { nurbsCurve, rationalCurve } from "../../www/figures/lib/rational.js";
+import { nurbsCurve, rationalBasis, rationalCurve } from "../../www/figures/lib/rational.js";
 import { feet } from "../../www/figures/lib/nearest.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
@@ -124,6 +125,22 @@ testTasks([
     { chosen: new Set(["111", "001", "010", "100"]) },
   ],
 ]);
+
+test("the NURBS curves of the figures: points of geomdl, and basis functions with the sum 1", () => {
+  const { curves } = JSON.parse(readFileSync(new URL("../data/nurbs.json", import.meta.url), "utf8"));
+  const plane = curves.filter(({ points, degree, knots }) => points[0].length === 2 && knots[0] === knots[degree]);
+  assert.ok(plane.length >= 8);
+  for (const { id, points, weights, knots, samples } of plane) {
+    const curve = nurbsCurve(points, weights, knots);
+    for (const { t, point } of samples) {
+      const parts = rationalBasis(weights, knots, t);
+      assert.ok(Math.abs(parts.reduce((a, b) => a + b) - 1) < 1e-14, `${id}, sum at ${t}`);
+      const blended = [0, 1].map((axis) => parts.reduce((sum, part, i) => sum + part * points[i][axis], 0));
+      for (const found of [curve(t), blended])
+        assert.ok(Math.hypot(found[0] - point[0], found[1] - point[1]) < 1e-13, `${id} at ${t}: ${found}`);
+    }
+  }
+});
 
 test("the feet of perpendiculars: nearest first, ends included", () => {
   const line = new Curve([0, 0, 10, 0]);
