@@ -2,6 +2,7 @@
 import { Surface } from "casteljau";
 import { distanceToTriangle } from "./distance.js";
 import { compare } from "./harness.js";
+import { verb } from "./verb.js";
 
 /** @typedef {{ x: number, y: number, z: number }} Vertex */
 
@@ -13,21 +14,6 @@ const TOLERANCE = Math.hypot(max.x - min.x, max.y - min.y, max.z - min.z) / 1000
 const SAMPLES = 6;
 
 /** @typedef {{ points: number[][], uvs: number[][], faces: number[][] }} VerbMesh */
-
-/** verb needs a global `window`, and prints its version when it is loaded. */
-async function loadVerb() {
-  const { log } = console;
-  Object.assign(globalThis, { window: globalThis });
-  console.log = () => {};
-  try {
-    return (await import("verb-nurbs")).default;
-  } finally {
-    console.log = log;
-    Reflect.deleteProperty(globalThis, "window");
-  }
-}
-
-const verb = await loadVerb();
 
 /**
  * Options of verb: a minimum number of divisions, and the square of the distance between unit normals above which a

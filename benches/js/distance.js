@@ -31,7 +31,7 @@ export function distanceToTriangle(p, [a, b, c]) {
  * @param {Point} from
  * @param {Point} to
  */
-function distanceToSegment(p, from, to) {
+export function distanceToSegment(p, from, to) {
   const along = minus(to, from);
   const t = Math.min(1, Math.max(0, dot(minus(p, from), along) / (dot(along, along) || 1)));
   return Math.hypot(

@@ -100,8 +100,22 @@ declare module "verb-nurbs" {
     ): NurbsSurface;
     tessellate(options: AdaptiveRefinementOptions): MeshData;
   }
+  class NurbsCurve {
+    static byKnotsControlPointsWeights(
+      degree: number,
+      knots: number[],
+      controlPoints: number[][],
+      weights: number[],
+    ): NurbsCurve;
+    point(u: number): number[];
+    derivatives(u: number, order: number): number[][];
+    length(): number;
+    closestPoint(point: number[]): number[];
+    closestParam(point: number[]): number;
+    tessellate(tolerance: number): number[][];
+  }
   const verb: {
-    geom: { NurbsSurface: typeof NurbsSurface };
+    geom: { NurbsCurve: typeof NurbsCurve; NurbsSurface: typeof NurbsSurface };
     eval: { AdaptiveRefinementOptions: typeof AdaptiveRefinementOptions };
   };
   export default verb;

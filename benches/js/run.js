@@ -19,7 +19,10 @@ import * as start from "./start.js";
 import { comparisons, growths } from "./table.js";
 import { withVerdict } from "./targets.js";
 
-/** The files whose rows compare this package with a peer. */
+const root = new URL("../../", import.meta.url);
+const read = (/** @type {string} */ name) => readFileSync(new URL(name, root), "utf8");
+
+/** The files whose rows compare this package with a peer; nurbs.js needs an entry point that the package may not have yet. */
 const FILES = [
   "again",
   "curve",
@@ -29,6 +32,7 @@ const FILES = [
   "intersect",
   "length",
   "nearest",
+  ...("./nurbs" in JSON.parse(read("package.json")).exports ? ["nurbs"] : []),
   "offset",
   "path",
   "regions",
@@ -43,8 +47,6 @@ const isSelected = (/** @type {string} */ id) => filters.every((part) => id.incl
 /** Adds the target of a result; a quick run has none, because its times are meaningless. */
 const judge = (/** @type {{ id: string, ours: number, ratio: number | null }} */ result) =>
   quick ? { ...result, target: null, met: null } : withVerdict(result);
-const root = new URL("../../", import.meta.url);
-const read = (/** @type {string} */ name) => readFileSync(new URL(name, root), "utf8");
 
 const LEGEND = `
 Both sides gave the same results first. Times are medians of ${effort.rounds} rounds (native ones: criterion's medians), both

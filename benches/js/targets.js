@@ -18,6 +18,9 @@ export const TARGETS = {
   length: { minRatio: 5 },
   nearest: { minRatio: 8 },
   easing: { minRatio: 1 },
+  "nurbs-eval-verb": { minRatio: 5 },
+  "nurbs-length-verb": { minRatio: 5 },
+  "nurbs-nearest-verb": { minRatio: 5 },
   "fit-paper": { minRatio: 10 },
 
   "again-point-at-length": { max: 2_000 }, // ns

@@ -1,8 +1,10 @@
 // The tasks of the chapter on curves about derivatives, lengths, boxes, distances, intersections, offsets, circles and faces.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve } from "casteljau";
 import { arcOf, maxRadialError, standardHandle } from "../../www/figures/lib/circle.js";
+import { nurbsCurve, rationalBasis, rationalCurve } from "../../www/figures/lib/rational.js";
 import { feet } from "../../www/figures/lib/nearest.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
@@ -28,7 +30,58 @@ const RADIUS = (0.75 * (590 + 420 - 250 - 80)) ** 2 / (3 * (400 - 20 - 20 + 400)
 const [BELOW, ABOVE] = [Math.floor(RADIUS), Math.ceil(RADIUS)];
 const offset = (distance, points = ARCH) => ({ offset: String(distance), points });
 
+/** What the tasks see of the site's figures of a conic and of a NURBS curve. */
+const conic = (weight, /** @type {[number, number]} */ p1 = [67, 23]) => ({
+  /** @type {[number, number][]} */
+  points: [[20, 70], p1, [114, 70]],
+  weight,
+  get middle() {
+    return rationalCurve(this.points, [1, this.weight, 1])(0.5);
+  },
+});
+const onCircle = (t) => ({
+  t,
+  get point() {
+    return [(1 - this.t ** 2) / (1 + this.t ** 2), (2 * this.t) / (1 + this.t ** 2)];
+  },
+});
+/** @type {[number, number][]} */
+const FIVE = [
+  [14, 68],
+  [24, 24],
+  [67, 16],
+  [110, 24],
+  [120, 68],
+];
+const nurbs = () => ({
+  points: FIVE,
+  weight: 1,
+  first: 0.35,
+  second: 0.65,
+  get parameters() {
+    return [...Array.from({ length: 201 }, (_, i) => i / 200), this.first, this.second];
+  },
+  get curve() {
+    const knots = [0, 0, 0, this.first, this.second, 1, 1, 1];
+    return nurbsCurve(this.points, [1, 1, this.weight, 1, 1], knots);
+  },
+});
+
 testTasks([
+  [
+    "circle-weight",
+    () => conic(0.4),
+    [{ weight: 0.5 }, { weight: 0.74 }, { weight: 0.71, points: conic(1, [60, 23]).points }],
+    { weight: 0.7, points: conic(1).points },
+  ],
+  ["weight-two", () => conic(0.4), [{ weight: 1 }, { weight: 2.1 }], { weight: 1.96 }],
+  ["three-fifths", () => onCircle(0.75), [{ t: 0.59 }, { t: 0.52 }], { t: 0.5 }],
+  [
+    "double-knot",
+    nurbs,
+    [{ weight: 8 }, { first: 0.49, second: 0.51 }, { first: 0.5, second: 0.5, points: FIVE.with(1, FIVE[2]) }],
+    { first: 0.2, second: 0.2, points: FIVE },
+  ],
   // The parabola y = x² for x from −1 to 3: sharpest at its vertex, t = ¼.
   ["sharpest-bend", { t: 0, curve: new Curve([-1, 1, 1, -3, 3, 9]) }, [{ t: 0.5 }, { t: 0.22 }, { t: 1 }], { t: 0.25 }],
   ["half-length", { t: 0.5, curve: UNEVEN }, [{ t: 0.65 }, { t: 0.71 }, { t: 0 }], { t: 0.68 }],
@@ -72,6 +125,22 @@ testTasks([
     { chosen: new Set(["111", "001", "010", "100"]) },
   ],
 ]);
+
+test("the NURBS curves of the figures: points of geomdl, and basis functions with the sum 1", () => {
+  const { curves } = JSON.parse(readFileSync(new URL("../data/nurbs.json", import.meta.url), "utf8"));
+  const plane = curves.filter(({ points, degree, knots }) => points[0].length === 2 && knots[0] === knots[degree]);
+  assert.ok(plane.length >= 8);
+  for (const { id, points, weights, knots, samples } of plane) {
+    const curve = nurbsCurve(points, weights, knots);
+    for (const { t, point } of samples) {
+      const parts = rationalBasis(weights, knots, t);
+      assert.ok(Math.abs(parts.reduce((a, b) => a + b) - 1) < 1e-14, `${id}, sum at ${t}`);
+      const blended = [0, 1].map((axis) => parts.reduce((sum, part, i) => sum + part * points[i][axis], 0));
+      for (const found of [curve(t), blended])
+        assert.ok(Math.hypot(found[0] - point[0], found[1] - point[1]) < 1e-13, `${id} at ${t}: ${found}`);
+    }
+  }
+});
 
 test("the feet of perpendiculars: nearest first, ends included", () => {
   const line = new Curve([0, 0, 10, 0]);

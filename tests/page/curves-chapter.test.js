@@ -7,13 +7,13 @@ import { done, nearApplet as near, openCurves as open, task } from "./chapter-pa
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS =
-  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles boolean-operations uses basis-matrix cost-and-numerical-stability".split(
+  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles rational-curves boolean-operations uses basis-matrix cost-and-numerical-stability".split(
     " ",
   );
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
 const FIGURES =
-  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-costs, fig-curve-3d, fig-faces, fig-intersections, fig-lengths, fig-nearest, fig-parabola, fig-pyramid, fig-reorder, fig-rounding, fig-speed, fig-stroke, fig-velocity)";
+  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-speed, fig-stroke, fig-velocity)";
 
 test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
   const page = await open(t);

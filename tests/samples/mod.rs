@@ -33,7 +33,7 @@ samples! {
     "../../www/samples/patch.rs" patch, "../../www/samples/patch-joint.rs" patch_joint,
     "../../www/samples/patch-normals.rs" patch_normals, "../../www/samples/polyline.rs" polyline,
     "../../www/samples/properties.rs" properties, "../../www/samples/quadratic.rs" quadratic,
-    "../../www/samples/rays.rs" rays, "../../www/samples/recursion.rs" recursion,
+    "../../www/samples/rational.rs" rational, "../../www/samples/rays.rs" rays, "../../www/samples/recursion.rs" recursion,
     "../../www/samples/rounding.rs" rounding, "../../www/samples/rows-then-curve.rs" rows_then_curve,
     "../../www/samples/splines.rs" splines, "../../www/samples/split.rs" split,
     "../../www/samples/split-patch.rs" split_patch, "../../www/samples/teapot.rs" teapot,

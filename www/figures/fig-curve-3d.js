@@ -1,9 +1,8 @@
 // The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's construction and its box.
-import { arrowDirection } from "#js/ui/keys.js";
-import { capture } from "#js/ui/capture.js";
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./lib/figure.js";
+import { numeric } from "./lib/figure.js";
+import { OrbitFigure, RADIANS, seen } from "./lib/orbit-figure.js";
 import { check, diamond, disc, polyline, ring, slider, square } from "./lib/parts.js";
 import { decimal, short, subscript, tuple } from "./lib/numbers.js";
 
@@ -15,33 +14,14 @@ const POINTS = /** @type {const} */ ([
 ]);
 /** The corner of the coordinate planes that is opposite to the origin. */
 const FAR = /** @type {const} */ ([7, 8, 10]);
-const DEGREES_PER_PIXEL = 0.5;
-const DEGREES_PER_KEY = 5;
-const RADIANS = Math.PI / 180;
-
-/**
- * Seen from far away: turned about the z axis, tilted against the horizon.
- *
- * @param {number} turn degrees
- * @param {number} tilt degrees
- * @returns {(point: ArrayLike<number>) => [number, number]} right and down
- */
-export function seen(turn, tilt) {
-  const [c, s] = [Math.cos(turn * RADIANS), Math.sin(turn * RADIANS)];
-  const [ct, st] = [Math.cos(tilt * RADIANS), Math.sin(tilt * RADIANS)];
-  return ({ 0: x, 1: y, 2: z }) => [c * y - s * x, st * (c * x + s * y) - ct * z];
-}
-
 /** @param {ArrayLike<number>} flat @returns {number[][]} */
 const triples = (flat) =>
   Array.from({ length: flat.length / 3 }, (_, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]]);
 
 /** `<fig-curve-3d t="0.5" turn="-42" tilt="22">` */
-export class FigCurve3d extends Figure {
+export class FigCurve3d extends OrbitFigure {
   static properties = {
     t: numeric({ least: 0, most: 1, otherwise: 0.5 }),
-    turn: numeric({ least: -180, most: 180, otherwise: -42 }),
-    tilt: numeric({ least: -90, most: 90, otherwise: 22 }),
     construction: { state: true },
     shadows: { state: true },
     box: { state: true },
@@ -50,39 +30,10 @@ export class FigCurve3d extends Figure {
   constructor() {
     super();
     this.t = 0.5;
-    this.turn = -42;
-    this.tilt = 22;
     this.construction = true;
     this.shadows = true;
     this.box = false;
     this.curve = new Curve(POINTS);
-  }
-
-  /** @param {number} turn @param {number} tilt */
-  orbit(turn, tilt) {
-    this.turn = ((((turn + 180) % 360) + 360) % 360) - 180;
-    this.tilt = Math.min(Math.max(tilt, -90), 90);
-  }
-
-  /** @param {PointerEvent} start */
-  drag(start) {
-    if (start.button !== 0) return;
-    const [turn, tilt] = [this.turn, this.tilt];
-    capture(start, {
-      move: (event) =>
-        this.orbit(
-          turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
-          tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
-        ),
-    });
-  }
-
-  /** @param {KeyboardEvent} event */
-  key(event) {
-    const arrow = arrowDirection(event);
-    if (!arrow || event.altKey) return;
-    event.preventDefault();
-    this.orbit(this.turn - arrow[0] * DEGREES_PER_KEY, this.tilt + arrow[1] * DEGREES_PER_KEY);
   }
 
   /** From space to the picture, which always holds the ball around the planes. */
@@ -182,7 +133,6 @@ export class FigCurve3d extends Figure {
     const { min, max } = this.curve.bounds();
     const range = (/** @type {"x" | "y" | "z"} */ axis) =>
       html`<i>${axis}</i> from ${short(min[axis], 3)} to ${short(max[axis], 3)}`;
-    const turnTo = (/** @type {number} */ turn) => this.orbit(turn, this.tilt);
     return html`
       <div class="frame">
         <div class="stage">${this.picture()}</div>
@@ -203,8 +153,7 @@ export class FigCurve3d extends Figure {
               this.notifyChange();
             },
           })}
-          ${slider({ name: "Rotation", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
-          ${slider({ name: "Tilt", value: this.tilt, min: -90, max: 90, step: 1, text: `${decimal(this.tilt, 0)}°`, change: (tilt) => this.orbit(this.turn, tilt) })}
+          ${this.angles()}
           ${check({ name: "construction", value: this.construction, change: (on) => (this.construction = on) })}
           ${check({ name: "shadows on the planes", value: this.shadows, change: (on) => (this.shadows = on) })}
           ${check({ name: "bounding box", value: this.box, change: (on) => (this.box = on) })}

@@ -123,6 +123,7 @@ export const style = css`
   .bar.bar1, .bar.mine { fill: var(--handle); }
   .dropped { fill: none; stroke: var(--quiet); stroke-width: 1; stroke-dasharray: 2 4; }
   .edge { fill: none; stroke: var(--handle); stroke-width: 1.25; stroke-dasharray: 6 4; }
+  .plane { fill: var(--handle); fill-opacity: 0.1; stroke: var(--quiet); stroke-width: 1; }
   .orbit { cursor: grab; touch-action: pan-y; }
   .orbit:active { cursor: grabbing; }
   .orbit:focus-visible { outline-offset: -3px; }
