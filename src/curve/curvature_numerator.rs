@@ -1,6 +1,6 @@
 //! The cross product of a curve with its own derivative, for inflections and tangents through a point.
 
-use crate::bernstein::wronskian::wronskian;
+use crate::bernstein::wronskian::Wronskian;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
@@ -21,14 +21,14 @@ pub(crate) fn curvature_numerator<P: Point>(v: &[P], rounding: f64) -> (Scalars,
 
 fn curvature_numerator_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f64) {
     let m = v.len() - 1;
-    // V = (f, g) in the sense of `wronskian`.
-    let coefficients = wronskian(m, |i, j| v[i].perp_dot(v[j]));
-    let errors = wronskian(m, |i, j| {
+    let wronskian = Wronskian::of_degree(m);
+    let coefficients = wronskian.coefficients(|i, j| v[i].perp_dot(v[j]));
+    let errors = wronskian.coefficients(|i, j| {
         let sizes = v[i].abs().element_sum() + v[j].abs().element_sum();
         sizes * (rounding + f64::EPSILON * sizes)
     });
     let slack = errors.into_iter().fold(0.0, f64::max);
-    (coefficients.into_iter().collect(), slack)
+    (coefficients, slack)
 }
 
 /// [`curvature_numerator`] for degree 2, as for the derivative of a cubic.

@@ -2,7 +2,7 @@
 
 use super::RationalCurve;
 use crate::bernstein::evaluate::evaluate_scalar;
-use crate::bernstein::wronskian::wronskian;
+use crate::bernstein::wronskian::Wronskian;
 use crate::curve::area::triangle_area;
 use crate::geometry::normalized::Normalized;
 use crate::numeric::list::{Points, Scalars};
@@ -31,9 +31,8 @@ impl RationalCurve<DVec2> {
         let points: Points<DVec2> = normalized.points(&self.points);
         let weights = self.scaled_weights();
         // With the origin at the start and A = wB: B×B′ = A×A′/w².
-        let numerator = wronskian(self.degree(), |i, j| {
-            weights[i] * weights[j] * points[i].perp_dot(points[j])
-        });
+        let numerator = Wronskian::of_degree(self.degree())
+            .coefficients(|i, j| weights[i] * weights[j] * points[i].perp_dot(points[j]));
         let mut integral = Integral {
             numerator,
             weights,
@@ -47,7 +46,7 @@ impl RationalCurve<DVec2> {
 
 /// The integral of a numerator divided by w².
 struct Integral {
-    numerator: Vec<f64>,
+    numerator: Scalars,
     weights: Scalars,
     work: WorkLimit,
 }

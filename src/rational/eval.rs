@@ -2,7 +2,7 @@
 
 use super::RationalCurve;
 use super::weighted::Homogeneous;
-use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
+use crate::bernstein::evaluate::{evaluate_scalar, weigh3, weigh4};
 use crate::bernstein::polynomials::binomials;
 use crate::curve::Curve;
 use crate::curve::derivative::Taylor;
@@ -12,6 +12,7 @@ use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::list::{Points, Scalars};
+use casteljau_kernels::bernstein::de_casteljau::{keep_after, lerp};
 
 impl<P: Point> RationalCurve<P> {
     /// The point B(t).
@@ -19,20 +20,28 @@ impl<P: Point> RationalCurve<P> {
     /// t in [0, 1] runs along the curve; the end points are exact, and the others are within 4 ulps of the largest coordinate up
     /// to degree 3. Other values extrapolate as long as the denominator Σ wᵢ Bᵢ(t) is above 0, and give NaN where it is not.
     /// Source: Farin, *Curves and Surfaces for CAGD*, §13.1.
-    pub fn eval(&self, t: f64) -> P {
-        self.eval_homogeneous(&self.homogeneous(P::ZERO), t)
-    }
-
-    /// The point for the given homogeneous control points, relative to the origin.
     #[inline]
-    fn eval_homogeneous(&self, points: &[Homogeneous<P>], t: f64) -> P {
+    pub fn eval(&self, t: f64) -> P {
         if t == 0.0 {
-            self.start()
-        } else if t == 1.0 {
-            self.end()
-        } else {
-            evaluate(points, t).point()
+            return self.start();
         }
+        if t == 1.0 {
+            return self.end();
+        }
+        // Products of the largest coordinates and weights stay in the range of f64.
+        let at = |i: usize| Homogeneous::new(self.points[i], self.weights[i]);
+        let sum = match self.degree() {
+            1 => lerp(at(0), at(1), t),
+            2 => weigh3([at(0), at(1), at(2)], t),
+            3 => weigh4([at(0), at(1), at(2), at(3)], t),
+            n => {
+                let mut row = [Homogeneous::default(); MAX_DEGREE + 1];
+                (0..=n).for_each(|i| row[i] = at(i));
+                keep_after(&mut row[..=n], t);
+                row[0]
+            }
+        };
+        sum.point()
     }
 
     /// `segments` + 1 points at t = i / `segments`, both ends included.
@@ -43,17 +52,13 @@ impl<P: Point> RationalCurve<P> {
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
     pub fn sample(&self, segments: usize) -> Result<Vec<P>, Error> {
         check_segments(segments, P::DIMENSION)?;
-        let points = self.homogeneous(P::ZERO);
-        let at = |i| self.eval_homogeneous(&points, ratio(i, segments));
+        let at = |i| self.eval(ratio(i, segments));
         Ok((0..=segments).map(at).collect())
     }
 
     /// The points at the given parameters.
     pub fn eval_at(&self, ts: &[f64]) -> Vec<P> {
-        let points = self.homogeneous(P::ZERO);
-        ts.iter()
-            .map(|&t| self.eval_homogeneous(&points, t))
-            .collect()
+        ts.iter().map(|&t| self.eval(t)).collect()
     }
 
     /// The k-th derivative at t; k = 0 is the point itself.
@@ -134,14 +139,16 @@ impl<P: Point> RationalCurve<P> {
             .collect()
     }
 
-    /// The Taylor expansion at t up to the order n; `None` for a curve that is a point, and where the denominator is not
-    /// above 0.
+    /// The Taylor expansion at t, where each order lacks a sum of multiples of lower orders; `None` for a curve that is a point.
     ///
-    /// Later orders are sums of these, so where the first n are parallel the curve is straight.
+    /// It is that of the numerator w(B − B(t)), divided by w at t. Tangent, normal and curvature depend on the first order that
+    /// does not vanish and the first later one that is not parallel to it, of the latter only across the former; so
+    /// those sums do not matter, and nothing of their size cancels.
     fn taylor(&self, t: f64) -> Option<Taylor<P>> {
-        let point = self.eval(t);
-        let mut local = self.numerator(point).taylor(t)?;
-        divide_series(&mut local.coefficients, &self.denominator_series(t));
+        let mut local = self.numerator(self.eval(t)).taylor(t)?;
+        let scale = self.weight_scale();
+        let weights: Scalars = self.weights.iter().map(|w| w * scale).collect();
+        local.scale /= evaluate_scalar(&weights, t);
         Some(local)
     }
 }

@@ -19,6 +19,9 @@ use crate::numeric::float::ulp;
 /// A part is halved if its halves need less than this ratio of its steps.
 const WORTH_HALVING: f64 = 0.9;
 
+/// A part of fewer steps is not halved: that takes longer than the vertices that it may save.
+const FEW_STEPS: f64 = 4.0;
+
 /// Halvings after which the bound is used as it is: a part of 2⁻⁴⁸ is a point up to rounding.
 const PART_HALVINGS: u32 = f64::MANTISSA_DIGITS - 5;
 
@@ -39,7 +42,8 @@ impl<P: Point> RationalCurve<P> {
         let mut parts = Vec::new();
         // A part of the tolerance is for the rounding of vertices.
         let kept = tolerance - 2.0 * ulp(size);
-        plan(self, kept, [0.0, 1.0], PART_HALVINGS, &mut parts);
+        let steps = steps_for(self, kept);
+        plan(self, steps, kept, [0.0, 1.0], PART_HALVINGS, &mut parts);
         let count = 1.0 + parts.iter().map(|part| part.steps).sum::<f64>();
         if count > MAX_VERTICES as f64 {
             return Err(Error::too_many(
@@ -72,19 +76,20 @@ struct Steps {
 
 fn plan<P: Point>(
     part: &RationalCurve<P>,
+    steps: f64,
     tolerance: f64,
     [from, length]: [f64; 2],
     halvings: u32,
     parts: &mut Vec<Steps>,
 ) {
-    let steps = steps_for(part, tolerance);
-    if steps > 1.0 && halvings > 0 {
+    if steps >= FEW_STEPS && halvings > 0 {
         let (left, right) = part.halve();
-        let halved = steps_for(&left, tolerance) + steps_for(&right, tolerance);
-        if halved < WORTH_HALVING * steps {
+        let [a, b] = [&left, &right].map(|part| steps_for(part, tolerance));
+        if a + b < WORTH_HALVING * steps {
             let half = 0.5 * length;
-            plan(&left, tolerance, [from, half], halvings - 1, parts);
-            return plan(&right, tolerance, [from + half, half], halvings - 1, parts);
+            plan(&left, a, tolerance, [from, half], halvings - 1, parts);
+            let range = [from + half, half];
+            return plan(&right, b, tolerance, range, halvings - 1, parts);
         }
     }
     parts.push(Steps {

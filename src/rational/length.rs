@@ -2,7 +2,7 @@
 
 use super::RationalCurve;
 use super::numerators::derivative_numerator;
-use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
+use crate::bernstein::wronskian::Wronskian;
 use crate::curve::PointAtLength;
 use crate::curve::arc_length::integral::{ArcLengthTable, Speed, times_binomials};
 use crate::curve::arc_length::inverse::InverseByTable;
@@ -11,6 +11,7 @@ use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use casteljau_kernels::curve::arc_length::speed::rational_speed_integral;
+use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
 
 impl<P: Point> RationalCurve<P> {
@@ -73,16 +74,22 @@ impl<P: Point> RationalCurve<P> {
 struct RationalSpeed {
     numerator: Points<DVec3>,
     weights: Scalars,
-    /// The same coefficients times their binomial coefficients.
-    weighted: (Points<DVec3>, Points<f64>),
+    /// D, w and their derivatives, each coefficient times its binomial coefficient.
+    weighted: (Points<DVec3>, Scalars),
+    rates: (Points<DVec3>, Scalars),
 }
 
 impl RationalSpeed {
     fn new<P: Point>(points: &[P], weights: Scalars) -> Self {
         let points: Points<DVec3> = points.iter().map(|p| p.to_3d()).collect();
-        let numerator = derivative_numerator(&points, &weights);
+        let wronskian = Wronskian::of_degree(points.len() - 1);
+        let numerator = derivative_numerator(&wronskian, &points, &weights);
         Self {
             weighted: (times_binomials(&numerator), times_binomials(&weights)),
+            rates: (
+                times_binomials(&differences(&numerator)),
+                times_binomials(&differences(&weights)),
+            ),
             numerator,
             weights,
         }
@@ -91,8 +98,8 @@ impl RationalSpeed {
 
 impl Speed for RationalSpeed {
     fn at(&self, t: f64) -> f64 {
-        let w = evaluate_scalar(&self.weights, t);
-        Point::norm(evaluate(&self.numerator, t)) / (w * w)
+        let w = horner(&self.weighted.1, t);
+        Point::norm(horner(&self.weighted.0, t)) / (w * w)
     }
 
     fn integral(&self, lo: f64, hi: f64) -> f64 {
@@ -101,11 +108,9 @@ impl Speed for RationalSpeed {
 
     /// D·D′ w − 2 D·D w′.
     fn growth(&self) -> impl Fn(f64) -> f64 + '_ {
-        let rates = differences(&self.numerator);
-        let weight_rates = differences(&self.weights);
-        move |t| {
-            let (d, w) = (evaluate(&self.numerator, t), evaluate(&self.weights, t));
-            d.dot(evaluate(&rates, t)) * w - 2.0 * d.dot(d) * evaluate(&weight_rates, t)
+        |t| {
+            let (d, w) = (horner(&self.weighted.0, t), horner(&self.weighted.1, t));
+            d.dot(horner(&self.rates.0, t)) * w - 2.0 * d.dot(d) * horner(&self.rates.1, t)
         }
     }
 
@@ -128,8 +133,20 @@ impl Speed for RationalSpeed {
     }
 }
 
+/// The value at t for coefficients that are multiplied by their binomial coefficients.
+#[inline]
+fn horner<V: Vector>(coefficients: &[V], t: f64) -> V {
+    let (s, mut power) = (1.0 - t, 1.0);
+    let mut sum = V::default();
+    for &c in coefficients.iter().rev() {
+        sum = sum * t + c * power;
+        power *= s;
+    }
+    sum
+}
+
 /// The Bernstein coefficients of the derivative; zero for a constant.
-fn differences<V: casteljau_kernels::numeric::vector::Vector>(coefficients: &[V]) -> Points<V> {
+fn differences<V: Vector>(coefficients: &[V]) -> Points<V> {
     let n = coefficients.len() - 1;
     if n == 0 {
         return Points::from([V::default()].as_slice());

@@ -6,6 +6,7 @@ use super::weighted::Homogeneous;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::max_of;
+use crate::bernstein::wronskian::Wronskian;
 use crate::curve::Nearest;
 use crate::curve::nearest::{DistanceToOrigin, nearest_to_origin};
 use crate::geometry::check::check_points;
@@ -45,6 +46,7 @@ impl<P: Point> RationalCurve<P> {
         let n = self.degree();
         let curve = RationalDistance {
             homogeneous: Derivatives::of(&about.homogeneous(P::ZERO)),
+            wronskian: Wronskian::of_degree(n),
             binomials: Binomials::new(n, 2 * n - 2),
         };
         let (t, _) = nearest_to_origin(&curve, about);
@@ -77,6 +79,7 @@ impl<P: Point> Derivatives<P> {
 /// A rational curve relative to the query point.
 struct RationalDistance<P: Point> {
     homogeneous: Derivatives<P>,
+    wronskian: Wronskian,
     binomials: Binomials,
 }
 
@@ -90,7 +93,7 @@ impl<P: Point> DistanceToOrigin<P> for RationalDistance<P> {
     /// A·D.
     fn rate(&self, part: &RationalCurve<P>) -> Scalars {
         let (points, weights) = (&part.points, &part.weights);
-        let numerator = derivative_numerator(points, weights);
+        let numerator = derivative_numerator(&self.wronskian, points, weights);
         self.binomials
             .product(|i, j| weights[i] * points[i].dot(numerator[j]))
     }

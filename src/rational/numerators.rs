@@ -1,7 +1,7 @@
 //! Numerators of the derivative and of the curvature: polynomials that vanish where the derivative or the curvature
 //! does. They are made of differences of points, so they do not depend on the origin.
 
-use crate::bernstein::wronskian::wronskian;
+use crate::bernstein::wronskian::Wronskian;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use casteljau_kernels::bernstein::weights::binomial;
@@ -11,9 +11,13 @@ use glam::DVec2;
 ///
 /// Dₖ is a sum of wᵢ wⱼ (Pⱼ − Pᵢ) with i + j = k + 1. Source: Saito, Wang and Sederberg, "Hodographs and normals of rational
 /// curves and surfaces", CAGD 12 (1995).
-pub(super) fn derivative_numerator<P: Point>(points: &[P], weights: &[f64]) -> Points<P> {
-    let pair = |i: usize, j: usize| (points[j] - points[i]) * (weights[i] * weights[j]);
-    Points::from(wronskian(points.len() - 1, pair))
+#[inline]
+pub(super) fn derivative_numerator<P: Point>(
+    wronskian: &Wronskian,
+    points: &[P],
+    weights: &[f64],
+) -> Points<P> {
+    wronskian.coefficients(|i, j| (points[j] - points[i]) * (weights[i] * weights[j]))
 }
 
 /// The Bernstein coefficients of det(A, A′, A″) for the homogeneous points A = (wB, w), of degree 3n − 6, and a bound on

@@ -3,7 +3,7 @@
 use super::RationalCurve;
 use super::numerators::{curvature_numerator, derivative_numerator};
 use crate::bernstein::roots::{crossings, max_of, roots_inside};
-use crate::bernstein::wronskian::wronskian;
+use crate::bernstein::wronskian::Wronskian;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -77,16 +77,16 @@ impl<P: Point> RationalCurve<P> {
         let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
         let w = self.scaled_weights();
         let rounding = ulp(max_of(&values));
-        let rates = wronskian(self.degree(), |i, j| {
-            (values[j] - values[i]) * (w[i] * w[j])
-        });
-        let errors = wronskian(self.degree(), |i, j| rounding * (w[i] * w[j]));
+        let wronskian = Wronskian::of_degree(self.degree());
+        let rates = wronskian.coefficients(|i, j| (values[j] - values[i]) * (w[i] * w[j]));
+        let errors = wronskian.coefficients(|i, j| rounding * (w[i] * w[j]));
         Ok(crossings(&rates, max_of(&errors)).to_vec())
     }
 
     /// The Bernstein coefficients of the numerator of B′, for weights up to 2.
     pub(super) fn derivative_numerator(&self) -> Points<P> {
-        derivative_numerator(&self.points, &self.scaled_weights())
+        let wronskian = Wronskian::of_degree(self.degree());
+        derivative_numerator(&wronskian, &self.points, &self.scaled_weights())
     }
 
     /// The weights, scaled by a power of two so that the largest one is 1 to 2.

@@ -1,6 +1,7 @@
 //! Rational curves: closed forms on conics, invariance, and slow methods as references.
 
 mod forms;
+mod golden;
 mod nurbs;
 
 use crate::support::Rng;

@@ -326,21 +326,23 @@ impl<C> Search<'_, C> {
 }
 
 /// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the
-/// origin. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
+/// origin, or leaves it equal up to rounding with ever shorter steps. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
 /// moves.
 fn polish<P: Point>(curve: &impl DistanceToOrigin<P>, mut t: f64) -> (f64, f64) {
     let mut p = curve.at(t);
+    let mut last_step = f64::INFINITY;
     for _ in 0..MAX_STEPS {
         let [first, second] = curve.derivatives(t);
         let next = t - p.dot(first) / (first.dot(first) + p.dot(second));
         if !(next > 0.0 && next < 1.0) {
             break;
         }
-        let q = curve.at(next);
-        if q.dot(q) >= p.dot(p) {
+        let (q, step) = (curve.at(next), (next - t).abs());
+        let is_equal = q.dot(q) <= p.dot(p) * (1.0 + 4.0 * f64::EPSILON);
+        if q.dot(q) >= p.dot(p) && !(is_equal && step < 0.5 * last_step) {
             break;
         }
-        (t, p) = (next, q);
+        (t, p, last_step) = (next, q, step);
     }
     (t, p.norm())
 }
