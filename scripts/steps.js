@@ -46,7 +46,7 @@ const BINDINGS = ["--package", "casteljau-wasm", "--target", "wasm32-unknown-unk
 
 /** Curves, splines and paths alone, each feature alone, and pairs of which one has code for the other. */
 const FEATURE_SETS = [
-  ...["", "count-work", "easing", "fast", "fit", "io", "kurbo", "rayon", "regions", "serde", "surfaces"],
+  ...["", "count-work", "easing", "fast", "fit", "io", "kurbo", "nurbs", "rayon", "regions", "serde", "surfaces"],
   ...["count-work,regions", "io,surfaces", "serde,easing", "serde,regions", "serde,surfaces"],
 ];
 

@@ -13,6 +13,7 @@ mod patch_work;
 mod path;
 mod path_boolean;
 mod points;
+mod rational;
 mod samples;
 mod stroke;
 mod support;

@@ -1,5 +1,5 @@
-//! Golden data on curves from closed forms (`tests/data/curve-records.json`) and from other libraries
-//! (`../shared/data/curve-records.json`).
+//! Golden data on curves from closed forms (`tests/data/curve-facts.json`) and from other libraries
+//! (`../shared/data/curve-facts.json`).
 
 mod along;
 mod fact;
@@ -11,7 +11,7 @@ mod outlines;
 
 use crate::support::measure::{Reference, farthest};
 use crate::support::{near_at, real};
-use casteljau::Curve;
+use casteljau::{Curve, RationalCurve};
 use casteljau::curve::Basis;
 use casteljau::glam::DVec3;
 use fact::{Fact, count, number, numbers, points, text};
@@ -41,7 +41,11 @@ fn check(fact: &Value) {
     let kind = text(&fact["kind"]);
     let fact = &Fact::new(fact);
     match kind {
-        "eval_rational" => {} // there are no rational curves here
+        "eval_rational" => {
+            let (points, weights) = (points(&fact.input["points"]), numbers(&fact.input["weights"]));
+            let curve = RationalCurve::new(&points, &weights).expect("valid");
+            fact.near(curve.eval(fact.t()), &fact.expect);
+        }
         "eval" => fact.near(fact.curve().eval(fact.t()), &fact.expect),
         "derivative" => {
             let order = count(&fact.input["order"]);
