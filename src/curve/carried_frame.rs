@@ -52,7 +52,7 @@ pub(crate) struct CarriedFrame {
 impl CarriedFrame {
     /// The frame after the tangent has rotated at one point, by the smallest rotation.
     pub(crate) fn turned_to(self, tangent: DVec3) -> Self {
-        let normal = turned(self.tangent, self.normal, tangent, DVec3::ZERO);
+        let normal = rotated_normal(self.tangent, self.normal, tangent, DVec3::ZERO);
         Self { tangent, normal }
     }
 
@@ -201,7 +201,7 @@ impl FrameCurve {
         let normal = if work.is_exceeded() || enough {
             in_two
         } else if (to.t - start.t).abs() <= CUSP_STEP {
-            turned(start.tangent, from.normal, to.tangent, self.axis(middle.t))
+            rotated_normal(start.tangent, from.normal, to.tangent, self.axis(middle.t))
         } else if !work.spend(1) {
             in_two
         } else {
@@ -227,7 +227,7 @@ impl FrameCurve {
 fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     let displacement = to.point - from.point;
     if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
-        return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
+        return rotated_normal(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
     let normal = double_reflection(normal, [from.tangent, to.tangent], displacement);
     Point::unit(normal - to.tangent * to.tangent.dot(normal))
@@ -249,7 +249,7 @@ pub(crate) fn double_reflection(
 
 /// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is
 /// the rotation axis for a reversed tangent; if it is zero (unknown), the normal stays.
-fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
+fn rotated_normal(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
     let (mut before, mut normal) = (before, normal);
     if before.dot(after) < BACK_COSINE && (axis != DVec3::ZERO || before.dot(after) < -1.0 + 1e-12)
     {

@@ -18,7 +18,7 @@ use crate::numeric::float::ulp;
 use cubic::{CubicParts, visit_parts};
 use glam::DVec3;
 use std::borrow::Borrow;
-use steps::{Planner, Steps};
+use steps::{EqualSteps, StepPlanner};
 
 /// The largest number of vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
@@ -158,12 +158,12 @@ impl<P: Point> Curve<P> {
 
     /// Passes on the parts of a curve of any degree and the steps in them. Plane points are converted to space, so that
     /// the code is compiled once.
-    fn each_step(&self, scale: f64, tolerance: f64, mut visit: impl FnMut(Steps)) {
+    fn each_step(&self, scale: f64, tolerance: f64, mut visit: impl FnMut(EqualSteps)) {
         let mut points = [DVec3::ZERO; MAX_DEGREE + 1];
         for (to, &p) in points.iter_mut().zip(&self.points) {
             *to = ((p - self.start()) * scale).to_3d();
         }
-        let mut planner = Planner::new(self.degree(), tolerance * scale, &mut visit);
+        let mut planner = StepPlanner::new(self.degree(), tolerance * scale, &mut visit);
         planner.plan(&points, [0.0, 1.0], 0);
     }
 

@@ -105,7 +105,7 @@ fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<
 }
 
 /// A segment of A with the parameters of the points of B that are nearest to its ends.
-struct Segment<P: Point> {
+struct SegmentWithNearest<P: Point> {
     points: Points<P>,
     from: f64,
     to: f64,
@@ -120,7 +120,7 @@ fn farthest<P: Point>(
     mut greatest: f64,
 ) -> f64 {
     let mut work = WorkLimit::new(MAX_STEPS);
-    let mut look = |p: P, greatest: &mut f64| {
+    let mut examine = |p: P, greatest: &mut f64| {
         let (u, steps) = nearest_with_steps(b, p);
         let within = work.spend(steps);
         *greatest = greatest.max((evaluate(b, u) - p).norm());
@@ -128,9 +128,9 @@ fn farthest<P: Point>(
     };
     let b_curve = Curve::from_slice(high);
     let straight = [original.len() == 2, b.len() == 2];
-    let (from, _) = look(a[0], &mut greatest);
-    let (to, _) = look(a[a.len() - 1], &mut greatest);
-    let whole = Segment {
+    let (from, _) = examine(a[0], &mut greatest);
+    let (to, _) = examine(a[a.len() - 1], &mut greatest);
+    let whole = SegmentWithNearest {
         points: a.clone(),
         from,
         to,
@@ -150,17 +150,17 @@ fn farthest<P: Point>(
             break;
         }
         let (left, right) = Curve::from_points(segment.points).halve();
-        let (mid, within) = look(right.points[0], &mut greatest);
+        let (mid, within) = examine(right.points[0], &mut greatest);
         if !within {
             break;
         }
         for half in [
-            Segment {
+            SegmentWithNearest {
                 points: left.points,
                 from: segment.from,
                 to: mid,
             },
-            Segment {
+            SegmentWithNearest {
                 points: right.points,
                 from: mid,
                 to: segment.to,
@@ -175,7 +175,7 @@ fn farthest<P: Point>(
     greatest
 }
 
-impl<P: Point> Segment<P> {
+impl<P: Point> SegmentWithNearest<P> {
     /// An upper bound on the distance of the segment's points from B: the maximum distance at equal parameters from the
     /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
     /// depend on the parametrization.

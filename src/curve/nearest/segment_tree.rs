@@ -9,9 +9,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// The segments of a curve as a binary tree, created on demand.
-pub(crate) struct SegmentTree<P: Point>(pub(crate) Vec<Segment<P>>);
+pub(crate) struct SegmentTree<P: Point>(pub(crate) Vec<TreeSegment<P>>);
 
-pub(crate) struct Segment<P: Point> {
+pub(crate) struct TreeSegment<P: Point> {
     points: Points<P>,
     lo: f64,
     hi: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Segment<P: Point> {
     halves: usize,
 }
 
-impl<P: Point> Segment<P> {
+impl<P: Point> TreeSegment<P> {
     fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
         let start = points[0];
         let size = points.iter().map(|&p| (p - start).max_abs());
@@ -52,7 +52,7 @@ impl<P: Point> Segment<P> {
     }
 
     /// A lower bound on the distance of two segments.
-    pub(crate) fn apart(&self, other: &Self) -> f64 {
+    pub(crate) fn distance_bound(&self, other: &Self) -> f64 {
         // The gap between the projections onto any direction is a lower bound, negative if they overlap.
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
@@ -67,7 +67,7 @@ impl<P: Point> Segment<P> {
 
 impl<P: Point> SegmentTree<P> {
     pub(crate) fn new(points: &[P]) -> Self {
-        Self(vec![Segment::new(points_of(points), 0.0, 1.0)])
+        Self(vec![TreeSegment::new(points_of(points), 0.0, 1.0)])
     }
 
     pub(crate) fn halves(&mut self, index: usize) -> [usize; 2] {
@@ -76,8 +76,8 @@ impl<P: Point> SegmentTree<P> {
             let (left, right) = Curve::from_slice(&segment.points).halve();
             let (lo, mid, hi) = (segment.lo, segment.mid(), segment.hi);
             self.0[index].halves = self.0.len();
-            self.0.push(Segment::new(left.points, lo, mid));
-            self.0.push(Segment::new(right.points, mid, hi));
+            self.0.push(TreeSegment::new(left.points, lo, mid));
+            self.0.push(TreeSegment::new(right.points, mid, hi));
         }
         let first = self.0[index].halves;
         [first, first + 1]
