@@ -2,7 +2,7 @@
 //! messages.
 
 use super::piecewise::{Linear, StepPosition, Steps, Stop};
-use super::scanner::Scanner;
+use super::scanner::CssScanner;
 use super::{Easing, EasingError, Kind};
 use crate::text::number::written_number;
 use std::fmt;
@@ -47,7 +47,7 @@ impl FromStr for Easing {
     type Err = EasingError;
 
     fn from_str(text: &str) -> Result<Self, EasingError> {
-        let mut scanner = Scanner::new(text);
+        let mut scanner = CssScanner::new(text);
         let word = scanner.word();
         let length = word.len();
         let kind = if let Some(function) = keyword(&word) {
@@ -76,7 +76,7 @@ impl FromStr for Easing {
     }
 }
 
-fn read_cubic(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_cubic(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let mut handles = [0.0; 4];
     for (k, handle) in handles.iter_mut().enumerate() {
         if k > 0 {
@@ -91,7 +91,7 @@ fn read_cubic(scanner: &mut Scanner) -> Result<Kind, EasingError> {
     Ok(Kind::cubic(handles))
 }
 
-fn read_steps(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_steps(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let at = scanner.at;
     let is_whole = scanner.has_whole_number();
     let count = scanner.any_number()?;
@@ -123,7 +123,7 @@ fn read_steps(scanner: &mut Scanner) -> Result<Kind, EasingError> {
     Ok(Kind::Steps(Steps { count, position }))
 }
 
-fn read_linear(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_linear(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let mut stops = Vec::new();
     let mut count = 0;
     loop {
@@ -155,7 +155,7 @@ fn read_linear(scanner: &mut Scanner) -> Result<Kind, EasingError> {
 }
 
 /// Reads up to two percentages.
-fn read_percentages(scanner: &mut Scanner) -> Result<Vec<f64>, EasingError> {
+fn read_percentages(scanner: &mut CssScanner) -> Result<Vec<f64>, EasingError> {
     let mut percentages = Vec::new();
     while percentages.len() < 2 && scanner.has_percentage() {
         percentages.push(scanner.any_number()?);

@@ -21,7 +21,7 @@ pub(super) type Arrays = (Vec<DVec3>, Vec<u32>);
 /// Parses the array of vertices and the array of patches in C source code: rows of 3 coordinates and rows of 16 vertex
 /// numbers, each row and each array in braces. Text outside of braces is skipped.
 pub(super) fn read_arrays(text: &str) -> Result<Arrays, ParseError> {
-    let mut parser = Parser {
+    let mut parser = ArrayParser {
         tokens: Tokens {
             text,
             at: 0,
@@ -42,7 +42,7 @@ pub(super) fn read_arrays(text: &str) -> Result<Arrays, ParseError> {
     parser.finish()
 }
 
-struct Parser<'a> {
+struct ArrayParser<'a> {
     tokens: Tokens<'a>,
     vertices: Vec<DVec3>,
     /// The vertex numbers of all patches.
@@ -51,7 +51,7 @@ struct Parser<'a> {
     largest: Option<(usize, Token<'a>)>,
 }
 
-impl<'a> Parser<'a> {
+impl<'a> ArrayParser<'a> {
     /// Reads an array after its opening brace.
     fn read_array(&mut self) -> Result<(), ParseError> {
         let mut width = None;

@@ -1,7 +1,7 @@
 //! Writing surfaces as text, and parsing them.
 
 use super::surface_arrays::read_arrays;
-use super::text_reader::{ParseError, Reader, number, refuse, whole};
+use super::text_reader::{ParseError, RowReader, number, refuse, whole};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::MAX_DEGREE;
 use crate::surface::network::Surface;
@@ -91,9 +91,9 @@ impl Surface {
     /// [`ParseError`] with the line number, for a wrong count, a word that is not a finite number, a degree outside 1
     /// to 64, or a vertex that does not exist.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
-        let mut parser = Parser {
+        let mut parser = SurfaceParser {
             text,
-            reader: Reader::new(text),
+            reader: RowReader::new(text),
             // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
             characters: text.encode_utf16().count(),
             vertices: Vec::new(),
@@ -107,16 +107,16 @@ impl Surface {
 }
 
 /// The state of the surface parser.
-struct Parser<'a> {
+struct SurfaceParser<'a> {
     text: &'a str,
-    reader: Reader<'a>,
+    reader: RowReader<'a>,
     characters: usize,
     vertices: Vec<DVec3>,
     indices: Vec<u32>,
     degrees: Vec<[usize; 2]>,
 }
 
-impl Parser<'_> {
+impl SurfaceParser<'_> {
     fn read(&mut self) -> Result<(), ParseError> {
         let words = self.reader.row(1);
         if words == 1 && self.reader.last_words().first() == Some(&"surface") {

@@ -1,7 +1,7 @@
 //! Parsing SVG path data.
 
 use super::svg_error::SvgError;
-use super::svg_number::{Refusal, Scanner};
+use super::svg_number::{Refusal, SvgScanner};
 use crate::geometry::check::is_within_limit;
 use crate::path::Path;
 use crate::path::arc::Arc;
@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::str::FromStr;
 
 /// The number of arguments of a command; the arc is handled separately.
-fn arguments(command: u8) -> Option<usize> {
+fn argument_count(command: u8) -> Option<usize> {
     match command {
         b'Z' => Some(0),
         b'H' | b'V' => Some(1),
@@ -85,8 +85,8 @@ impl FromStr for Path {
 
 /// Parses path data with an empty builder.
 fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
-    let mut scanner = Scanner::new(d);
-    let mut reader = Reader {
+    let mut scanner = SvgScanner::new(d);
+    let mut reader = PathReader {
         builder,
         cubic: None,
         quadratic: None,
@@ -109,13 +109,13 @@ fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
     }
 }
 
-fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
+fn read(scanner: &mut SvgScanner<'_>, reader: &mut PathReader) -> Result<(), Refusal> {
     scanner.skip_blanks();
     let mut expected = "\"M\" or \"m\"";
     while !scanner.at_end() {
         let command = scanner.peek();
         let first = expected != "a command";
-        let count = arguments(command.to_ascii_uppercase())
+        let count = argument_count(command.to_ascii_uppercase())
             .filter(|_| !first || command.eq_ignore_ascii_case(&b'M'));
         let Some(count) = count else {
             return Err(Refusal {
@@ -137,8 +137,8 @@ fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
 
 /// Reads one or more groups of arguments of a command.
 fn read_groups(
-    scanner: &mut Scanner<'_>,
-    reader: &mut Reader,
+    scanner: &mut SvgScanner<'_>,
+    reader: &mut PathReader,
     mut command: u8,
     count: usize,
 ) -> Result<(), Refusal> {
@@ -176,14 +176,14 @@ fn read_groups(
 }
 
 /// The state of the parser: the path so far, and the points that later commands refer to.
-struct Reader {
+struct PathReader {
     builder: PathBuilder,
     /// The last control point of the previous command if it was a cubic (for S) or a quadratic (for T).
     cubic: Option<DVec2>,
     quadratic: Option<DVec2>,
 }
 
-impl Reader {
+impl PathReader {
     /// Adds one command with its numbers. Returns false if a coordinate exceeds the limit.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
         let from = self.builder.current_point();
@@ -193,16 +193,16 @@ impl Reader {
             DVec2::splat(-0.0) // the neutral element of addition, also for −0
         };
         let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
-        let mirrored = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
+        let reflected = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
         match command.to_ascii_uppercase() {
             b'M' => self.move_to(point(0)),
             b'L' => self.segment(&[point(0)]),
             b'H' => self.segment(&[DVec2::new(base.x + n[0], from.y)]),
             b'V' => self.segment(&[DVec2::new(from.x, base.y + n[0])]),
             b'C' => self.segment(&[point(0), point(2), point(4)]),
-            b'S' => self.segment(&[mirrored(self.cubic), point(0), point(2)]),
+            b'S' => self.segment(&[reflected(self.cubic), point(0), point(2)]),
             b'Q' => self.segment(&[point(0), point(2)]),
-            b'T' => self.segment(&[mirrored(self.quadratic), point(0)]),
+            b'T' => self.segment(&[reflected(self.quadratic), point(0)]),
             _ => self.arc(n, point(5)),
         }
     }

@@ -50,7 +50,7 @@ impl From<ParseError> for Error {
 ///
 /// Spaces, tabs and commas separate words; `#` starts a comment up to the end of the line; lines end with a line feed,
 /// a carriage return or both. Lines without words are counted but skipped. `js/io/surface-text.ts` reads the same format.
-pub(crate) struct Reader<'a> {
+pub(crate) struct RowReader<'a> {
     text: &'a str,
     at: usize,
     line: usize,
@@ -58,7 +58,7 @@ pub(crate) struct Reader<'a> {
     words: Vec<&'a str>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> RowReader<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
         Self {
             text: text.strip_prefix('\u{feff}').unwrap_or(text),
