@@ -36,7 +36,7 @@ const MAX_VECTORS: usize = 1 << 31;
 /// A piece that may be too large, with bounds on its second derivatives uu, uv and vv per unit of the patch's
 /// parameters.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct PatchPiece {
     cell: Cell,
     /// The cell's size in the patch's parameters, along u and v.
     lengths: [f64; 2],
@@ -71,7 +71,7 @@ impl AdaptiveSubdivider<'_> {
     /// [`Error::TooMany`] above the limit.
     pub(crate) fn cut(&mut self, net: &[DVec3], columns: usize) -> Result<(), Error> {
         self.start(net, columns);
-        let mut pieces = vec![Piece {
+        let mut pieces = vec![PatchPiece {
             cell: Cell {
                 u: 0,
                 v: 0,
@@ -82,13 +82,13 @@ impl AdaptiveSubdivider<'_> {
             depth: 0,
             second_derivatives: self.second_derivatives(0),
         }];
-        let closed = closed(net, columns);
+        let closed_directions = closed_directions(net, columns);
         let mut tolerance = self.tolerance();
         while let Some(piece) = pieces.pop() {
             if self.detail.depends_on_position() {
                 tolerance = self.tolerance();
             }
-            let distance = bound(piece.lengths, piece.second_derivatives);
+            let distance = distance_bound(piece.lengths, piece.second_derivatives);
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
                 self.expected_max += piece.halved_cells(tolerance);
@@ -98,11 +98,11 @@ impl AdaptiveSubdivider<'_> {
             if self.cells.len() >= self.limit {
                 return Err(self.too_many());
             }
-            let must = piece.cell_closes(closed);
+            let closed_direction = piece.closed_direction(closed_directions);
             let along_u = if distance > tolerance {
                 piece.longer_along_u()
             } else {
-                must
+                closed_direction
             };
             let Some(along_u) = along_u else {
                 self.add(piece.cell);
@@ -112,7 +112,7 @@ impl AdaptiveSubdivider<'_> {
             self.second_differences.halve(along_u);
             let bounds_of_halves = [self.second_derivatives(1), self.second_derivatives(0)];
             let closer = [0, 1, 2].map(|k| larger(bounds_of_halves[0][k], bounds_of_halves[1][k]));
-            if must.is_none() && bound(piece.lengths, closer) <= tolerance {
+            if closed_direction.is_none() && distance_bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
                 self.second_differences.pop();
                 self.second_differences.pop();
@@ -219,7 +219,7 @@ impl AdaptiveSubdivider<'_> {
     }
 }
 
-impl Piece {
+impl PatchPiece {
     /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
     /// both are equal. `None` if the parameters cannot be halved again.
     fn longer_along_u(&self) -> Option<bool> {
@@ -251,7 +251,7 @@ impl Piece {
     /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while bound(self.lengths, self.second_derivatives) > tolerance {
+        while distance_bound(self.lengths, self.second_derivatives) > tolerance {
             let Some(along_u) = self.longer_along_u() else {
                 break;
             };
@@ -262,7 +262,7 @@ impl Piece {
     }
 
     /// The closed direction, if any, in which the piece still covers the full range of the parameter.
-    fn cell_closes(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
+    fn closed_direction(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
         match (
             along_u && self.cell.du == DYADIC,
             along_v && self.cell.dv == DYADIC,
@@ -305,7 +305,7 @@ pub(crate) fn cell_limit(degree_u: usize, degree_v: usize) -> usize {
 
 /// Whether a patch is closed (starts and ends at the same point) along u, and along v. A single piece of such a tube,
 /// however thin, would have only triangles with two coincident corners, and nothing would represent it.
-fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
+fn closed_directions(net: &[DVec3], columns: usize) -> [bool; 2] {
     let (last, end) = (net.len() - columns, net.len());
     let ring = |from: usize, to: usize, step: usize| {
         let mut inside = (from..to).step_by(step);
@@ -318,6 +318,6 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
 }
 
 /// The maximum distance of flat triangles over a cell with these lengths.
-fn bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
+fn distance_bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
     (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
 }

@@ -9,7 +9,7 @@ use glam::DVec3;
 const TURN: f64 = std::f64::consts::TAU;
 
 /// The cross-section that is swept along the line.
-pub(crate) struct Section {
+pub(crate) struct CrossSection {
     /// The radius of a tube, half the width of a ribbon.
     half: f64,
     /// The corners of a tube's cross-section as (cos φ, sin φ); none for a ribbon.
@@ -28,7 +28,7 @@ pub(crate) struct SweepFrame {
     pub(crate) side: DVec3,
 }
 
-impl Section {
+impl CrossSection {
     pub(crate) fn ribbon(width: f64) -> Self {
         Self {
             half: 0.5 * width,
@@ -41,7 +41,7 @@ impl Section {
     pub(crate) fn tube(radius: f64, sides: usize) -> Self {
         let steps = ((sides + 2) / 4).max(1);
         let mut corners = Vec::with_capacity(sides);
-        let [step_c, step_s] = turned(TURN / as_f64(sides));
+        let [step_c, step_s] = cos_sin(TURN / as_f64(sides));
         let mut corner = [1.0, 0.0];
         for _ in 0..sides {
             corners.push(corner);
@@ -52,7 +52,7 @@ impl Section {
             half: radius,
             corners,
             rings: (1..steps)
-                .map(|ring| turned(0.25 * TURN * ratio(ring, steps)))
+                .map(|ring| cos_sin(0.25 * TURN * ratio(ring, steps)))
                 .collect(),
         }
     }
@@ -75,7 +75,7 @@ impl Section {
 
 /// (cos φ, sin φ) of an angle up to a third of a turn, accurate to the last digits, from the power series of e to the
 /// power iφ. The functions of the standard library would take a hundredth of the wasm module.
-pub(crate) fn turned(angle: f64) -> [f64; 2] {
+pub(crate) fn cos_sin(angle: f64) -> [f64; 2] {
     let mut sum = [1.0, 0.0];
     let mut term = 1.0;
     // (2π / 3) to the 27th over 27! is below 2⁻⁶⁴.
@@ -99,7 +99,7 @@ enum PreviousRow {
 
 /// The vertices and faces of a section that is swept along lines.
 pub(crate) struct Sweep<'a> {
-    section: &'a Section,
+    section: &'a CrossSection,
     /// Whether vertices and faces are written; otherwise vertices are only counted.
     writes: bool,
     pub(crate) vertices: u32,
@@ -112,7 +112,7 @@ pub(crate) struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     /// A sweep that only counts vertices.
-    pub(crate) fn new(section: &'a Section) -> Self {
+    pub(crate) fn new(section: &'a CrossSection) -> Self {
         Self {
             section,
             writes: false,
@@ -126,7 +126,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// A sweep that writes this number of vertices.
-    pub(crate) fn writing(section: &'a Section, vertices: usize) -> Self {
+    pub(crate) fn writing(section: &'a CrossSection, vertices: usize) -> Self {
         Self {
             writes: true,
             positions: Vec::with_capacity(3 * vertices),

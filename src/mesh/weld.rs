@@ -19,7 +19,7 @@ const MAX_COMPARED: usize = 256;
 const NONE: u32 = u32::MAX;
 
 /// A vertex: a node and its normal.
-struct Vertex {
+struct WeldedVertex {
     node: u32,
     normal: DVec3,
     /// The previous vertex of the same node.
@@ -29,7 +29,7 @@ struct Vertex {
 /// Numbers vertices in the order in which triangles use them.
 struct Welder<'a> {
     stitched_mesh: &'a StitchedMesh,
-    vertices: Vec<Vertex>,
+    vertices: Vec<WeldedVertex>,
     /// The last vertex of each node.
     last: Vec<u32>,
     /// The vertex of each corner.
@@ -127,7 +127,7 @@ impl Welder<'_> {
             }
             found = vertex.before;
         }
-        self.vertices.push(Vertex {
+        self.vertices.push(WeldedVertex {
             node: corner.node,
             normal: corner.normal,
             before: last,

@@ -6,7 +6,7 @@
 //! listing's 306, of which four are unused and twelve repeat the edge between body and bottom; here that edge is shared
 //! like all others.
 
-use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
+use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, TubeSection, UNITS, WALL};
 use crate::surface::network::Surface;
 use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
@@ -136,7 +136,7 @@ pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
 }
 
 /// A sweep along cross-sections: two curves, each with one patch on the side of −y and its mirror image.
-pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
+pub(crate) fn sweep(sections: &[TubeSection], points: &mut Vec<Whole>) {
     for curve in sections.windows(4).step_by(3) {
         for section in curve {
             points.extend(half_section(section));
@@ -149,7 +149,7 @@ pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
 }
 
 /// The half of a cross-section with y ≤ 0.
-fn half_section(section: &Section) -> [Whole; 4] {
+fn half_section(section: &TubeSection) -> [Whole; 4] {
     let [x0, z0, x1, z1, width] = section.map(i32::from);
     [[x0, 0, z0], [x0, -width, z0], [x1, -width, z1], [x1, 0, z1]]
 }

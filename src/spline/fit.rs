@@ -5,7 +5,7 @@ use super::corners::{angle_between, corners};
 use super::cubics::{
     FitCriteria, FitEffort, FitSamples, ROUNDING_SHARE, chord_lengths, is_straight,
 };
-use super::grid::{Grid, NormalizedGrid};
+use super::grid::{DecimalGrid, NormalizedGrid};
 use super::polyline::{PointTree, SampledPolyline};
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
@@ -238,7 +238,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
     }
 
     /// Sets the greatest distance between the polyline and the spline, and the other criteria.
-    pub(crate) fn require(&mut self, distance: f64, extrema: bool, grid: Option<Grid>) {
+    pub(crate) fn require(&mut self, distance: f64, extrema: bool, grid: Option<DecimalGrid>) {
         let normalized = self.normalized;
         self.criteria = FitCriteria {
             tolerance: distance * normalized.scale,

@@ -34,7 +34,7 @@ pub(crate) fn descend(
         let is_last = step.iter().all(|s| s.abs() < LAST_STEP);
         let mut cuts = 0;
         let (next, there) = loop {
-            let next = moved(at, step, within);
+            let next = clamped_step(at, step, within);
             let there = whole.jet(0, next);
             let may_go_on = work.spend(whole.jet_steps());
             if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
@@ -54,18 +54,18 @@ pub(crate) fn descend(
     (at, jet.f, false)
 }
 
-fn moved(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
+fn clamped_step(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
     [0, 1].map(|k| (at[k] + step[k]).clamp(within[k][0], within[k][1]))
 }
 
 /// The Newton step; it runs along an edge of the rectangle only where the descent direction leads out of the rectangle.
 fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
-    let stuck = |k: usize, slope: f64| {
+    let is_blocked = |k: usize, slope: f64| {
         (at[k] <= within[k][0] && slope >= 0.0) || (at[k] >= within[k][1] && slope <= 0.0)
     };
     // In one direction; where the second derivative is not that of a minimum, some step downhill.
     let uncoupled = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
-    match (stuck(0, jet.u), stuck(1, jet.v)) {
+    match (is_blocked(0, jet.u), is_blocked(1, jet.v)) {
         (true, true) => [0.0; 2],
         (true, false) => [0.0, uncoupled(jet.v, jet.vv)],
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],

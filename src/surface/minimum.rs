@@ -11,7 +11,7 @@ use std::collections::BinaryHeap;
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 /// Minima nearer than this in u and v count as one: the square root of rounding, for a flat minimum, with a margin.
-const SAME: f64 = 1.0 / 1_048_576.0;
+const SAME_POINT: f64 = 1.0 / 1_048_576.0;
 
 /// The maximum number of coefficients in the queue: 16 MB.
 const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
@@ -200,7 +200,9 @@ impl MinimumSearch<'_> {
     /// Whether a point is the best one found so far.
     fn is_known(&self, index: usize, [u, v]: [f64; 2]) -> bool {
         self.best.is_some_and(|best| {
-            best.index == index && (best.u - u).abs() < SAME && (best.v - v).abs() < SAME
+            best.index == index
+                && (best.u - u).abs() < SAME_POINT
+                && (best.v - v).abs() < SAME_POINT
         })
     }
 }

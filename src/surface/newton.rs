@@ -67,7 +67,7 @@ pub(crate) fn zero_near(
 /// A zero near a point at which the pair touches zero: the derivative is singular there, and the component of the pair
 /// along the direction in which it is not singular is zero. Newton's method solves these two equations; `None` if it
 /// diverges.
-pub(crate) fn touch(
+pub(crate) fn touching_zero(
     whole: &PolynomialPiece,
     from: [f64; 2],
     work: &mut WorkLimit,
@@ -78,7 +78,7 @@ pub(crate) fn touch(
             return None;
         }
         let [a, b] = [0, 1].map(|k| whole.jet(k, at));
-        let step = solve(along(&a, &b), singular(&a, &b));
+        let step = solve(regular_component(&a, &b), jacobian_determinant(&a, &b));
         at = [at[0] + step[0], at[1] + step[1]];
         // When the search ends, the pieces around such a point are no wider than this. A step that is not finite also
         // fails this test.
@@ -103,7 +103,7 @@ pub(crate) fn project_to_zero_set(
         if !work.spend(2 * whole.jet_steps()) {
             break;
         }
-        let [u, v, value] = along(&whole.jet(0, at), &whole.jet(1, at));
+        let [u, v, value] = regular_component(&whole.jet(0, at), &whole.jet(1, at));
         let share = value / (u * u + v * v);
         if !share.is_finite() {
             break;
@@ -114,13 +114,13 @@ pub(crate) fn project_to_zero_set(
 }
 
 /// The component of the pair along its largest derivative: its derivatives in u and v, and its value.
-fn along(a: &Jet, b: &Jet) -> [f64; 3] {
-    let [x, y] = greater([a.u, b.u], [a.v, b.v]);
+fn regular_component(a: &Jet, b: &Jet) -> [f64; 3] {
+    let [x, y] = longer([a.u, b.u], [a.v, b.v]);
     [x * a.u + y * b.u, x * a.v + y * b.v, x * a.f + y * b.f]
 }
 
 /// The determinant of the derivative: its derivatives in u and v, and its value.
-fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
+fn jacobian_determinant(a: &Jet, b: &Jet) -> [f64; 3] {
     [
         a.uu * b.v + a.u * b.uv - a.uv * b.u - a.v * b.uu,
         a.uv * b.v + a.u * b.vv - a.vv * b.u - a.v * b.uv,
@@ -135,7 +135,7 @@ fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The longer of two vectors.
-pub(crate) fn greater(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn longer(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     if a[0].hypot(a[1]) >= b[0].hypot(b[1]) {
         a
     } else {
