@@ -71,13 +71,13 @@ impl<P: Point> Curve<P> {
         match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
             Flat::Line => CurveKind::Line,
             Flat::Not => CurveKind::Twisted,
-            Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
+            Flat::Plane(points) => class_in_plane(&at_lowest_degree(points, rounding), rounding),
         }
     }
 }
 
 /// The control points of the curve at the lowest degree that represents it up to rounding.
-fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
+fn at_lowest_degree<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
         let slack = 4.0 * rounding * points.len() as f64;
         let lower = Curve::from_points(unelevated(&points));

@@ -1,6 +1,6 @@
 //! Parsing a surface from arrays of C source code; `js/io/surface-arrays.ts` does the same with the same messages.
 
-use super::text_reader::{ParseError, number, refuse, whole};
+use super::text_reader::{ParseError, number, refuse, whole_number};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::text::shown::{END, shown};
 use casteljau_kernels::numeric::order::to_u32;
@@ -131,7 +131,7 @@ impl<'a> ArrayParser<'a> {
             let digits = without_integer_suffix(token.word);
             let index = Some(digits)
                 .filter(|digits| !digits.is_empty())
-                .and_then(whole)
+                .and_then(whole_number)
                 .map(|index| u32::try_from(index).unwrap_or(u32::MAX) as usize) // out of range, too
                 .ok_or_else(|| self.refuse("a vertex number", Some(token)))?;
             self.min = self.min.min(index);
@@ -200,7 +200,7 @@ impl<'a> Tokens<'a> {
                 [] => return None,
                 [b'\r', b'\n', ..] => self.break_line(2),
                 [b'\r' | b'\n', ..] => self.break_line(1),
-                [b'#', ..] | [b'/', b'/', ..] => self.length_while(|byte| !is_break(byte)),
+                [b'#', ..] | [b'/', b'/', ..] => self.length_while(|byte| !is_line_break(byte)),
                 [b'/', b'*', ..] => self.comment(),
                 [byte, ..] if is_separator(*byte) => 1,
                 [b'{' | b'}' | b'/', ..] => return Some(self.token(1)),
@@ -233,7 +233,7 @@ impl<'a> Tokens<'a> {
         let length = end.map_or(rest.len(), |position| position + 4);
         let comment = &rest[..length];
         let pairs = comment.windows(2).filter(|pair| *pair == b"\r\n").count();
-        self.line += comment.iter().filter(|&&byte| is_break(byte)).count() - pairs;
+        self.line += comment.iter().filter(|&&byte| is_line_break(byte)).count() - pairs;
         length
     }
 
@@ -248,7 +248,7 @@ impl<'a> Tokens<'a> {
     }
 }
 
-fn is_break(byte: u8) -> bool {
+fn is_line_break(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
@@ -257,5 +257,5 @@ fn is_separator(byte: u8) -> bool {
 }
 
 fn is_word(byte: u8) -> bool {
-    !is_break(byte) && !is_separator(byte) && !matches!(byte, b'{' | b'}' | b'#' | b'/')
+    !is_line_break(byte) && !is_separator(byte) && !matches!(byte, b'{' | b'}' | b'#' | b'/')
 }

@@ -324,10 +324,10 @@ impl Writer {
         }
         self.implied = if command == 'M' { 'L' } else { command };
         for word in words {
-            let apart = word.starts_with('-')
+            let is_separate = word.starts_with('-')
                 || (word.starts_with('.') && self.last.contains(['.', 'e']))
                 || self.last.is_empty();
-            if !apart {
+            if !is_separate {
                 self.text.push(' ');
             }
             self.text.push_str(word);
@@ -368,7 +368,7 @@ fn fixed(x: f64, digits: u8) -> String {
     // Ties: Rust rounds to even, JavaScript's `toFixed` away from zero.
     let tie = size / half % 2.0 == 1.0;
     let mut word = if tie {
-        without_five(format!("{size:.*}", digits + 1))
+        rounded_up(format!("{size:.*}", digits + 1))
     } else {
         format!("{size:.digits$}")
     };
@@ -385,7 +385,7 @@ fn fixed(x: f64, digits: u8) -> String {
 }
 
 /// A positive number whose last digit 5 is removed, rounded up.
-fn without_five(mut word: String) -> String {
+fn rounded_up(mut word: String) -> String {
     word.pop();
     let mut digits = word.trim_end_matches('.').to_owned().into_bytes();
     for digit in digits.iter_mut().rev() {

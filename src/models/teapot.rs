@@ -96,10 +96,10 @@ impl Surface {
 fn teapot(options: TeapotOptions) -> Surface {
     let mut points: Vec<Whole> = Vec::new();
     if options.rim {
-        turn(&WALL[..4], 1, &mut points);
+        revolve(&WALL[..4], 1, &mut points);
     }
     if options.body {
-        turn(&WALL[3..], 1, &mut points);
+        revolve(&WALL[3..], 1, &mut points);
     }
     if options.handle {
         sweep(&HANDLE, &mut points);
@@ -108,19 +108,19 @@ fn teapot(options: TeapotOptions) -> Surface {
         sweep(&SPOUT, &mut points);
     }
     if options.lid {
-        turn(&LID, 1, &mut points);
+        revolve(&LID, 1, &mut points);
     }
     if options.bottom {
-        turn(&BOTTOM, -1, &mut points);
+        revolve(&BOTTOM, -1, &mut points);
     }
-    let (vertices, indices) = share(&points);
+    let (vertices, indices) = index_points(&points);
     let vertices = vertices.iter().map(|&p| position(p, options)).collect();
     Surface::bicubic(vertices, indices)
 }
 
 /// A surface of revolution: rotates profiles about the z-axis, a quarter turn per patch; `sense` 1 is clockwise as seen
 /// from above.
-pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
+pub(crate) fn revolve(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
     for curve in profile.windows(4).step_by(3) {
         for quarter in 0..4 {
             for ring in curve {
@@ -155,7 +155,7 @@ fn half_section(section: &TubeSection) -> [Whole; 4] {
 }
 
 /// The distinct points in the order of first use, and the index of each point among them.
-pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
+pub(crate) fn index_points(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
     let mut vertices: Vec<Whole> = Vec::new();
     let mut indices = Vec::with_capacity(points.len());
     for point in points {

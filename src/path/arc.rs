@@ -153,19 +153,19 @@ impl Ellipse {
     }
 
     /// Maps a vector from the unit circle to the plane.
-    fn out(&self, v: DVec2) -> DVec2 {
+    fn to_plane(&self, v: DVec2) -> DVec2 {
         rotated(v * self.radii, self.axis)
     }
 
     /// The image of the unit-circle radius at an angle from the start, turned by +90°.
     fn normal_at(&self, angle: DVec2) -> DVec2 {
         let end = rotated(self.start, angle);
-        self.out(DVec2::new(-end.y, end.x))
+        self.to_plane(DVec2::new(-end.y, end.x))
     }
 
     /// The chord from the start to the angle 2β.
     fn chord(&self, beta: DVec2) -> DVec2 {
         let middle = rotated(self.start, beta);
-        self.out(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))
+        self.to_plane(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))
     }
 }

@@ -175,7 +175,7 @@ impl TangentArc {
 
     /// The arc in the unit of the path.
     fn to_arc(self, map: &Normalized<DVec2>) -> CircularArc {
-        let [start, end] = [self.start, self.end].map(|p| map.back(p));
+        let [start, end] = [self.start, self.end].map(|p| map.inverse(p));
         let line = CircularArc {
             start,
             end,
@@ -195,7 +195,7 @@ impl TangentArc {
         let from_center = self.start - center;
         let start_angle = from_center.y.atan2(from_center.x);
         CircularArc {
-            center: Some(map.back(center)),
+            center: Some(map.inverse(center)),
             radius: radius.abs() / map.scale,
             start_angle,
             end_angle: start_angle + turn,

@@ -16,7 +16,7 @@ use crate::spline::{Join, Spline};
 use glam::DVec2;
 
 /// Samples on each side of one with which it is averaged at most.
-const WINDOW: usize = 16;
+const MAX_NEIGHBOURS: usize = 16;
 
 /// A run that is longer is settled, so that the time for a sample is bounded.
 const MAX_RUN: usize = 256;
@@ -25,13 +25,13 @@ const MAX_RUN: usize = 256;
 const MIN_GROWTH: usize = 8;
 
 /// Tangents that differ by more than the angle with this cosine, 60°, make a corner.
-const CORNER: f64 = 0.5;
+const CORNER_COSINE: f64 = 0.5;
 
 /// Milliseconds between samples without times, and those in which the fastest stroke advances by its size.
-const INTERVAL: f64 = 10.0;
+const SAMPLE_INTERVAL: f64 = 10.0;
 
 /// Simulated pressure follows the speed with a delay of this many widths.
-const RESPONSE: f64 = 4.0;
+const PRESSURE_DELAY: f64 = 4.0;
 
 /// The pressure at which the width is `size`.
 const MIDDLE_PRESSURE: f64 = 0.5;
@@ -265,7 +265,10 @@ fn push(points: &mut Vec<InkPoint>, position: DVec2, width: f64) {
 
 /// The weighted mean of the points around one, at most `reach` away along the polyline and as far to both sides.
 fn weighted_mean(points: &[InkPoint], k: usize, reach: f64) -> (DVec2, f64) {
-    let [first, last] = [k.saturating_sub(WINDOW), (k + WINDOW).min(points.len() - 1)];
+    let [first, last] = [
+        k.saturating_sub(MAX_NEIGHBOURS),
+        (k + MAX_NEIGHBOURS).min(points.len() - 1),
+    ];
     let here = points[k];
     let reach = reach
         .min(here.length - points[first].length)
@@ -340,7 +343,7 @@ fn tangents(run: &[InkPoint], start: Option<DVec2>) -> Vec<[DVec2; 2]> {
                 return [chord(k.min(last - 1)); 2];
             }
             let [before, after] = [chord(k - 1), chord(k)];
-            if before.dot(after) < CORNER {
+            if before.dot(after) < CORNER_COSINE {
                 [before, after]
             } else {
                 [(before * step(k) + after * step(k - 1)).unit(); 2]
@@ -388,7 +391,7 @@ fn fitted_pieces(
         (to, piece)
     };
     samples
-        .cover_all(tangents, &stops, FitEffort::Fast)
+        .fit_between_stops(tangents, &stops, FitEffort::Fast)
         .into_iter()
         .map(piece)
         .collect()
@@ -532,14 +535,14 @@ impl InkStroke {
         };
         let elapsed = match (last_sample.time, time) {
             (Some(from), Some(to)) if to > from => to - from,
-            _ => INTERVAL,
+            _ => SAMPLE_INTERVAL,
         };
         let widths = (position - last_sample.position).norm() / self.options.size;
-        let target = 1.0 - (widths * INTERVAL / elapsed).min(1.0);
+        let target = 1.0 - (widths * SAMPLE_INTERVAL / elapsed).min(1.0);
         if self.samples.len() == 1 && widths > 0.0 {
             return target;
         }
-        target + (last_sample.pressure - target) * (-widths / RESPONSE).exp()
+        target + (last_sample.pressure - target) * (-widths / PRESSURE_DELAY).exp()
     }
 
     /// Half the length over which samples are averaged.
@@ -552,7 +555,8 @@ impl InkStroke {
         let (last, reach) = (self.samples.len() - 1, self.reach());
         let end = self.samples[last].length;
         while self.averaged < last
-            && (last - self.averaged >= WINDOW || end - self.samples[self.averaged].length >= reach)
+            && (last - self.averaged >= MAX_NEIGHBOURS
+                || end - self.samples[self.averaged].length >= reach)
         {
             let (position, width) = weighted_mean(&self.samples, self.averaged, reach);
             self.averaged += 1;
@@ -593,7 +597,7 @@ impl InkStroke {
             return Vec::new();
         };
         // The means of the last samples, and of those that no other sample follows.
-        let start = self.averaged.saturating_sub(WINDOW);
+        let start = self.averaged.saturating_sub(MAX_NEIGHBOURS);
         let mut samples = self.samples[start..].to_vec();
         for &position in std::iter::once(&last_sample.position).chain(predicted) {
             push(&mut samples, position, last_sample.width);

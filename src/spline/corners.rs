@@ -26,7 +26,7 @@ const ARMS: [f64; 3] = [8.0, 16.0, 32.0];
 
 /// Between points farther apart than this (in tolerances), a turn by more than this angle (75°) is a corner even if the
 /// turns beside it are as large.
-const SURE_CORNER: f64 = 1.3;
+const SPARSE_CORNER_ANGLE: f64 = 1.3;
 
 /// The maximum number of clusters in an arm, and the number of those that are used.
 const MAX_IN_ARM: usize = 128;
@@ -145,7 +145,7 @@ impl<P: Point> CornerDetector<P> {
         }
         let mean = |index: usize| self.clusters[index].mean;
         let arms = [mean(k) - mean(k - before), mean(k + after) - mean(k)];
-        if !turns_more(arms, self.cosines[0]) {
+        if !turns_by_more_than(arms, self.cosines[0]) {
             return None;
         }
         let mut samples: Vec<(P, f64)> = Vec::with_capacity(2 * MAX_SAMPLES + 1);
@@ -160,7 +160,7 @@ impl<P: Point> CornerDetector<P> {
         let lines = TwoLines::fitted(&samples);
         // The cheapest tests first: most clusters are no corners.
         if lines.apex.norm() > self.tolerance
-            || !turns_more([lines.before, lines.after], self.cosines[1])
+            || !turns_by_more_than([lines.before, lines.after], self.cosines[1])
         {
             return None;
         }
@@ -210,13 +210,15 @@ impl<P: Point> CornerDetector<P> {
         let here = turn(k)?;
         let beside = |k: Option<usize>| k.and_then(turn).unwrap_or(0.0);
         let stands_out = here > 2.0 * beside(k.checked_sub(1)).max(beside(Some(k + 1)));
-        (here > self.angle && (here > SURE_CORNER || stands_out)).then_some(DetectedCorner {
-            cluster: k,
-            apex: self.clusters[k].mean,
-            outward: P::default(),
-            ratio: f64::INFINITY,
-            reach: 1,
-        })
+        (here > self.angle && (here > SPARSE_CORNER_ANGLE || stands_out)).then_some(
+            DetectedCorner {
+                cluster: k,
+                apex: self.clusters[k].mean,
+                outward: P::default(),
+                ratio: f64::INFINITY,
+                reach: 1,
+            },
+        )
     }
 
     /// The index of the point at a corner: the outermost one near the apex. The apex is off by up to half a tolerance,
@@ -246,7 +248,7 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Whether two vectors differ by more than the angle with a given cosine. A vector of length 0 has no angle.
-fn turns_more<P: Point>([u, v]: [P; 2], cosine: f64) -> bool {
+fn turns_by_more_than<P: Point>([u, v]: [P; 2], cosine: f64) -> bool {
     u.dot(v) < cosine * (u.dot(u) * v.dot(v)).sqrt()
 }
 

@@ -70,6 +70,6 @@ impl<P: Point> NormalizedGrid<P> {
     /// The image of the point of the grid next to the point with an image.
     pub(crate) fn nearest(self, image: P) -> P {
         let Normalized { origin, scale } = self.normalized;
-        (self.grid.nearest(self.normalized.back(image)) - origin) * scale
+        (self.grid.nearest(self.normalized.inverse(image)) - origin) * scale
     }
 }

@@ -57,7 +57,7 @@ impl Knots {
             degree,
             closed,
         };
-        match knots.fault() {
+        match knots.first_invalid() {
             None => Ok(knots),
             Some((index, expected)) => Err(Error::Item {
                 what: "knots",
@@ -69,7 +69,7 @@ impl Knots {
     }
 
     /// The index of the first invalid knot, and what a valid one must satisfy.
-    fn fault(&self) -> Option<(usize, &'static str)> {
+    fn first_invalid(&self) -> Option<(usize, &'static str)> {
         let (v, p, n) = (&self.values, self.degree, self.count);
         if let Some(index) = v.windows(2).position(|pair| pair[0] > pair[1]) {
             return Some((index + 1, "a knot not below the one before it"));

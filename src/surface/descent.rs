@@ -10,10 +10,10 @@ const MAX_STEPS: usize = 32;
 const LAST_STEP: f64 = 1e-9;
 
 /// The maximum number of times that a step is shortened; only a useless start needs more.
-const MAX_CUTS: usize = 8;
+const MAX_REDUCTIONS: usize = 8;
 
-/// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.
-const CUT: f64 = 0.25;
+/// A step that does not descend is shortened by this factor. With [`MAX_REDUCTIONS`] it becomes 65,536 times shorter.
+const STEP_REDUCTION: f64 = 0.25;
 
 /// Below this determinant, relative to the product of the second derivatives, rounding decides the direction of the
 /// Newton step: half of its digits are lost.
@@ -32,16 +32,16 @@ pub(crate) fn descend(
     for _ in 0..MAX_STEPS {
         let mut step = newton_step(&jet, at, within);
         let is_last = step.iter().all(|s| s.abs() < LAST_STEP);
-        let mut cuts = 0;
+        let mut reductions = 0;
         let (next, there) = loop {
             let next = clamped_step(at, step, within);
             let there = whole.jet(0, next);
             let may_go_on = work.spend(whole.jet_steps());
-            if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
+            if is_last || there.f <= jet.f || reductions == MAX_REDUCTIONS || !may_go_on {
                 break (next, there);
             }
-            cuts += 1;
-            step = step.map(|s| CUT * s);
+            reductions += 1;
+            step = step.map(|s| STEP_REDUCTION * s);
         };
         if is_last {
             return (next, there.f, true);

@@ -128,7 +128,11 @@ impl Surface {
         let mut neighbours = vec![Vec::new(); self.patch_count()];
         for pair in &topology.shared {
             let [a, b] = pair.as_slice() else { return None };
-            let flip = if follows(a) == follows(b) { -1.0 } else { 1.0 };
+            let flip = if is_counter_clockwise(a) == is_counter_clockwise(b) {
+                -1.0
+            } else {
+                1.0
+            };
             neighbours[a.patch].push((b.patch, flip));
             neighbours[b.patch].push((a.patch, flip));
         }
@@ -154,7 +158,7 @@ impl Surface {
 
 /// Whether the edge, in its shared direction, runs counter-clockwise around the patch as seen from its normal. Two
 /// neighbours whose normals agree traverse a shared edge in opposite directions.
-fn follows(side: &EdgeUse) -> bool {
+fn is_counter_clockwise(side: &EdgeUse) -> bool {
     let along = matches!(side.edge, PatchEdge::V0 | PatchEdge::U1);
     along != side.reversed
 }

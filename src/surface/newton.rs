@@ -5,7 +5,7 @@ use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Zeros nearer than this in u and v count as one: between two zeros at a distance s the pair rises to s²/4, which
 /// rounding hides.
-pub(crate) const SAME: f64 = 1.0 / 8_388_608.0;
+pub(crate) const SAME_ZERO: f64 = 1.0 / 8_388_608.0;
 
 /// The maximum number of steps of Newton's method from one start.
 const MAX_STEPS: usize = 16;
@@ -82,7 +82,7 @@ pub(crate) fn touching_zero(
         at = [at[0] + step[0], at[1] + step[1]];
         // When the search ends, the pieces around such a point are no wider than this. A step that is not finite also
         // fails this test.
-        let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME.sqrt());
+        let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME_ZERO.sqrt());
         if !is_near {
             return None;
         }

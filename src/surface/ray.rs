@@ -94,13 +94,13 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         for hits in all {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = Point::norm(a.point - b.point);
-                // `blur` computes a normal, so it is called only where the simpler limits do not decide.
+                // `hit_uncertainty` computes a normal, so it is called only where the simpler limits do not decide.
                 apart <= ZERO_TOLERANCE * scaling.size
                     || apart <= ON_SIDE * scaling.size
                         && [a, b]
-                            .map(|hit| blur(patches, hit, &ray) * scaling.size)
+                            .map(|hit| hit_uncertainty(patches, hit, &ray) * scaling.size)
                             .iter()
-                            .any(|blur| apart <= *blur)
+                            .any(|hit_uncertainty| apart <= *hit_uncertainty)
             };
             for hit in hits? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
@@ -189,7 +189,7 @@ fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPi
 /// The edge that two patches share, or the seam of one patch, is the same curve from both sides except for the last
 /// digits. Where the ray grazes it, a hit moves by this error divided by the cosine of the ray's angle with the normal.
 /// Duplicate hits inside a patch are already merged by the patch's own search.
-fn blur(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
+fn hit_uncertainty(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
     let is_end = |t: f64| t.min(1.0 - t) <= ON_SIDE;
     if !(is_end(hit.u) || is_end(hit.v)) {
         return ZERO_TOLERANCE;

@@ -5,7 +5,8 @@
 //! those where the pair only touches zero: pieces so small that rounding decides.
 
 use super::newton::{
-    SAME, distance_from_zero, longer, onto_square, project_to_zero_set, touching_zero, zero_near,
+    SAME_ZERO, distance_from_zero, longer, onto_square, project_to_zero_set, touching_zero,
+    zero_near,
 };
 use super::piece::{PolynomialPiece, search};
 use casteljau_kernels::numeric::order::range;
@@ -174,7 +175,7 @@ impl ZeroFinder<'_> {
 fn is_small(piece: &PolynomialPiece) -> bool {
     [piece.u, piece.v]
         .iter()
-        .all(|range| length(*range) <= SAME.sqrt())
+        .all(|range| length(*range) <= SAME_ZERO.sqrt())
 }
 
 fn length([low, high]: [f64; 2]) -> f64 {
@@ -215,7 +216,8 @@ impl Zero {
     }
 
     fn touches(&self, other: &Self) -> bool {
-        let overlap = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME && b[0] <= a[1] + SAME;
+        let overlap =
+            |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME_ZERO && b[0] <= a[1] + SAME_ZERO;
         overlap(self.u, other.u) && overlap(self.v, other.v)
     }
 

@@ -170,7 +170,7 @@ impl<P: Point> CubicParts<P> {
         clippy::cast_sign_loss,
         reason = "numbers of chords, below 2^25"
     )]
-    pub(super) fn walk(&self, vertex: &mut impl FnMut(f64, P)) {
+    pub(super) fn visit_inner_vertices(&self, vertex: &mut impl FnMut(f64, P)) {
         let chords = self.chord_count();
         // Each chord gets the same share of the integral, at most 1.
         let (share, per_share) = (self.sum / chords, chords / self.sum);

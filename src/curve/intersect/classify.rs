@@ -36,13 +36,13 @@ impl NormalizedPair {
         );
         if let Some(times) = self
             .tangency(middle)
-            .filter(|&location| interval.holds(location))
+            .filter(|&location| interval.contains(location))
         {
             return locations.push(ClassifiedContact::new(times, IntersectionKind::Tangent));
         }
         let crossing = |location| {
             self.crossing(location)
-                .filter(|&location| interval.holds(location))
+                .filter(|&location| interval.contains(location))
         };
         // Newton's method from both ends of the interval finds two crossings that are too close for the search, or one.
         match self.paired(interval).map(crossing) {

@@ -187,7 +187,7 @@ impl NormalizedPair {
                 let run_ends =
                     k + 1 == locations.len() || !self.is_continued(locations[k], locations[k + 1]);
                 if run_ends {
-                    let times = self.between(p, q);
+                    let times = self.intersection_between(p, q);
                     locations[first] = ClassifiedContact::new(times, self.kind_between(p, q));
                     locations.drain(first + 1..=k);
                     // The crossing after the merged one starts a new run.
@@ -206,7 +206,7 @@ impl NormalizedPair {
     /// An intersection between two others, if the curves coincide between them. If the curves have different speeds, as
     /// next to a reversal, the mean parameters may not match; then the nearest point of one curve to the other's is
     /// used.
-    fn between(&self, p: ClassifiedContact, q: ClassifiedContact) -> (f64, f64) {
+    fn intersection_between(&self, p: ClassifiedContact, q: ClassifiedContact) -> (f64, f64) {
         let middle = (0.5 * (p.t + q.t), 0.5 * (p.u + q.u));
         if self.coincide(middle) {
             return middle;

@@ -62,13 +62,13 @@ impl NormalizedPair {
                 self.classify(&interval, &mut locations);
             }
         }
-        tidied(locations)
+        sorted_distinct(locations)
     }
 }
 
 /// The intersections sorted by t, then by u, with parameters that differ by rounding made equal, and without
 /// duplicates.
-fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
+fn sorted_distinct(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
     sort(&mut locations, |p, q| p.t < q.t);
     // If two t differ only by rounding, u decides their order.
     for k in 1..locations.len() {

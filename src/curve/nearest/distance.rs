@@ -182,7 +182,7 @@ impl<'a, P: Point> DistanceSearch<'a, P> {
                 }
             }
         }
-        self.walk_along();
+        self.sample_and_refine();
     }
 
     /// The parameter of the nearest point on a curve.
@@ -199,7 +199,7 @@ impl<'a, P: Point> DistanceSearch<'a, P> {
 
     /// Fallback for curves with a nearly constant distance: samples the first curve, then refines the best sample by
     /// ternary search.
-    fn walk_along(&mut self) {
+    fn sample_and_refine(&mut self) {
         for k in 1..CONSTANT_DISTANCE_SAMPLES {
             if !self.within {
                 return;

@@ -53,8 +53,8 @@ impl<P: Point> Curve<P> {
         let rounding = ulps * ulp(size * scale);
         let (high, wide) = elevated_alike(&a, &b);
         let mut greatest = 0.0;
-        greatest = farthest([&a, &high], [&b, &wide], rounding, greatest);
-        greatest = farthest([&b, &wide], [&a, &high], rounding, greatest);
+        greatest = distance_to_curve([&a, &high], [&b, &wide], rounding, greatest);
+        greatest = distance_to_curve([&b, &wide], [&a, &high], rounding, greatest);
         if greatest <= rounding {
             0.0
         } else {
@@ -113,7 +113,7 @@ struct SegmentWithNearest<P: Point> {
 
 /// The maximum distance of a point of A from B, if it is above `greatest`. Each curve is given twice: unchanged, and
 /// elevated to the higher degree.
-fn farthest<P: Point>(
+fn distance_to_curve<P: Point>(
     [original, a]: [&Points<P>; 2],
     [b, high]: [&Points<P>; 2],
     rounding: f64,

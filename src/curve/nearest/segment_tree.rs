@@ -41,12 +41,12 @@ impl<P: Point> TreeSegment<P> {
     }
 
     /// The minimum and the maximum of the control points along a direction.
-    fn along(&self, direction: P) -> (f64, f64) {
+    fn projected_range(&self, direction: P) -> (f64, f64) {
         range(self.points.iter().map(|&p| p.dot(direction)))
     }
 
     /// The component of a vector perpendicular to the chord.
-    fn across(&self, vector: P) -> P {
+    fn perpendicular_component(&self, vector: P) -> P {
         let chord = (self.points[self.points.len() - 1] - self.points[0]).unit();
         vector - chord * vector.dot(chord)
     }
@@ -57,11 +57,11 @@ impl<P: Point> TreeSegment<P> {
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
             let direction = vector.unit();
-            self.along(direction).0 - other.along(direction).1
+            self.projected_range(direction).0 - other.projected_range(direction).1
         };
         bound(vector)
-            .max(bound(self.across(vector)))
-            .max(bound(other.across(vector)))
+            .max(bound(self.perpendicular_component(vector)))
+            .max(bound(other.perpendicular_component(vector)))
     }
 }
 

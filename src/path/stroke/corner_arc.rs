@@ -353,7 +353,7 @@ impl CornerFit<'_> {
                 && to[RADIUS] * local.curvature < 1.0
                 && local.tangent.dot(old) >= MAX_TURN_COSINE
         };
-        to[RADIUS] > from[RADIUS] && on_side(0) && on_side(1) && self.turns(to)
+        to[RADIUS] > from[RADIUS] && on_side(0) && on_side(1) && self.turns_to_corner_side(to)
     }
 
     /// The direction away from the corner at a tangency.
@@ -369,7 +369,7 @@ impl CornerFit<'_> {
     }
 
     /// Whether the path turns at a tangency to the side of the corner, by less than 180°.
-    fn turns(&self, tangency: &Tangency) -> bool {
+    fn turns_to_corner_side(&self, tangency: &Tangency) -> bool {
         match [0, 1].map(|k| self.outward(tangency, k)) {
             [Some(before), Some(after)] => self.sign * after.perp_dot(before) > 0.0,
             _ => false,

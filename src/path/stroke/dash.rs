@@ -151,7 +151,7 @@ impl Pattern {
         count: &mut usize,
     ) -> Result<Vec<Dash>, Error> {
         let lengths = spline.segment_lengths();
-        let whole = lengths.whole();
+        let whole = lengths.total();
         let needed = (whole / self.period).ceil() * (self.ends.len() / 2) as f64 + *count as f64;
         if needed.is_nan() || needed > MAX_DASHES as f64 {
             return Err(Error::too_many("dashes", MAX_DASHES, MAX_DASHES + 1));
@@ -201,7 +201,7 @@ struct DashSplitter<'a> {
 
 impl DashSplitter<'_> {
     fn split(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
-        let whole = self.lengths.whole();
+        let whole = self.lengths.total();
         let mut dashes: Vec<Dash> = Vec::with_capacity(intervals.len());
         // Whether the last dash goes on in the first one, across the start of a closed subpath.
         let around = match intervals {
@@ -241,7 +241,7 @@ impl DashSplitter<'_> {
 
     /// The parameter at an arc length.
     fn parameter_at(&mut self, s: f64) -> f64 {
-        let near = JOINT_TOLERANCE * self.lengths.whole();
+        let near = JOINT_TOLERANCE * self.lengths.total();
         let curve = &|k| self.spline.curve(k);
         let (k, t) = self.lengths.position(s, near, None, curve);
         as_f64(k) + t

@@ -88,7 +88,7 @@ impl SideFit<'_> {
                 tolerance: self.tolerance,
                 cubic: [start, b, c, end],
             };
-            bound.holds(&pairs(us))
+            bound.is_proved(&pairs(us))
         };
         if let Some(us) = self.along_chord(start, end, inside)
             && holds([1.0, 2.0].map(|k| start + (end - start) * (k / 3.0)), us)

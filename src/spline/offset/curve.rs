@@ -37,7 +37,7 @@ const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
 
 /// Larger distances, in sizes of the curve, are clamped to this one: beyond it the curve is far smaller than an ulp of
 /// the offset.
-const FARTHEST: f64 = 1e30;
+const MAX_DISTANCE: f64 = 1e30;
 
 impl Curve<DVec2> {
     /// The offset curve at a distance along the normal, as a spline of lines and cubics.
@@ -119,7 +119,7 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) -> Result<(), Error> {
-        let reach = farthest(curve);
+        let reach = max_difference(curve);
         if distance == 0.0 || reach == 0.0 {
             self.start(curve.start());
             self.points.extend(&curve.control_points()[1..]);
@@ -221,7 +221,7 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) -> Result<(), Error> {
-        NormalizedCurve::new(curve, farthest(curve), distance, tolerance).add_to(self, false)
+        NormalizedCurve::new(curve, max_difference(curve), distance, tolerance).add_to(self, false)
     }
 }
 
@@ -255,9 +255,9 @@ impl<'a> NormalizedCurve<'a> {
         let scale = unit_scale(reach);
         let points: crate::numeric::list::Points<DVec2> =
             curve.control_points().iter().map(|&p| p * scale).collect();
-        let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
+        let scaled = (distance * scale).clamp(-MAX_DISTANCE, MAX_DISTANCE);
         // For a clamped distance, the unit maps the clamped distance to the given one.
-        let unit = if scaled.abs() < FARTHEST {
+        let unit = if scaled.abs() < MAX_DISTANCE {
             1.0 / scale
         } else {
             (distance / scaled).abs()
@@ -329,7 +329,7 @@ impl<'a> NormalizedCurve<'a> {
 }
 
 /// The largest difference of a coordinate from that of the start.
-fn farthest(curve: &Curve<DVec2>) -> f64 {
+fn max_difference(curve: &Curve<DVec2>) -> f64 {
     // The difference of two coordinates may overflow, that of their halves does not.
     let start = curve.start() * 0.5;
     let half = curve
