@@ -71,6 +71,7 @@ impl AdaptiveSubdivider<'_> {
     /// [`Error::TooMany`] above the limit.
     pub(crate) fn cut(&mut self, net: &[DVec3], columns: usize) -> Result<(), Error> {
         self.start(net, columns);
+        // Depth first. `second_differences` is a stack, too: its top belongs to the piece on top of `pieces`.
         let mut pieces = vec![PatchPiece {
             cell: Cell {
                 u: 0,
@@ -89,6 +90,7 @@ impl AdaptiveSubdivider<'_> {
                 tolerance = self.tolerance();
             }
             let distance = distance_bound(piece.lengths, piece.second_derivatives);
+            // A forecast counts the cells that the piece may need, without cutting it further.
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
                 self.expected_max += piece.halved_cells(tolerance);
@@ -98,6 +100,7 @@ impl AdaptiveSubdivider<'_> {
             if self.cells.len() >= self.limit {
                 return Err(self.too_many());
             }
+            // Around a tube the piece is cut even if its triangles would be near enough.
             let closed_direction = piece.closed_direction(closed_directions);
             let along_u = if distance > tolerance {
                 piece.longer_along_u()
@@ -110,10 +113,12 @@ impl AdaptiveSubdivider<'_> {
                 continue;
             };
             self.second_differences.halve(along_u);
+            // The larger of the bounds on both halves is a tighter bound for the piece, which may then need no cut.
             let bounds_of_halves = [self.second_derivatives(1), self.second_derivatives(0)];
             let closer = [0, 1, 2].map(|k| larger(bounds_of_halves[0][k], bounds_of_halves[1][k]));
             if closed_direction.is_none() && distance_bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
+                // Those of both halves.
                 self.second_differences.pop();
                 self.second_differences.pop();
             } else {
@@ -135,6 +140,7 @@ impl AdaptiveSubdivider<'_> {
 
     /// Pushes the second derivatives of a patch, as Bézier nets, onto the empty stack.
     fn start(&mut self, net: &[DVec3], columns: usize) {
+        // The second differences are f32, so they are those of the net scaled to a size of 1.
         self.size = max_abs(net).max(f64::MIN_POSITIVE);
         let (m, n) = (columns - 1, net.len() / columns - 1);
         let (a, b) = (m as f64, n as f64);
@@ -243,6 +249,7 @@ impl PatchPiece {
         let [h, k] = self.lengths;
         let [uu, uv, vv] = self.second_derivatives;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
+        // a/i² + c/j² ≥ 2√(ac)/(i·j), the arithmetic and the geometric mean; and i·j ≥ i ≥ √(a/tolerance).
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
         both.max((a.max(c) / tolerance).sqrt()).max(1.0)
     }
@@ -307,6 +314,7 @@ pub(crate) fn cell_limit(degree_u: usize, degree_v: usize) -> usize {
 /// however thin, would have only triangles with two coincident corners, and nothing would represent it.
 fn closed_directions(net: &[DVec3], columns: usize) -> [bool; 2] {
     let (last, end) = (net.len() - columns, net.len());
+    // A boundary whose control points all coincide is a pole, not a ring.
     let ring = |from: usize, to: usize, step: usize| {
         let mut inside = (from..to).step_by(step);
         net[from] == net[to] && inside.any(|k| net[k] != net[from])

@@ -39,6 +39,7 @@ impl CrossSection {
 
     /// A tube with hemispheres at its ends; the rings of a hemisphere are about as far apart as the corners.
     pub(crate) fn tube(radius: f64, sides: usize) -> Self {
+        // A quarter of the sides, rounded.
         let steps = ((sides + 2) / 4).max(1);
         let mut corners = Vec::with_capacity(sides);
         let [step_c, step_s] = cos_sin(TURN / as_f64(sides));
@@ -59,6 +60,7 @@ impl CrossSection {
 
     /// The number of vertices of a line with one sample.
     pub(crate) fn min_vertices(&self) -> usize {
+        // The last two vertices are the poles of a tube, or the second row without which a ribbon has no faces.
         let rings = 1 + 2 * self.rings.len();
         self.columns() * rings + 2
     }
@@ -81,6 +83,7 @@ pub(crate) fn cos_sin(angle: f64) -> [f64; 2] {
     // (2π / 3) to the 27th over 27! is below 2⁻⁶⁴.
     for k in 1..=27 {
         term *= angle / f64::from(k);
+        // iᵏ is real for even k, and its sign changes with every second k.
         let sign = if k / 2 % 2 == 1 { -1.0 } else { 1.0 };
         sum[usize::from(k % 2 == 1)] += sign * term;
     }
@@ -146,6 +149,7 @@ impl<'a> Sweep<'a> {
         self.row = PreviousRow::Nothing;
         self.start = self.vertices;
         if self.section.is_tube() {
+            // From the pole to the line: the elevations of the rings in descending order.
             self.pole(frame, -1.0);
             for &[c, s] in self.section.rings.iter().rev() {
                 self.ring(frame, [c, -s]);
@@ -180,6 +184,7 @@ impl<'a> Sweep<'a> {
         let first = self.vertices;
         let across = frame.along.cross(frame.side);
         if self.section.is_tube() {
+            // Points of the sphere around the sample: c is the radius of its circle across the line, s the height.
             for &[x, y] in &self.section.corners {
                 let normal = (frame.side * x + across * y) * c + frame.along * s;
                 self.vertex(frame.point + normal * self.section.half, normal);
@@ -218,6 +223,7 @@ impl<'a> Sweep<'a> {
             let [here, beside] = [k, (k + 1) % columns].map(to_u32);
             match (before, next) {
                 (PreviousRow::Ring(a), PreviousRow::Ring(b)) => {
+                    // A quadrilateral with p and q on the previous row, r and s on this one.
                     let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];
                     self.indices.extend([p, q, r, p, r, s]);
                 }

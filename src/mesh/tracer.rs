@@ -52,6 +52,7 @@ impl Tracer {
                 got: size + got,
             });
         }
+        // The sides of a tube are (1 − cos π/n) radii from its circle; the line may deviate by as much from the curve.
         // 1 − cos 2α = 2 sin² α, without cancellation.
         let [_, sine] = cos_sin(0.5 * PI / as_f64(sides));
         let share = radii * 2.0 * sine * sine;
@@ -72,6 +73,7 @@ impl Tracer {
         line: &Isocurve<'_>,
         sweep: &mut Sweep<'_>,
     ) -> Result<(), Error> {
+        // Only a curve that is a point has no tangent.
         if line.curve.tangent(0.0) == DVec3::ZERO {
             return Ok(());
         }
@@ -138,7 +140,7 @@ impl Tracer {
         let middle = 0.5 * (from.t + to.t);
         let close = Point::norm(to.point - from.point) <= self.tolerance;
         if close || middle <= from.t || middle >= to.t {
-            // The line has a corner here.
+            // The line has a corner here: the tube ends, and another one begins.
             sweep.end(&before);
             return self.start(to, sweep);
         }
@@ -153,6 +155,8 @@ fn frame(sample: &LineSample, side: DVec3) -> SweepFrame {
     let LineSample { point, along, .. } = *sample;
     let mut side = DVec3::normal_of(along, side);
     if side == DVec3::ZERO {
+        // The given direction is zero or parallel to the tangent; an axis at an angle of at least 30° to the tangent is
+        // neither.
         let axis = if along.x.abs() < 0.5 {
             DVec3::X
         } else {

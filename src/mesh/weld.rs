@@ -115,6 +115,7 @@ impl Welder<'_> {
     /// The vertex of the corner's node that can be its vertex too, or a new one.
     fn shared_vertex(&mut self, corner: u32, weld: Weld) -> u32 {
         let corner = &self.stitched_mesh.corners[corner as usize];
+        // The vertices of a node are a linked list, the latest first. NONE ends it, because it is no index.
         let last = self.last[corner.node as usize];
         let mut found = last;
         for _ in 0..MAX_COMPARED {
@@ -137,7 +138,9 @@ impl Welder<'_> {
         new
     }
 
-    /// Replaces normals by the mean of the normals of their corners, weighted by the angles of the triangles.
+    /// Replaces normals by the mean of the normals of their corners, weighted by the angles of the triangles. So the mean
+    /// does not depend on how a face is divided into triangles. Source: Thürmer and Wüthrich, "Computing vertex normals
+    /// from polygonal facets", Journal of Graphics Tools 3 (1998).
     fn average_normals(&mut self, numbers: &[u32]) {
         let mut sums = vec![DVec3::ZERO; self.vertices.len()];
         let corners = self.stitched_mesh.triangles.as_flattened();
