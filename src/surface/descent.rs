@@ -37,6 +37,7 @@ pub(crate) fn descend(
             let next = clamped_step(at, step, within);
             let there = whole.jet(0, next);
             let may_go_on = work.spend(whole.jet_steps());
+            // Rounding decides whether the last step descends, so it is taken in any case.
             if is_last || there.f <= jet.f || reductions == MAX_REDUCTIONS || !may_go_on {
                 break (next, there);
             }
@@ -70,6 +71,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
         (true, false) => [0.0, uncoupled(jet.v, jet.vv)],
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
+            // Where the Hessian matrix H is positive definite, −H⁻¹ ∇f by Cramer's rule.
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
             if jet.uu > 0.0 && det > MIN_DETERMINANT * jet.uu * jet.vv.abs() {
                 [

@@ -261,6 +261,7 @@ impl Surface {
             });
         }
         checked_point(&mut self.vertices, index, to)?;
+        // All vertices of one former position have the same entry, that of the first of them.
         let joint = self.joined[index];
         for (vertex, &joined) in self.vertices.iter_mut().zip(&self.joined) {
             if joined == joint {

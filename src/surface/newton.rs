@@ -23,6 +23,8 @@ pub(crate) fn distance_from_zero(whole: &PolynomialPiece, at: [f64; 2]) -> f64 {
 pub(crate) fn onto_square(whole: &PolynomialPiece, at: [f64; 2]) -> [f64; 2] {
     let mut inside = at.map(|t| t.clamp(0.0, 1.0));
     for k in 0..2 {
+        // The other parameter was clamped, so the point moves along this edge: the step s that minimises
+        // (a + s a′)² + (b + s b′)².
         if inside[1 - k] != at[1 - k] {
             let [a, b] = [0, 1].map(|plane| whole.jet(plane, inside));
             let [da, db] = if k == 0 { [a.u, b.u] } else { [a.v, b.v] };
@@ -103,6 +105,7 @@ pub(crate) fn project_to_zero_set(
         if !work.spend(2 * whole.jet_steps()) {
             break;
         }
+        // One equation for two parameters: the shortest of its Newton steps runs along the gradient (u, v).
         let [u, v, value] = regular_component(&whole.jet(0, at), &whole.jet(1, at));
         let share = value / (u * u + v * v);
         if !share.is_finite() {
@@ -128,7 +131,7 @@ fn jacobian_determinant(a: &Jet, b: &Jet) -> [f64; 3] {
     ]
 }
 
-/// The Newton step for two equations, each given by its derivatives and its value.
+/// The Newton step for two equations, each given by its derivatives and its value, by Cramer's rule.
 fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
     let det = au * bv - av * bu;
     [(av * b - bv * a) / det, (bu * a - au * b) / det]

@@ -83,6 +83,7 @@ fn collect(
     if few && curve.is_none() {
         return true;
     }
+    // The zeros are not isolated: those on the edges are listed instead, among them the ends of a curve of zeros.
     for side in sides {
         collect(side, whole, zeros, work);
     }
@@ -114,17 +115,20 @@ impl ZeroFinder<'_> {
             return false;
         }
         let is_point = ranges.iter().all(|range| length(*range) <= ZERO_TOLERANCE);
+        // Two equations for one parameter, or for none, have no Jacobian determinant: pieces are halved to the end.
         if !self.on_face {
             if is_point {
                 self.add_undecided(piece, work);
             }
             return !is_point;
         }
+        // Where neither polynomial excludes a zero, this component of the pair may.
         let slopes = mean_slopes(piece);
         let across = range_across(piece, &slopes);
         if is_far(&across) {
             return false;
         }
+        // Halving does not help where the component is zero up to rounding.
         if is_point
             || length(across) <= ZERO_TOLERANCE && (self.may_be_curve(piece) || is_small(piece))
         {
@@ -242,6 +246,7 @@ fn add(zeros: &mut Vec<Zero>, mut zero: Zero) {
     while k < zeros.len() {
         if zeros[k].touches(&zero) {
             zero = zero.union(&zeros.swap_remove(k));
+            // The union may touch zeros that the zero did not touch.
             k = 0;
         } else {
             k += 1;
