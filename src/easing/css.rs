@@ -128,6 +128,7 @@ fn read_linear(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let mut count = 0;
     loop {
         count += 1;
+        // Percentages are before or after the output; two of them are two stops.
         let before = read_percentages(scanner)?;
         let y = scanner.number()?;
         let percentages = if before.is_empty() {
@@ -175,6 +176,7 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
         let Some(percentage) = percentage.or((k == last).then_some(100.0)) else {
             continue;
         };
+        // A percentage below an earlier one is raised to it. The stops between `known` and k have none.
         let to = from.max(percentage);
         for (i, stop) in stops[known + 1..=k].iter_mut().enumerate() {
             let share = (i + 1) as f64 / (k - known) as f64;
@@ -215,6 +217,7 @@ pub(crate) fn written_linear(stops: &[Stop]) -> String {
     let mut k = 0;
     while k <= last {
         let [percentage, y] = stops[k];
+        // Two stops stay two arguments, since one alone is invalid.
         let is_pair = last > 1 && k < last && stops[k + 1][1] == y;
         let is_implied = (k == 0 && percentage == 0.0) || (k == last && percentage == 100.0);
         let mut part = written_number(y);

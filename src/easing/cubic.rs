@@ -102,6 +102,7 @@ impl CubicBezier {
         #[allow(clippy::cast_possible_truncation, reason = "floored, below 32")]
         #[allow(clippy::cast_sign_loss, reason = "x is above 0")]
         let mut k = usize::from(self.starts[(x * 32.0) as usize]);
+        // The piece of t that contains x; x(t) does not descend.
         while self.nodes[k + 1].x.value <= x {
             k += 1;
         }
@@ -115,6 +116,7 @@ impl CubicBezier {
             inverse_hermite: [a, b, c],
             ..
         } = self.nodes[k];
+        // The first guess of t − k/32, by the interpolated inverse.
         let far = x - before.value;
         let mut d = far * (a + far * (b + far * c));
         if k == 0 && x < self.nodes[1].x.value * NEAR_START {
@@ -217,6 +219,7 @@ fn inverse_hermite(from: &Expansion, to: &Expansion) -> [f64; 3] {
 
 fn first_pieces(nodes: &[ExpansionNode]) -> [u8; PIECES] {
     let mut piece = 0_u8;
+    // The intervals are visited in ascending order, so the search goes on from the piece of the last one.
     std::array::from_fn(|i| {
         let ahead = |piece: u8| nodes[usize::from(piece) + 1].x.value <= i as f64 * STEP;
         while usize::from(piece) + 1 < PIECES && ahead(piece) {
@@ -252,6 +255,7 @@ fn size_at_start(start: &Expansion, x: f64) -> f64 {
 /// first node (origin 0), relative to 1 at the others.
 fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
     let [a, b, c] = along.coefficients;
+    // The root of d (a + d (b + d c)) − sought, which does not decrease in d.
     let sought = x - along.value - along.low;
     let (mut min, mut max) = (-origin * STEP, STEP);
     for _ in 0..MAX_STEPS {

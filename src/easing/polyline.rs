@@ -67,8 +67,10 @@ fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<LinkLine> {
     let mut k = 0;
     while k <= end {
         let [x, y] = run[k];
+        // The polyline passes through both ends of the run.
         let is_pinned = k % end == 0;
         let points = SIGNS.map(|sign| [x, if is_pinned { y } else { y - sign * tolerance }]);
+        // No line of the link reaches the point if the slope that it needs is beyond the limit of the other boundary.
         let out_of_reach = |&side: &usize| {
             SIGNS[side] * (slope_to(&mut link, side, points[side]) - link[1 - side].slope) > 0.0
         };
@@ -80,6 +82,7 @@ fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<LinkLine> {
         };
         let line = longest_line(&link, side, points[side], k == end);
         lines.push(line);
+        // The next link begins on this line, and k stays: its point limits the next link.
         link = next_link(&link, side, line, k < end);
     }
     // Through the last point, in the middle of the possible slopes.
@@ -115,6 +118,7 @@ fn slope_to(link: &mut [Boundary; 2], side: usize, point: Stop) -> f64 {
     let Boundary {
         points, hull, done, ..
     } = &mut link[1 - side];
+    // With the sign, the limit is the largest slope for both sides.
     let slope = |[a, b]: Stop, [x, y]: Stop| (sign * (y - b)) / (x - a);
     while let Some(&next) = points.get(*done).filter(|p| p[0] < point[0]) {
         let turns_back = |a, b| slope(a, b) < slope(b, next);
@@ -196,6 +200,7 @@ fn meeting_point(line: &LinkLine, next: &LinkLine) -> Stop {
     } else {
         (height_at(next.slope, next.from, from[0]) - from[1]) / slope_difference
     };
+    // The lines meet where the next link may begin; rounding may put the intersection beyond this part of the line.
     let x = (from[0] + away.max(0.0)).min(to);
     [x, height_at(slope, from, x)]
 }

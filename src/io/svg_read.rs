@@ -91,6 +91,7 @@ fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
         cubic: None,
         quadratic: None,
     };
+    // The property d has the value `none` for an empty path (SVG 2, §9.3.2).
     let is_blank = [' ', '\t', '\n', '\x0c', '\r'];
     let result = if d.trim_matches(is_blank) == "none" {
         Ok(())
@@ -114,6 +115,7 @@ fn read(scanner: &mut SvgScanner<'_>, reader: &mut PathReader) -> Result<(), Ref
     let mut expected = "\"M\" or \"m\"";
     while !scanner.at_end() {
         let command = scanner.peek();
+        // A path starts with a moveto.
         let first = expected != "a command";
         let count = argument_count(command.to_ascii_uppercase())
             .filter(|_| !first || command.eq_ignore_ascii_case(&b'M'));
@@ -149,6 +151,7 @@ fn read_groups(
             if k > 0 {
                 scanner.skip_separator();
             }
+            // The two flags of an arc are one character each, and need no separator: "011 1" are 0, 1, 1 and 1.
             let flag = count == 7 && (k == 3 || k == 4);
             *number = if flag {
                 f64::from(u8::from(scanner.flag()?))
@@ -162,6 +165,7 @@ fn read_groups(
                 expected: "coordinates from -2^500 to 2^500",
             });
         }
+        // After a comma there have to be further arguments, without one there may be.
         let comma = scanner.skip_separator();
         if !comma && !scanner.at_number() {
             return Ok(());
@@ -193,6 +197,7 @@ impl PathReader {
             DVec2::splat(-0.0) // the neutral element of addition, also for −0
         };
         let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
+        // Without a curve of the same kind before it, S or T starts with a handle at the current point.
         let reflected = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
         match command.to_ascii_uppercase() {
             b'M' => self.move_to(point(0)),
