@@ -83,9 +83,11 @@ impl Knots {
             let parted = (0..n).find(|&i| self.at(i + p) == self.at(i + 2 * p));
             return parted.map(|i| ((i + p).min(n), "at most degree times the same knot"));
         }
+        // If the knots i and i + p + 1 are equal, the basis function of point i is 0 everywhere.
         if let Some(i) = (0..n).find(|&i| v[i] == v[i + p + 1]) {
             return Some((i + p + 1, "at most degree + 1 times the same knot"));
         }
+        // At the ends p + 1 equal knots are usual; inside they would disconnect the curve.
         let inside = |i: &usize| v[first] < v[*i] && v[*i] < v[last];
         let parted = (p..n).filter(inside).find(|&i| v[i] == v[i + p]);
         parted.map(|i| (i + p, "at most degree times the same knot inside"))
