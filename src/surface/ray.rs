@@ -100,7 +100,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
                         && [a, b]
                             .map(|hit| hit_uncertainty(patches, hit, &ray) * scaling.size)
                             .iter()
-                            .any(|hit_uncertainty| apart <= *hit_uncertainty)
+                            .any(|limit| apart <= *limit)
             };
             for hit in hits? {
                 if !found.iter().any(|other| is_same(other, &hit)) {

@@ -84,7 +84,7 @@ fn sorted_distinct(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedConta
             .iter()
             .rev()
             .any(|q| near(location, q.times(), TWO_CROSSINGS) && q.is_point());
-        if !(location.is_point() && (again || ends_piece(location, &locations))) {
+        if !(location.is_point() && (again || is_end_of_overlap(location, &locations))) {
             kept.push(location);
         }
     }
@@ -96,7 +96,7 @@ fn near(p: ClassifiedContact, (t, u): (f64, f64), within: f64) -> bool {
 }
 
 /// Whether an intersection is an end of an overlap.
-fn ends_piece(location: ClassifiedContact, all: &[ClassifiedContact]) -> bool {
+fn is_end_of_overlap(location: ClassifiedContact, all: &[ClassifiedContact]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.kind else {
             return false;

@@ -183,7 +183,7 @@ impl SplineBuilder {
     /// goes around the outside.
     pub(crate) fn add_arc_about(
         &mut self,
-        about: DVec2,
+        center: DVec2,
         from: DVec2,
         to: DVec2,
         distance: f64,
@@ -199,7 +199,7 @@ impl SplineBuilder {
         };
         let before = self.points.len();
         add_arc(
-            [about; 2],
+            [center; 2],
             [from, to],
             angle,
             distance,
@@ -283,10 +283,10 @@ impl<'a> NormalizedCurve<'a> {
         let cusps = may_have_cusps.then(|| self.source.cusps());
         for cusp in cusps.into_iter().flatten() {
             let (before, after) = self.source.cusp_tangents(cusp);
-            let about = self.curve.eval(cusp);
-            let ends = ((t, cusp), [tangent, before], about);
+            let center = self.curve.eval(cusp);
+            let ends = ((t, cusp), [tangent, before], center);
             self.add_run(builder, ends, may_have_cusps, &mut work);
-            builder.add_arc_about(about, before, after, self.distance, self.tolerance);
+            builder.add_arc_about(center, before, after, self.distance, self.tolerance);
             (t, tangent) = (cusp, after);
         }
         let ends = ((t, 1.0), [tangent, last], self.curve.end());
