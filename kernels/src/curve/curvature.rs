@@ -19,19 +19,19 @@ const VANISHING: f64 = 1e-12;
 pub fn curvature_is_within(derivative: &[DVec2; 3], limits: [f64; 2]) -> bool {
     let square = |v: &DVec2| v.dot(*v);
     let longest = derivative.iter().map(square).fold(0.0, larger).sqrt();
-    let test = Test {
+    let test = CurvatureTest {
         slowest: VANISHING * longest,
         limits,
     };
     test.is_proved(derivative, 1.0, PROOF_HALVINGS)
 }
 
-struct Test {
+struct CurvatureTest {
     slowest: f64,
     limits: [f64; 2],
 }
 
-impl Test {
+impl CurvatureTest {
     /// Whether the limits are proved for an interval of length `dt`, of which these are the control points of B′.
     fn is_proved(&self, vectors: &[DVec2; 3], dt: f64, halvings: usize) -> bool {
         let [a, b, c] = *vectors;
