@@ -117,8 +117,8 @@ impl Ellipse {
     /// Half the chord on the unit circle is d; the centre lies at ±√(1 − d²) perpendicular to it.
     fn of(shape: &Arc) -> Option<Self> {
         let axis = unit_vector_of_degrees(shape.degrees);
-        let back = DVec2::new(axis.x, -axis.y);
-        let half = rotated((shape.from - shape.to) * 0.5, back);
+        let inverse_axis = DVec2::new(axis.x, -axis.y);
+        let half = rotated((shape.from - shape.to) * 0.5, inverse_axis);
         let mut radii = shape.radii;
         let mut d = half / radii;
         let scale = d.x.abs().max(d.y.abs());

@@ -94,10 +94,10 @@ impl<P: Point> Spline<P> {
             return Err(Error::too_many("points", limit, count));
         }
         check_points("points", points)?;
-        let row = Equation { points, closed };
+        let sequence = PointSequence { points, closed };
         let derivatives = match step {
-            None => row.natural_derivatives(),
-            Some(step) => row.catmull_rom(step),
+            None => sequence.natural_derivatives(),
+            Some(step) => sequence.catmull_rom(step),
         };
         let handle = |i: usize, along: P| {
             let handle = points[i] + along / 3.0;
@@ -144,12 +144,12 @@ fn power(length: f64, alpha: f64) -> f64 {
 }
 
 /// The points to interpolate, open or closed.
-struct Equation<'a, P> {
+struct PointSequence<'a, P> {
     points: &'a [P],
     closed: bool,
 }
 
-impl<P: Point> Equation<'_, P> {
+impl<P: Point> PointSequence<'_, P> {
     /// The indices of the neighbours of a point; at an open end the missing neighbour is the point itself.
     fn neighbours(&self, i: usize) -> (usize, usize) {
         let count = self.points.len();

@@ -19,11 +19,11 @@ pub(crate) struct JointRepair<'a, P: Point, M> {
     spline: &'a mut Spline<P>,
     mode: &'a M,
     /// The state of each control point.
-    states: Vec<State>,
+    states: Vec<PointState>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum State {
+enum PointState {
     /// Unchanged; the point may be moved.
     Free,
     /// Unchanged; the point must not move, because a repaired joint depends on it.
@@ -41,7 +41,7 @@ struct JointPoints {
 impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     pub(crate) fn new(spline: &'a mut Spline<P>, mode: &'a M) -> Self {
         Self {
-            states: vec![State::Free; spline.points.len()],
+            states: vec![PointState::Free; spline.points.len()],
             spline,
             mode,
         }
@@ -50,13 +50,13 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Moves a point unless it must not move; returns whether the point is at `to` now.
     pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
-        let free = self.states[index] == State::Free;
+        let free = self.states[index] == PointState::Free;
         // A free point that is already at `to`, or cannot move there, is fixed.
         if free && is_within_limit(to) && *target != to {
             *target = to;
-            self.states[index] = State::Changed;
+            self.states[index] = PointState::Changed;
         } else if free {
-            self.states[index] = State::Fixed;
+            self.states[index] = PointState::Fixed;
         }
         *target == to
     }
@@ -132,8 +132,8 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     }
 
     fn mark_fixed(&mut self, index: usize) {
-        if self.states[index] == State::Free {
-            self.states[index] = State::Fixed;
+        if self.states[index] == PointState::Free {
+            self.states[index] = PointState::Fixed;
         }
     }
 
@@ -197,7 +197,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         }
         self.move_far_side(joint, true, mode);
         if self.spline.points[far] != handle {
-            self.states[far] = State::Changed;
+            self.states[far] = PointState::Changed;
         }
     }
 
@@ -256,7 +256,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Whether a control point that determines the near side of a joint has changed.
     fn is_touched(&self, joint: usize, forward: bool) -> bool {
         let around = self.around(joint, forward);
-        let changed = |index: usize| self.states[index] == State::Changed;
+        let changed = |index: usize| self.states[index] == PointState::Changed;
         let mode = (self.mode)(joint);
         let [before, _, after] = self.anchors(joint);
         changed(around.near[0])
@@ -279,7 +279,8 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
             (segments - 1, segments - 1, [end, end - 1, last]),
         ] {
             let degree = self.spline.degree_of(segment);
-            let moved = self.states[from] == State::Changed || self.states[to] == State::Changed;
+            let moved =
+                self.states[from] == PointState::Changed || self.states[to] == PointState::Changed;
             if moved && degree > 2 && (self.mode)(joint) == JointMode::Auto {
                 let (from, to) = (self.spline.points[from], self.spline.points[to]);
                 self.set_point(handle, from + (to - from) * ratio(1, degree));

@@ -13,7 +13,7 @@ use crate::numeric::list::Points;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
-const MAX_LOCATIONS: usize = 600;
+const MAX_NEAREST_POINTS: usize = 600;
 
 /// Maximum total of segments in the searches for nearest points, in each direction.
 const MAX_STEPS: usize = 6000;
@@ -141,7 +141,7 @@ fn distance_to_curve<P: Point>(
         min: -whole.max(&b_curve, straight),
         of: whole,
     });
-    for _ in 0..MAX_LOCATIONS {
+    for _ in 0..MAX_NEAREST_POINTS {
         // The segment with the largest upper bound; if it cannot increase the result, none can.
         let Some(Bounded { min, of: segment }) = segments.pop() else {
             break;
