@@ -265,7 +265,7 @@ impl<'a> RoundedSubpath<'a> {
         }
         self.mark_replaced_parts();
         let mut overlapping = Vec::new();
-        for k in (0..count).filter(|&k| self.replaced_part(k) > 1.0 + MEETING_TOLERANCE) {
+        for k in (0..count).filter(|&k| self.replaced_fraction(k) > 1.0 + MEETING_TOLERANCE) {
             if let [Some(start), Some(end)] = self.replaced[k] {
                 // Each arc may use what the other one leaves, and at least half of the segments between both corners.
                 let room = runs[start.corner][1] as f64;
@@ -360,7 +360,7 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// The part of segment k that arcs replace.
-    fn replaced_part(&self, k: usize) -> f64 {
+    fn replaced_fraction(&self, k: usize) -> f64 {
         self.replaced[k]
             .iter()
             .flatten()
@@ -418,7 +418,7 @@ impl<'a> RoundedSubpath<'a> {
 
     /// Appends what is left of segment k, and the arc after it.
     fn push_segment(&self, k: usize, out: &mut SubpathBuilder, tolerance: Option<f64>) {
-        if self.replaced_part(k) < 1.0 - MEETING_TOLERANCE {
+        if self.replaced_fraction(k) < 1.0 - MEETING_TOLERANCE {
             out.add(&self.remaining_part(k));
         }
         if let Some(arc) = self.arcs[k] {
