@@ -71,7 +71,7 @@ pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     if coefficients.iter().all(|&c| c > slack) || coefficients.iter().all(|&c| c < -slack) {
         return roots;
     }
-    walk(coefficients, slack, |crossing| {
+    visit_zeros(coefficients, slack, |crossing| {
         // A root next to an end may be rounded to it.
         if let ZeroCrossing::Cross(t) = crossing
             && t > 0.0
@@ -88,7 +88,7 @@ pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
 pub(crate) fn contacts(coefficients: &[f64], slack: f64) -> Option<Scalars> {
     let mut roots = Scalars::new();
     let mut everywhere = false;
-    walk(coefficients, slack, |crossing| match crossing {
+    visit_zeros(coefficients, slack, |crossing| match crossing {
         ZeroCrossing::Cross(t) | ZeroCrossing::Touch(t) => roots.push(t),
         ZeroCrossing::Everywhere => everywhere = true,
     });
@@ -106,7 +106,7 @@ enum ZeroCrossing {
 }
 
 /// Reports the zeros in order. Visits the ends and the extrema; between them the polynomial is monotone.
-fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) {
+fn visit_zeros(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) {
     let Some((coefficients, size)) = scaled(coefficients) else {
         return report(ZeroCrossing::Everywhere);
     };

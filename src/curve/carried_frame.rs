@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// A step is short enough if halving it moves the normal by less than this; the remaining error is about 20 times
 /// smaller.
-const CARRIED_APART: f64 = 1e-10;
+const MAX_STEP_ERROR: f64 = 1e-10;
 
 /// The cosine of the largest allowed angle, 60°, between the tangents of half a step.
 const GENTLE_COSINE: f64 = 0.5;
@@ -51,8 +51,8 @@ pub(crate) struct CarriedFrame {
 
 impl CarriedFrame {
     /// The frame after the tangent has rotated at one point, by the smallest rotation.
-    pub(crate) fn turned_to(self, tangent: DVec3) -> Self {
-        let normal = turned(self.tangent, self.normal, tangent, DVec3::ZERO);
+    pub(crate) fn rotated_to(self, tangent: DVec3) -> Self {
+        let normal = rotated_normal(self.tangent, self.normal, tangent, DVec3::ZERO);
         Self { tangent, normal }
     }
 
@@ -158,9 +158,9 @@ impl FrameCurve {
             start.at.tangent = before.tangent;
             return vec![start];
         }
-        start.normal = before.turned_to(start.at.tangent).normal;
+        start.normal = before.rotated_to(start.at.tangent).normal;
         let mut steps = vec![start];
-        self.carry(start, &self.sample(1.0), work, &mut |step| steps.push(step));
+        self.transport(start, &self.sample(1.0), work, &mut |step| steps.push(step));
         steps
     }
 
@@ -174,7 +174,7 @@ impl FrameCurve {
         let inside = (0.0..=1.0).contains(&t);
         let mut work = WorkLimit::new(if inside { MAX_INSIDE } else { MAX_OUTSIDE });
         let mut last = from;
-        self.carry(from, &self.sample(t), &mut work, &mut |step| last = step);
+        self.transport(from, &self.sample(t), &mut work, &mut |step| last = step);
         if last.at.tangent == DVec3::ZERO {
             last.at.tangent = from.at.tangent;
         }
@@ -182,7 +182,7 @@ impl FrameCurve {
     }
 
     /// Calls `each` with the ends of the steps; returns the normal at the end of the last one.
-    fn carry(
+    fn transport(
         &self,
         from: FrameStep,
         to: &FrameSample,
@@ -197,16 +197,16 @@ impl FrameCurve {
             .dot(middle.tangent)
             .min(middle.tangent.dot(to.tangent));
         let gentle = cosine > GENTLE_COSINE;
-        let enough = gentle && Point::norm(in_two - at_once) <= CARRIED_APART;
+        let enough = gentle && Point::norm(in_two - at_once) <= MAX_STEP_ERROR;
         let normal = if work.is_exceeded() || enough {
             in_two
         } else if (to.t - start.t).abs() <= CUSP_STEP {
-            turned(start.tangent, from.normal, to.tangent, self.axis(middle.t))
+            rotated_normal(start.tangent, from.normal, to.tangent, self.axis(middle.t))
         } else if !work.spend(1) {
             in_two
         } else {
-            let normal = self.carry(from, &middle, work, each);
-            return self.carry(FrameStep { at: middle, normal }, to, work, each);
+            let normal = self.transport(from, &middle, work, each);
+            return self.transport(FrameStep { at: middle, normal }, to, work, each);
         };
         each(FrameStep { at: *to, normal });
         normal
@@ -227,7 +227,7 @@ impl FrameCurve {
 fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     let displacement = to.point - from.point;
     if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
-        return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
+        return rotated_normal(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
     let normal = double_reflection(normal, [from.tangent, to.tangent], displacement);
     Point::unit(normal - to.tangent * to.tangent.dot(normal))
@@ -249,7 +249,7 @@ pub(crate) fn double_reflection(
 
 /// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is
 /// the rotation axis for a reversed tangent; if it is zero (unknown), the normal stays.
-fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
+fn rotated_normal(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
     let (mut before, mut normal) = (before, normal);
     if before.dot(after) < BACK_COSINE && (axis != DVec3::ZERO || before.dot(after) < -1.0 + 1e-12)
     {

@@ -69,15 +69,17 @@ impl<P: Point> Curve<P> {
         let vectors: Points<P> = normalized.points(&self.points);
         let rounding = rounding * normalized.scale;
         match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
-            Flat::Line => CurveKind::Line,
-            Flat::Not => CurveKind::Twisted,
-            Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
+            AffineHull::Line => CurveKind::Line,
+            AffineHull::Space => CurveKind::Twisted,
+            AffineHull::Plane(points) => {
+                class_in_plane(&at_lowest_degree(points, rounding), rounding)
+            }
         }
     }
 }
 
 /// The control points of the curve at the lowest degree that represents it up to rounding.
-fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
+fn at_lowest_degree<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
         let slack = 4.0 * rounding * points.len() as f64;
         let lower = Curve::from_points(unelevated(&points));
@@ -100,16 +102,16 @@ fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
 const FLATNESS_ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 /// The affine hull of a control polygon.
-enum Flat {
+enum AffineHull {
     Line,
     /// The points with one coordinate dropped; this affine map preserves the kind.
     Plane(Points<DVec3>),
-    Not,
+    Space,
 }
 
 /// The plane or line of `vectors`, which begin at the origin. `slack` is the distance by which rounding may move a
 /// point.
-fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
+fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> AffineHull {
     let vectors: Points<DVec3> = vectors.iter().map(|vector| vector.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
     let farthest = vectors.iter().copied().fold(DVec3::ZERO, longest);
@@ -120,14 +122,14 @@ fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
         .map(|&vector| vector - along * vector.dot(along));
     let across = across.fold(DVec3::ZERO, longest);
     if Point::norm(across) <= slack {
-        return Flat::Line;
+        return AffineHull::Line;
     }
     let normal = along.cross(Point::unit(across));
     if vectors
         .iter()
         .any(|vector| vector.dot(normal).abs() > slack)
     {
-        return Flat::Not;
+        return AffineHull::Space;
     }
     let size = normal.abs();
     let flat = |vector: &DVec3| {
@@ -139,7 +141,7 @@ fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
             DVec3::new(vector.z, vector.x, 0.0)
         }
     };
-    Flat::Plane(vectors.iter().map(flat).collect())
+    AffineHull::Plane(vectors.iter().map(flat).collect())
 }
 
 /// The kind of a plane curve (z = 0) of its lowest degree.

@@ -95,7 +95,7 @@ pub(crate) trait FrameSequence {
     /// The index of the curve that contains t, and the local parameter.
     fn segment_at(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
-    fn link(&self, k: usize) -> Curve<DVec3>;
+    fn curve_at_index(&self, k: usize) -> Curve<DVec3>;
     /// For pairs (k, t) the part of the total length up to the local parameter t on curve k; `None` if the sequence is
     /// open.
     fn parts_of_length(&self, locations: &[(usize, f64)]) -> Option<Vec<f64>>;
@@ -108,7 +108,7 @@ impl FrameSequence for Curve<DVec3> {
     fn segment_at(&self, t: f64) -> (usize, f64) {
         (0, t)
     }
-    fn link(&self, _: usize) -> Curve<DVec3> {
+    fn curve_at_index(&self, _: usize) -> Curve<DVec3> {
         self.clone()
     }
     fn parts_of_length(&self, _: &[(usize, f64)]) -> Option<Vec<f64>> {
@@ -146,7 +146,7 @@ pub(crate) fn frames_along(
         if order.peek().is_none() && parts.is_none() {
             break;
         }
-        let curve = FrameCurve::new(&sequence.link(k));
+        let curve = FrameCurve::new(&sequence.curve_at_index(k));
         let steps = curve.steps(carried, &mut work);
         while let Some(index) = order.next_if(|&index| locations[index].0 == k) {
             found[index] = curve.frame_at(&steps, locations[index].1);
@@ -155,14 +155,14 @@ pub(crate) fn frames_along(
     }
     if let Some(parts) = parts {
         // The twist that is left after one round.
-        let twist = carried.turned_to(first.tangent).angle_to(first);
+        let twist = carried.rotated_to(first.tangent).angle_to(first);
         for (frame, part) in found.iter_mut().zip(parts) {
             *frame = frame.rotated(twist * part);
         }
     }
     let frame = |((&t, &(k, local)), found): ((&f64, &(usize, f64)), &CarriedFrame)| Frame {
         t,
-        point: sequence.link(k).eval(local),
+        point: sequence.curve_at_index(k).eval(local),
         tangent: found.tangent,
         normal: found.normal,
         binormal: found.tangent.cross(found.normal),
@@ -173,6 +173,6 @@ pub(crate) fn frames_along(
 /// The frame at the start of the first curve that is not a point; zero if there is none.
 fn first_frame(sequence: &dyn FrameSequence, normal: Option<DVec3>) -> CarriedFrame {
     (0..sequence.curve_count())
-        .find_map(|k| FrameCurve::new(&sequence.link(k)).first(normal))
+        .find_map(|k| FrameCurve::new(&sequence.curve_at_index(k)).first(normal))
         .unwrap_or_default()
 }

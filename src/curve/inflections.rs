@@ -86,16 +86,16 @@ impl<P: Point> Curve<P> {
     pub(crate) fn tangents_from_unchecked(&self, p: P) -> Vec<f64> {
         let size = self.max_abs().max(p.max_abs());
         let normalized = Normalized::new(p, size);
-        let about: Points<P> = normalized.points(&self.points);
-        let (turning, slack) = curvature_numerator(&about, ulp(size * normalized.scale));
+        let relative: Points<P> = normalized.points(&self.points);
+        let (turning, slack) = curvature_numerator(&relative, ulp(size * normalized.scale));
         let Some(ts) = contacts(&turning, slack) else {
             return vec![0.0, 1.0];
         };
         let Hodograph { vectors, .. } = Hodograph::of(&self.points);
         let goes = |t: f64| evaluate(&vectors, t).norm() > DOUBLE_ROOT;
         let passes = |t: f64| {
-            let (direction, tangent) = (evaluate(&about, t).to_2d(), self.tangent(t).to_2d());
-            direction.perp_dot(tangent).abs() <= DOUBLE_ROOT * max_abs(&about)
+            let (direction, tangent) = (evaluate(&relative, t).to_2d(), self.tangent(t).to_2d());
+            direction.perp_dot(tangent).abs() <= DOUBLE_ROOT * max_abs(&relative)
         };
         ts.into_iter().filter(|&t| goes(t) || passes(t)).collect()
     }

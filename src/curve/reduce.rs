@@ -9,7 +9,7 @@ use super::elevate::{elevate_once, unelevated};
 use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, ratio};
 use crate::numeric::list::{Points, Scalars};
-use casteljau_kernels::numeric::trigonometry::direction;
+use casteljau_kernels::numeric::trigonometry::unit_vector;
 use std::f64::consts::FRAC_PI_2;
 
 /// A degree-reduced curve and its error.
@@ -43,7 +43,7 @@ impl<P: Point> Curve<P> {
                 error: 0.0,
             };
         }
-        let stretch = direction(FRAC_PI_2 / as_f64(n)).x;
+        let stretch = unit_vector(FRAC_PI_2 / as_f64(n)).x;
         let excess = self.top_difference(stretch);
         let wave = stretched_chebyshev(n, stretch);
         let lower: Points<P> = self

@@ -65,24 +65,24 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// Calls `act` with the curve if its degree is at most 3, and otherwise with cubics in its place, of which each has the
+    /// Calls `emit` with the curve if its degree is at most 3, and otherwise with cubics in its place, of which each has the
     /// ends and the end tangents of its part of the curve, within a tolerance or what rounding hides.
-    pub(crate) fn for_each_cubic(&self, tolerance: f64, act: &mut impl FnMut(&Self)) {
+    pub(crate) fn for_each_cubic(&self, tolerance: f64, emit: &mut impl FnMut(&Self)) {
         if self.degree() <= 3 {
-            return act(self);
+            return emit(self);
         }
         let hidden = hidden_by_rounding(self.degree(), self.max_abs());
-        self.halve_to_cubics(tolerance.max(hidden), CUBIC_HALVINGS, act);
+        self.halve_to_cubics(tolerance.max(hidden), CUBIC_HALVINGS, emit);
     }
 
-    fn halve_to_cubics(&self, tolerance: f64, halvings: usize, act: &mut impl FnMut(&Self)) {
+    fn halve_to_cubics(&self, tolerance: f64, halvings: usize, emit: &mut impl FnMut(&Self)) {
         let cubic = self.cubic_of_same_tangents();
-        if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
-            return act(&cubic);
+        if halvings == 0 || self.control_point_distance(&cubic) <= tolerance {
+            return emit(&cubic);
         }
         let (left, right) = self.halve();
-        left.halve_to_cubics(tolerance, halvings - 1, act);
-        right.halve_to_cubics(tolerance, halvings - 1, act);
+        left.halve_to_cubics(tolerance, halvings - 1, emit);
+        right.halve_to_cubics(tolerance, halvings - 1, emit);
     }
 
     /// The cubic with the same end points and the same end derivatives.
@@ -104,7 +104,7 @@ impl<P: Point> Curve<P> {
     ///
     /// The control points of `other` at degree n are Σᵢ C(m, i) C(n − m, k − i) / C(n, k) Qᵢ (Farin, *Curves and
     /// Surfaces for CAGD*, section 6.1, repeated).
-    pub(crate) fn distance_of_controls(&self, other: &Self) -> f64 {
+    pub(crate) fn control_point_distance(&self, other: &Self) -> f64 {
         let (n, m) = (self.degree(), other.degree());
         let [of_n, of_m, of_rest] = [n, m, n - m].map(binomials);
         let raised = |k: usize| {

@@ -2,7 +2,7 @@
 //! messages.
 
 use super::piecewise::{Linear, StepPosition, Steps, Stop};
-use super::scanner::Scanner;
+use super::scanner::CssScanner;
 use super::{Easing, EasingError, Kind};
 use crate::text::number::written_number;
 use std::fmt;
@@ -47,7 +47,7 @@ impl FromStr for Easing {
     type Err = EasingError;
 
     fn from_str(text: &str) -> Result<Self, EasingError> {
-        let mut scanner = Scanner::new(text);
+        let mut scanner = CssScanner::new(text);
         let word = scanner.word();
         let length = word.len();
         let kind = if let Some(function) = keyword(&word) {
@@ -76,7 +76,7 @@ impl FromStr for Easing {
     }
 }
 
-fn read_cubic(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_cubic(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let mut handles = [0.0; 4];
     for (k, handle) in handles.iter_mut().enumerate() {
         if k > 0 {
@@ -91,7 +91,7 @@ fn read_cubic(scanner: &mut Scanner) -> Result<Kind, EasingError> {
     Ok(Kind::cubic(handles))
 }
 
-fn read_steps(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_steps(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let at = scanner.at;
     let is_whole = scanner.has_whole_number();
     let count = scanner.any_number()?;
@@ -123,11 +123,12 @@ fn read_steps(scanner: &mut Scanner) -> Result<Kind, EasingError> {
     Ok(Kind::Steps(Steps { count, position }))
 }
 
-fn read_linear(scanner: &mut Scanner) -> Result<Kind, EasingError> {
+fn read_linear(scanner: &mut CssScanner) -> Result<Kind, EasingError> {
     let mut stops = Vec::new();
     let mut count = 0;
     loop {
         count += 1;
+        // Percentages are before or after the output; two of them are two stops.
         let before = read_percentages(scanner)?;
         let y = scanner.number()?;
         let percentages = if before.is_empty() {
@@ -155,7 +156,7 @@ fn read_linear(scanner: &mut Scanner) -> Result<Kind, EasingError> {
 }
 
 /// Reads up to two percentages.
-fn read_percentages(scanner: &mut Scanner) -> Result<Vec<f64>, EasingError> {
+fn read_percentages(scanner: &mut CssScanner) -> Result<Vec<f64>, EasingError> {
     let mut percentages = Vec::new();
     while percentages.len() < 2 && scanner.has_percentage() {
         percentages.push(scanner.any_number()?);
@@ -175,6 +176,7 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
         let Some(percentage) = percentage.or((k == last).then_some(100.0)) else {
             continue;
         };
+        // A percentage below an earlier one is raised to it. The stops between `known` and k have none.
         let to = from.max(percentage);
         for (i, stop) in stops[known + 1..=k].iter_mut().enumerate() {
             let share = (i + 1) as f64 / (k - known) as f64;
@@ -215,6 +217,7 @@ pub(crate) fn written_linear(stops: &[Stop]) -> String {
     let mut k = 0;
     while k <= last {
         let [percentage, y] = stops[k];
+        // Two stops stay two arguments, since one alone is invalid.
         let is_pair = last > 1 && k < last && stops[k + 1][1] == y;
         let is_implied = (k == 0 && percentage == 0.0) || (k == last && percentage == 100.0);
         let mut part = written_number(y);

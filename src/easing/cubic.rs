@@ -12,7 +12,7 @@ const STEP: f64 = 1.0 / 32.0;
 const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
 /// Below this ratio of the first piece, Newton's method starts from an estimate of the magnitude of t.
 const NEAR_START: f64 = 1.0 / 1024.0;
-/// The factor for [`upper`] that drops half of the bits of a number.
+/// The factor for [`high_part`] that drops half of the bits of a number.
 const HALF: f64 = 134_217_728.0; // 2²⁷
 /// Handles above this value (2⁹⁰⁰) are scaled by 2⁻¹⁰⁰ for the computation, so that no sum overflows.
 const HUGE: f64 = f64::from_bits((1023 + 900) << 52);
@@ -23,10 +23,10 @@ const MAX_STEPS: usize = 100;
 
 /// The timing function `cubic-bezier(x1, y1, x2, y2)` for checked handles.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Cubic {
+pub(crate) struct CubicBezier {
     /// The arguments x1, y1, x2, y2.
     pub(crate) handles: [f64; 4],
-    nodes: Vec<Node>,
+    nodes: Vec<ExpansionNode>,
     /// For each start of an interval of x of width 1/32, the piece of t that contains it.
     starts: [u8; PIECES],
     /// The slopes at (0, 0) and (1, 1) as CSS defines them.
@@ -38,11 +38,11 @@ pub(crate) struct Cubic {
 
 /// The expansion of the curve about the node t = k/32.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Node {
+struct ExpansionNode {
     x: Expansion,
     y: Expansion,
     /// The cubic that approximates the inverse function, x to t, on the piece that begins here.
-    back: [f64; 3],
+    inverse_hermite: [f64; 3],
 }
 
 /// The Taylor expansion of one coordinate about a node: its value as a sum of two f64, and three coefficients.
@@ -50,10 +50,10 @@ struct Node {
 struct Expansion {
     value: f64,
     low: f64,
-    by: [f64; 3],
+    coefficients: [f64; 3],
 }
 
-impl Cubic {
+impl CubicBezier {
     pub(crate) fn new([x1, y1, x2, y2]: [f64; 4]) -> Self {
         let huge = y1.abs().max(y2.abs()) > HUGE;
         let unit = if huge { SHRUNK } else { 1.0 };
@@ -76,9 +76,9 @@ impl Cubic {
             return x + 0.0; // turns −0 into 0
         }
         if !(x > 0.0 && x < 1.0) {
-            return self.outside(x);
+            return self.extrapolated(x);
         }
-        let y = self.solved(x);
+        let y = self.solve(x);
         if self.huge {
             clamp_to_finite(y / SHRUNK)
         } else {
@@ -86,35 +86,37 @@ impl Cubic {
         }
     }
 
-    fn outside(&self, x: f64) -> f64 {
+    fn extrapolated(&self, x: f64) -> f64 {
         if x == 0.0 || x == 1.0 {
             return x.abs();
         }
         if x < 0.0 {
-            clamp_to_finite(flat_or(self.slopes[0], x))
+            clamp_to_finite(slope_times(self.slopes[0], x))
         } else {
-            clamp_to_finite(1.0 + flat_or(self.slopes[1], x - 1.0))
+            clamp_to_finite(1.0 + slope_times(self.slopes[1], x - 1.0))
         }
     }
 
     /// The value of y at x between 0 and 1.
-    fn solved(&self, mut x: f64) -> f64 {
+    fn solve(&self, mut x: f64) -> f64 {
         #[allow(clippy::cast_possible_truncation, reason = "floored, below 32")]
         #[allow(clippy::cast_sign_loss, reason = "x is above 0")]
         let mut k = usize::from(self.starts[(x * 32.0) as usize]);
+        // The piece of t that contains x; x(t) does not descend.
         while self.nodes[k + 1].x.value <= x {
             k += 1;
         }
         if k == 0 {
             // Errors are relative here. Rounding x to 48 bits makes each step of x larger than the error, so that y is
             // monotone.
-            x = upper(x, 32.0).min(self.nodes[1].x.value);
+            x = high_part(x, 32.0).min(self.nodes[1].x.value);
         }
-        let Node {
+        let ExpansionNode {
             x: before,
-            back: [a, b, c],
+            inverse_hermite: [a, b, c],
             ..
         } = self.nodes[k];
+        // The first guess of t − k/32, by the interpolated inverse.
         let far = x - before.value;
         let mut d = far * (a + far * (b + far * c));
         if k == 0 && x < self.nodes[1].x.value * NEAR_START {
@@ -124,7 +126,7 @@ impl Cubic {
             k += 1;
             d -= STEP;
         }
-        let Node { x: along, y, .. } = &self.nodes[k];
+        let ExpansionNode { x: along, y, .. } = &self.nodes[k];
         let origin = if k == 0 { 0.0 } else { 1.0 };
         y.at(newton(along, x, d, origin))
     }
@@ -136,18 +138,18 @@ impl Expansion {
         let s = 1.0 - t;
         // The weights have at most 15 bits, so their products with the upper half of a number's bits are exact.
         let (u, v, w) = (3.0 * t * s * s, 3.0 * t * t * s, t * t * t * end);
-        let (high_a, high_b) = (upper(a, HALF), upper(b, HALF));
+        let (high_a, high_b) = (high_part(a, HALF), high_part(b, HALF));
         let pair = u * high_a + v * high_b;
         let sum = pair + w;
-        let low = rest(u * high_a, v * high_b, pair)
-            + rest(pair, w, sum)
+        let low = two_sum_error(u * high_a, v * high_b, pair)
+            + two_sum_error(pair, w, sum)
             + u * (a - high_a)
             + v * (b - high_b);
         let value = sum + low;
         Self {
             value,
             low: low - (value - sum),
-            by: [
+            coefficients: [
                 3.0 * (a * s * s + 2.0 * (b - a) * t * s + (end - b) * t * t),
                 3.0 * ((b - 2.0 * a) * s + (end - 2.0 * b + a) * t),
                 end + 3.0 * (a - b),
@@ -156,7 +158,7 @@ impl Expansion {
     }
 
     fn at(&self, d: f64) -> f64 {
-        let [a, b, c] = self.by;
+        let [a, b, c] = self.coefficients;
         self.value + (self.low + d * (a + d * (b + d * c)))
     }
 }
@@ -178,7 +180,7 @@ fn slope(x1: f64, y1: f64, x2: f64, y2: f64) -> f64 {
 }
 
 /// slope · x, with 0 instead of the NaN of 0 · ∞.
-fn flat_or(slope: f64, x: f64) -> f64 {
+fn slope_times(slope: f64, x: f64) -> f64 {
     if slope == 0.0 && !x.is_nan() {
         0.0
     } else {
@@ -186,28 +188,28 @@ fn flat_or(slope: f64, x: f64) -> f64 {
     }
 }
 
-fn nodes([x1, x2]: [f64; 2], [y1, y2]: [f64; 2], top: f64) -> Vec<Node> {
-    let mut nodes: Vec<Node> = (0..=PIECES)
+fn nodes([x1, x2]: [f64; 2], [y1, y2]: [f64; 2], top: f64) -> Vec<ExpansionNode> {
+    let mut nodes: Vec<ExpansionNode> = (0..=PIECES)
         .map(|k| k as f64 * STEP)
-        .map(|t| Node {
+        .map(|t| ExpansionNode {
             x: Expansion::new(t, x1, x2, 1.0),
             y: Expansion::new(t, y1, y2, top),
-            back: [0.0; 3],
+            inverse_hermite: [0.0; 3],
         })
         .collect();
     for k in 0..PIECES {
-        nodes[k].back = inverse(&nodes[k].x, &nodes[k + 1].x);
+        nodes[k].inverse_hermite = inverse_hermite(&nodes[k].x, &nodes[k + 1].x);
     }
     nodes
 }
 
 /// The cubic Hermite interpolant of the inverse function, x to t. Its end slopes are limited to three times the slope
 /// of the chord, which makes it monotone (Fritsch and Carlson, "Monotone piecewise cubic interpolation", 1980).
-fn inverse(from: &Expansion, to: &Expansion) -> [f64; 3] {
+fn inverse_hermite(from: &Expansion, to: &Expansion) -> [f64; 3] {
     let width = to.value - from.value;
     let chord = STEP / width;
-    let first = (1.0 / from.by[0]).abs().min(3.0 * chord);
-    let last = (1.0 / to.by[0]).abs().min(3.0 * chord);
+    let first = (1.0 / from.coefficients[0]).abs().min(3.0 * chord);
+    let last = (1.0 / to.coefficients[0]).abs().min(3.0 * chord);
     [
         first,
         (3.0 * chord - 2.0 * first - last) / width,
@@ -215,8 +217,9 @@ fn inverse(from: &Expansion, to: &Expansion) -> [f64; 3] {
     ]
 }
 
-fn first_pieces(nodes: &[Node]) -> [u8; PIECES] {
+fn first_pieces(nodes: &[ExpansionNode]) -> [u8; PIECES] {
     let mut piece = 0_u8;
+    // The intervals are visited in ascending order, so the search goes on from the piece of the last one.
     std::array::from_fn(|i| {
         let ahead = |piece: u8| nodes[usize::from(piece) + 1].x.value <= i as f64 * STEP;
         while usize::from(piece) + 1 < PIECES && ahead(piece) {
@@ -227,13 +230,13 @@ fn first_pieces(nodes: &[Node]) -> [u8; PIECES] {
 }
 
 /// A number rounded to fewer bits; `less` is 2 to the power of the number of bits dropped (Veltkamp splitting).
-fn upper(value: f64, less: f64) -> f64 {
+fn high_part(value: f64, less: f64) -> f64 {
     let spread = (less + 1.0) * value;
     spread - (spread - value)
 }
 
 /// The rounding error of a sum (Knuth's two-sum).
-fn rest(a: f64, b: f64, sum: f64) -> f64 {
+fn two_sum_error(a: f64, b: f64, sum: f64) -> f64 {
     let part = sum - a;
     a - (sum - part) + (b - part)
 }
@@ -243,7 +246,7 @@ fn size_at_start(start: &Expansion, x: f64) -> f64 {
     let fourth = x.sqrt().sqrt();
     let sixteenth = fourth.sqrt().sqrt();
     let cubic = fourth * sixteenth * sixteenth.sqrt().sqrt(); // x to the power 21/64, approximately the cube root
-    1.0 / (start.by[0] / x + start.by[1].abs().sqrt() / x.sqrt() + 1.0 / cubic)
+    1.0 / (start.coefficients[0] / x + start.coefficients[1].abs().sqrt() / x.sqrt() + 1.0 / cubic)
 }
 
 /// The zero of x(node + d) − x, by Newton's method; a step beyond the bracket is replaced by a bisection.
@@ -251,7 +254,8 @@ fn size_at_start(start: &Expansion, x: f64) -> f64 {
 /// The iteration ends when the error that a step leaves, step² · |x″| / (2 x′), is negligible: relative to t at the
 /// first node (origin 0), relative to 1 at the others.
 fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
-    let [a, b, c] = along.by;
+    let [a, b, c] = along.coefficients;
+    // The root of d (a + d (b + d c)) − sought, which does not decrease in d.
     let sought = x - along.value - along.low;
     let (mut min, mut max) = (-origin * STEP, STEP);
     for _ in 0..MAX_STEPS {

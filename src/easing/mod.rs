@@ -8,7 +8,7 @@ mod scanner;
 mod stops;
 
 use crate::geometry::error::Error;
-use cubic::Cubic;
+use cubic::CubicBezier;
 use piecewise::{Linear, Steps};
 use std::fmt;
 
@@ -41,7 +41,7 @@ pub struct Easing {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Kind {
-    Cubic(Box<Cubic>),
+    Cubic(Box<CubicBezier>),
     Steps(Steps),
     Linear(Linear),
 }
@@ -98,7 +98,7 @@ impl From<EasingError> for Error {
 impl Kind {
     /// For checked handles.
     fn cubic(handles: [f64; 4]) -> Self {
-        Self::Cubic(Box::new(Cubic::new(handles)))
+        Self::Cubic(Box::new(CubicBezier::new(handles)))
     }
 }
 

@@ -80,6 +80,7 @@ impl Steps {
             return Err(Error::too_many(what, limit, needed));
         }
         let [at_start, jumps] = self.range();
+        // Interval i has stop 2i at its start and stop 2i + 1 at its end; one more is the jump at x = 1.
         let stop = |k: usize| {
             let (interval, place) = (k / 2, k.div_ceil(2));
             [
@@ -107,6 +108,7 @@ impl Linear {
         if passed > 0 && point(passed - 1)[0] == x {
             return point(passed - 1)[1];
         }
+        // Beyond the ends the first and the last part continue.
         let first = passed.saturating_sub(1).min(self.stops.len() - 2);
         let ([ax, ay], [bx, by]) = (point(first), point(first + 1));
         if ax == bx {

@@ -18,7 +18,7 @@ const SIGNS: [f64; 2] = [1.0, -1.0];
 
 /// The line of a link. The next link begins on it, between the point `from` and x = `to`.
 #[derive(Clone, Copy)]
-struct Line {
+struct LinkLine {
     slope: f64,
     from: Stop,
     to: f64,
@@ -49,7 +49,9 @@ pub(crate) fn approximate(run: &[Stop], mut tolerance: f64) -> Vec<Stop> {
             (tolerance, best) = (middle, lines);
         }
     }
-    let inner = best.windows(2).map(|pair| corner(&pair[0], &pair[1]));
+    let inner = best
+        .windows(2)
+        .map(|pair| meeting_point(&pair[0], &pair[1]));
     let ends = [run[0], run[run.len() - 1]];
     std::iter::once(ends[0])
         .chain(inner)
@@ -58,15 +60,17 @@ pub(crate) fn approximate(run: &[Stop], mut tolerance: f64) -> Vec<Stop> {
 }
 
 /// The lines of the fewest links, each one as long as possible.
-fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<Line> {
+fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<LinkLine> {
     let end = run.len() - 1;
     let mut lines = Vec::new();
     let mut link = new_link();
     let mut k = 0;
     while k <= end {
         let [x, y] = run[k];
+        // The polyline passes through both ends of the run.
         let is_pinned = k % end == 0;
         let points = SIGNS.map(|sign| [x, if is_pinned { y } else { y - sign * tolerance }]);
+        // No line of the link reaches the point if the slope that it needs is beyond the limit of the other boundary.
         let out_of_reach = |&side: &usize| {
             SIGNS[side] * (slope_to(&mut link, side, points[side]) - link[1 - side].slope) > 0.0
         };
@@ -78,6 +82,7 @@ fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<Line> {
         };
         let line = longest_line(&link, side, points[side], k == end);
         lines.push(line);
+        // The next link begins on this line, and k stays: its point limits the next link.
         link = next_link(&link, side, line, k < end);
     }
     // Through the last point, in the middle of the possible slopes.
@@ -87,7 +92,7 @@ fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<Line> {
         [false, true] => [slopes[1]; 2],
         _ => slopes,
     };
-    lines.push(Line {
+    lines.push(LinkLine {
         slope: 0.5 * (slopes[0] + slopes[1]),
         from: run[end],
         to: 0.0,
@@ -113,6 +118,7 @@ fn slope_to(link: &mut [Boundary; 2], side: usize, point: Stop) -> f64 {
     let Boundary {
         points, hull, done, ..
     } = &mut link[1 - side];
+    // With the sign, the limit is the largest slope for both sides.
     let slope = |[a, b]: Stop, [x, y]: Stop| (sign * (y - b)) / (x - a);
     while let Some(&next) = points.get(*done).filter(|p| p[0] < point[0]) {
         let turns_back = |a, b| slope(a, b) < slope(b, next);
@@ -149,7 +155,7 @@ fn add_point(link: &mut [Boundary; 2], side: usize, point: Stop) {
 
 /// The line that comes closest to a point that no line reaches. It ends where it leaves the boundary of this point, or at
 /// the end of the run.
-fn longest_line(link: &[Boundary; 2], side: usize, point: Stop, is_end: bool) -> Line {
+fn longest_line(link: &[Boundary; 2], side: usize, point: Stop, is_end: bool) -> LinkLine {
     let other = &link[1 - side];
     let (slope, from) = (other.slope, other.points[other.touch]);
     let points = &link[side].points;
@@ -158,11 +164,11 @@ fn longest_line(link: &[Boundary; 2], side: usize, point: Stop, is_end: bool) ->
     } else {
         crossing(slope, from, points[points.len() - 1], point)
     };
-    Line { slope, from, to }
+    LinkLine { slope, from, to }
 }
 
 /// The lines that cross a line between the point that it touches and its end.
-fn next_link(link: &[Boundary; 2], side: usize, line: Line, has_end: bool) -> [Boundary; 2] {
+fn next_link(link: &[Boundary; 2], side: usize, line: LinkLine, has_end: bool) -> [Boundary; 2] {
     let mut next = new_link();
     let other = &link[1 - side];
     for &point in &other.points[other.touch..] {
@@ -186,14 +192,15 @@ fn height_at(slope: f64, from: Stop, x: f64) -> f64 {
 }
 
 /// The point at which two consecutive lines meet.
-fn corner(line: &Line, next: &Line) -> Stop {
-    let Line { slope, from, to } = *line;
-    let turn = slope - next.slope;
-    let away = if turn == 0.0 {
+fn meeting_point(line: &LinkLine, next: &LinkLine) -> Stop {
+    let LinkLine { slope, from, to } = *line;
+    let slope_difference = slope - next.slope;
+    let away = if slope_difference == 0.0 {
         0.0
     } else {
-        (height_at(next.slope, next.from, from[0]) - from[1]) / turn
+        (height_at(next.slope, next.from, from[0]) - from[1]) / slope_difference
     };
+    // The lines meet where the next link may begin; rounding may put the intersection beyond this part of the line.
     let x = (from[0] + away.max(0.0)).min(to);
     [x, height_at(slope, from, x)]
 }

@@ -4,12 +4,12 @@ use super::EasingError;
 use crate::text::shown::{END, shown};
 
 /// The text of a timing function, read from front to back.
-pub(crate) struct Scanner<'a> {
+pub(crate) struct CssScanner<'a> {
     text: &'a str,
     pub(crate) at: usize,
 }
 
-impl<'a> Scanner<'a> {
+impl<'a> CssScanner<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
         let mut scanner = Self { text, at: 0 };
         scanner.skip(0);

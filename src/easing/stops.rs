@@ -23,6 +23,7 @@ pub(crate) fn fewest_stops([x1, y1, x2, y2]: [f64; 4], tolerance: f64, scale: f6
     let x = [0.0, 100.0 * x1, 100.0 * x2, 100.0];
     let y = [0.0, y1 / scale, y2 / scale, 1.0 / scale];
     subdivide(x, y, MAX_DEPTH, share, &mut run);
+    // The run is within one share of the curve; at least another one is left for rounding.
     let stops = approximate(&run, relative - 2.0 * share);
     rounded(run, &stops, relative - share, scale)
 }
@@ -51,6 +52,7 @@ fn reduced(run: &[Stop], relative: f64, scale: f64) -> Vec<Stop> {
     let last = result.len() - 1;
     (result[0], result[last]) = (run[0], run[run.len() - 1]);
     let candidate = in_unit(&result);
+    // The ends were set after `rounded` compared the functions.
     let is_close = is_within(&given.stops, &candidate, relative)
         && is_within(&candidate.stops, &given, relative);
     if is_close && result.len() < run.len() {

@@ -32,7 +32,7 @@ impl<P: Point> Normalized<P> {
     }
 
     /// The point with a given image.
-    pub(crate) fn back(&self, image: P) -> P {
+    pub(crate) fn inverse(&self, image: P) -> P {
         image / self.scale + self.origin
     }
 }

@@ -1,6 +1,6 @@
 //! Parsing a surface from arrays of C source code; `js/io/surface-arrays.ts` does the same with the same messages.
 
-use super::text_reader::{ParseError, number, refuse, whole};
+use super::text_reader::{ParseError, number, refuse, whole_number};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::text::shown::{END, shown};
 use casteljau_kernels::numeric::order::to_u32;
@@ -21,7 +21,7 @@ pub(super) type Arrays = (Vec<DVec3>, Vec<u32>);
 /// Parses the array of vertices and the array of patches in C source code: rows of 3 coordinates and rows of 16 vertex
 /// numbers, each row and each array in braces. Text outside of braces is skipped.
 pub(super) fn read_arrays(text: &str) -> Result<Arrays, ParseError> {
-    let mut parser = Parser {
+    let mut parser = ArrayParser {
         tokens: Tokens {
             text,
             at: 0,
@@ -42,7 +42,7 @@ pub(super) fn read_arrays(text: &str) -> Result<Arrays, ParseError> {
     parser.finish()
 }
 
-struct Parser<'a> {
+struct ArrayParser<'a> {
     tokens: Tokens<'a>,
     vertices: Vec<DVec3>,
     /// The vertex numbers of all patches.
@@ -51,7 +51,7 @@ struct Parser<'a> {
     largest: Option<(usize, Token<'a>)>,
 }
 
-impl<'a> Parser<'a> {
+impl<'a> ArrayParser<'a> {
     /// Reads an array after its opening brace.
     fn read_array(&mut self) -> Result<(), ParseError> {
         let mut width = None;
@@ -131,7 +131,7 @@ impl<'a> Parser<'a> {
             let digits = without_integer_suffix(token.word);
             let index = Some(digits)
                 .filter(|digits| !digits.is_empty())
-                .and_then(whole)
+                .and_then(whole_number)
                 .map(|index| u32::try_from(index).unwrap_or(u32::MAX) as usize) // out of range, too
                 .ok_or_else(|| self.refuse("a vertex number", Some(token)))?;
             self.min = self.min.min(index);
@@ -200,7 +200,7 @@ impl<'a> Tokens<'a> {
                 [] => return None,
                 [b'\r', b'\n', ..] => self.break_line(2),
                 [b'\r' | b'\n', ..] => self.break_line(1),
-                [b'#', ..] | [b'/', b'/', ..] => self.length_while(|byte| !is_break(byte)),
+                [b'#', ..] | [b'/', b'/', ..] => self.length_while(|byte| !is_line_break(byte)),
                 [b'/', b'*', ..] => self.comment(),
                 [byte, ..] if is_separator(*byte) => 1,
                 [b'{' | b'}' | b'/', ..] => return Some(self.token(1)),
@@ -233,7 +233,7 @@ impl<'a> Tokens<'a> {
         let length = end.map_or(rest.len(), |position| position + 4);
         let comment = &rest[..length];
         let pairs = comment.windows(2).filter(|pair| *pair == b"\r\n").count();
-        self.line += comment.iter().filter(|&&byte| is_break(byte)).count() - pairs;
+        self.line += comment.iter().filter(|&&byte| is_line_break(byte)).count() - pairs;
         length
     }
 
@@ -248,7 +248,7 @@ impl<'a> Tokens<'a> {
     }
 }
 
-fn is_break(byte: u8) -> bool {
+fn is_line_break(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
@@ -257,5 +257,5 @@ fn is_separator(byte: u8) -> bool {
 }
 
 fn is_word(byte: u8) -> bool {
-    !is_break(byte) && !is_separator(byte) && !matches!(byte, b'{' | b'}' | b'#' | b'/')
+    !is_line_break(byte) && !is_separator(byte) && !matches!(byte, b'{' | b'}' | b'#' | b'/')
 }

@@ -1,7 +1,7 @@
 //! Writing surfaces as text, and parsing them.
 
 use super::surface_arrays::read_arrays;
-use super::text_reader::{ParseError, Reader, number, refuse, whole};
+use super::text_reader::{ParseError, RowReader, number, refuse, whole_number};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::MAX_DEGREE;
 use crate::surface::network::Surface;
@@ -19,7 +19,7 @@ const NET_CHARACTERS: usize = 4 + 2 * 4;
 /// The minimum length of a patch given by points: `1 1` and four vertices. A row of 16 vertex numbers is longer.
 const PATCH_CHARACTERS: usize = 4 + 4 * VERTEX_CHARACTERS;
 /// The number of vertex numbers of a patch in the listing form.
-const LISTED: usize = 16;
+const LISTED_NUMBERS: usize = 16;
 
 impl Surface {
     /// The surface as text; [`parse`](Self::parse) reads back an equal surface, bit for bit.
@@ -91,9 +91,9 @@ impl Surface {
     /// [`ParseError`] with the line number, for a wrong count, a word that is not a finite number, a degree outside 1
     /// to 64, or a vertex that does not exist.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
-        let mut parser = Parser {
+        let mut parser = SurfaceParser {
             text,
-            reader: Reader::new(text),
+            reader: RowReader::new(text),
             // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
             characters: text.encode_utf16().count(),
             vertices: Vec::new(),
@@ -107,16 +107,16 @@ impl Surface {
 }
 
 /// The state of the surface parser.
-struct Parser<'a> {
+struct SurfaceParser<'a> {
     text: &'a str,
-    reader: Reader<'a>,
+    reader: RowReader<'a>,
     characters: usize,
     vertices: Vec<DVec3>,
     indices: Vec<u32>,
     degrees: Vec<[usize; 2]>,
 }
 
-impl Parser<'_> {
+impl SurfaceParser<'_> {
     fn read(&mut self) -> Result<(), ParseError> {
         let words = self.reader.row(1);
         if words == 1 && self.reader.last_words().first() == Some(&"surface") {
@@ -124,7 +124,7 @@ impl Parser<'_> {
         } else if self.has_arrays() {
             return self.read_arrays();
         } else {
-            let count = self.whole(0, "\"surface\" or the number of patches")?;
+            let count = self.whole_number(0, "\"surface\" or the number of patches")?;
             if words > 1 {
                 let got = format!("{words} words");
                 return Err(self.reader.refuse("the number of patches alone", got));
@@ -140,12 +140,12 @@ impl Parser<'_> {
     /// Whether the text is C source code: it has a brace, and no number of patches in its first row.
     fn has_arrays(&self) -> bool {
         let first = self.reader.last_words().first();
-        self.text.contains('{') && first.and_then(|word| whole(word)).is_none()
+        self.text.contains('{') && first.and_then(|word| whole_number(word)).is_none()
     }
 
     fn read_arrays(&mut self) -> Result<(), ParseError> {
         (self.vertices, self.indices) = read_arrays(self.text)?;
-        self.degrees = vec![[3, 3]; self.indices.len() / LISTED];
+        self.degrees = vec![[3, 3]; self.indices.len() / LISTED_NUMBERS];
         Ok(())
     }
 
@@ -171,8 +171,8 @@ impl Parser<'_> {
         if count == 0 {
             return Ok(());
         }
-        match self.reader.row(LISTED) {
-            LISTED => self.read_listing(count),
+        match self.reader.row(LISTED_NUMBERS) {
+            LISTED_NUMBERS => self.read_listing(count),
             2 => self.read_points(count),
             0 => Err(self.reader.refuse("2 degrees or 16 vertex numbers", END)),
             got => Err(self.reader.refuse("2 degrees or 16 vertex numbers", got)),
@@ -208,10 +208,10 @@ impl Parser<'_> {
         let (mut largest, mut line, mut word) = (0, 0, "");
         for patch in 0..count {
             if patch > 0 {
-                self.reader.words(LISTED, "vertex numbers")?;
+                self.reader.words(LISTED_NUMBERS, "vertex numbers")?;
             }
             for word_index in self.read_indices(1, usize::MAX)? {
-                let index = self.indices[self.indices.len() - LISTED + word_index];
+                let index = self.indices[self.indices.len() - LISTED_NUMBERS + word_index];
                 if index >= largest {
                     (largest, line) = (index, self.reader.line());
                     word = self.reader.last_words()[word_index];
@@ -220,7 +220,7 @@ impl Parser<'_> {
             self.degrees.push([3, 3]);
         }
         self.reader.words(1, "number of vertices")?;
-        let count = self.whole(0, "the number of vertices")?;
+        let count = self.whole_number(0, "the number of vertices")?;
         self.check_count(count, "vertices", 0, VERTEX_CHARACTERS)?;
         self.read_vertices(count)?;
         if largest as usize >= count {
@@ -235,7 +235,7 @@ impl Parser<'_> {
         if self.reader.row(2) != 2 || self.reader.last_words().first() != Some(&name) {
             return Err(self.refuse(0, expected));
         }
-        let count = self.whole(1, expected)?;
+        let count = self.whole_number(1, expected)?;
         self.check_count(count, name, 1, min)?;
         Ok(count)
     }
@@ -286,7 +286,7 @@ impl Parser<'_> {
         let mut degrees = [0; 2];
         for (word_index, degree) in degrees.iter_mut().enumerate() {
             let expected = "a degree from 1 to 64";
-            *degree = self.whole(word_index, expected)?;
+            *degree = self.whole_number(word_index, expected)?;
             if !(1..=MAX_DEGREE).contains(degree) {
                 return Err(self.refuse(word_index, expected));
             }
@@ -299,7 +299,7 @@ impl Parser<'_> {
     fn read_indices(&mut self, first: usize, count: usize) -> Result<Range<usize>, ParseError> {
         let word_range = 0..self.reader.last_words().len();
         for word_index in word_range.clone() {
-            let number = self.whole(word_index, "a vertex number")?;
+            let number = self.whole_number(word_index, "a vertex number")?;
             match number.checked_sub(first) {
                 // A number above the range of u32 cannot occur: that many vertices exceed the memory.
                 Some(index) if index < count => {
@@ -312,9 +312,13 @@ impl Parser<'_> {
     }
 
     /// The whole number at a position in the current row.
-    fn whole(&self, word_index: usize, expected: impl Into<String>) -> Result<usize, ParseError> {
+    fn whole_number(
+        &self,
+        word_index: usize,
+        expected: impl Into<String>,
+    ) -> Result<usize, ParseError> {
         let word = self.reader.last_words().get(word_index);
-        let number = word.and_then(|word| whole(word));
+        let number = word.and_then(|word| whole_number(word));
         number.ok_or_else(|| self.refuse(word_index, expected))
     }
 

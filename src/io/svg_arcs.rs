@@ -12,7 +12,7 @@ use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 
 /// Vectors are parallel, and ellipses equal, up to this ratio. Whether a run is an arc is decided afterwards.
-const SIMILAR: f64 = 1e-9;
+const MAX_ELLIPSE_DIFFERENCE: f64 = 1e-9;
 
 /// tan²(θ/4) is between these values: from a small angle, above which an arc is not a line, to more than a quarter turn.
 const SQUARES: std::ops::Range<f64> = 1e-9..0.18;
@@ -55,7 +55,7 @@ impl<'a> Run<'a> {
         let (center, u, v, square) = ellipse_of(first)?;
         let turn = (TAU / cubic_angle(square)).ceil().min(MAX_CUBICS);
         let largest = |p: DVec2| p.x.abs().max(p.y.abs());
-        let near = SIMILAR * largest(u).max(largest(v)).max(largest(center));
+        let near = MAX_ELLIPSE_DIFFERENCE * largest(u).max(largest(v)).max(largest(center));
         let mut cubics = vec![first];
         let mut end = first[3];
         for next in segments {
@@ -179,9 +179,9 @@ impl<'a> Run<'a> {
         let h = (half * half + b * b).sqrt();
         let first = (0.5 * sum + h).sqrt();
         let second = area.abs() / first;
-        let (radii, degrees) = if h <= SIMILAR * sum {
+        let (radii, degrees) = if h <= MAX_ELLIPSE_DIFFERENCE * sum {
             (DVec2::splat((0.5 * sum).sqrt()), 0.0)
-        } else if b.abs() <= SIMILAR * sum {
+        } else if b.abs() <= MAX_ELLIPSE_DIFFERENCE * sum {
             let radii = if half > 0.0 {
                 DVec2::new(first, second)
             } else {
@@ -202,7 +202,7 @@ impl<'a> Run<'a> {
             to: self.end(),
             radii,
             degrees,
-            large: beyond < -SIMILAR * area.abs(),
+            large: beyond < -MAX_ELLIPSE_DIFFERENCE * area.abs(),
             sweep,
         }
     }
@@ -218,7 +218,7 @@ fn ellipse_of(points: &[DVec2]) -> Option<(DVec2, DVec2, DVec2, f64)> {
     let dot = chord.x * sum.x + chord.y * sum.y;
     let cross = chord.x * sum.y - chord.y * sum.x;
     let q = 1.0 - 1.5 * (sum.x * sum.x + sum.y * sum.y) / dot;
-    if !(cross.abs() <= SIMILAR * dot && SQUARES.contains(&q)) {
+    if !(cross.abs() <= MAX_ELLIPSE_DIFFERENCE * dot && SQUARES.contains(&q)) {
         return None;
     }
     let w = (1.0 + q) * (1.0 + q);

@@ -9,12 +9,12 @@ pub(crate) struct Refusal {
 }
 
 /// A scanner of SVG path data.
-pub(crate) struct Scanner<'a> {
+pub(crate) struct SvgScanner<'a> {
     text: &'a str,
     pub(crate) at: usize,
 }
 
-impl<'a> Scanner<'a> {
+impl<'a> SvgScanner<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
         Self { text, at: 0 }
     }

@@ -1,7 +1,7 @@
 //! Parsing SVG path data.
 
 use super::svg_error::SvgError;
-use super::svg_number::{Refusal, Scanner};
+use super::svg_number::{Refusal, SvgScanner};
 use crate::geometry::check::is_within_limit;
 use crate::path::Path;
 use crate::path::arc::Arc;
@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::str::FromStr;
 
 /// The number of arguments of a command; the arc is handled separately.
-fn arguments(command: u8) -> Option<usize> {
+fn argument_count(command: u8) -> Option<usize> {
     match command {
         b'Z' => Some(0),
         b'H' | b'V' => Some(1),
@@ -85,12 +85,13 @@ impl FromStr for Path {
 
 /// Parses path data with an empty builder.
 fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
-    let mut scanner = Scanner::new(d);
-    let mut reader = Reader {
+    let mut scanner = SvgScanner::new(d);
+    let mut reader = PathReader {
         builder,
         cubic: None,
         quadratic: None,
     };
+    // The property d has the value `none` for an empty path (SVG 2, §9.3.2).
     let is_blank = [' ', '\t', '\n', '\x0c', '\r'];
     let result = if d.trim_matches(is_blank) == "none" {
         Ok(())
@@ -109,13 +110,14 @@ fn read_path(d: &str, builder: PathBuilder) -> Result<Path, SvgError> {
     }
 }
 
-fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
+fn read(scanner: &mut SvgScanner<'_>, reader: &mut PathReader) -> Result<(), Refusal> {
     scanner.skip_blanks();
     let mut expected = "\"M\" or \"m\"";
     while !scanner.at_end() {
         let command = scanner.peek();
+        // A path starts with a moveto.
         let first = expected != "a command";
-        let count = arguments(command.to_ascii_uppercase())
+        let count = argument_count(command.to_ascii_uppercase())
             .filter(|_| !first || command.eq_ignore_ascii_case(&b'M'));
         let Some(count) = count else {
             return Err(Refusal {
@@ -137,8 +139,8 @@ fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
 
 /// Reads one or more groups of arguments of a command.
 fn read_groups(
-    scanner: &mut Scanner<'_>,
-    reader: &mut Reader,
+    scanner: &mut SvgScanner<'_>,
+    reader: &mut PathReader,
     mut command: u8,
     count: usize,
 ) -> Result<(), Refusal> {
@@ -149,6 +151,7 @@ fn read_groups(
             if k > 0 {
                 scanner.skip_separator();
             }
+            // The two flags of an arc are one character each, and need no separator: "011 1" are 0, 1, 1 and 1.
             let flag = count == 7 && (k == 3 || k == 4);
             *number = if flag {
                 f64::from(u8::from(scanner.flag()?))
@@ -162,6 +165,7 @@ fn read_groups(
                 expected: "coordinates from -2^500 to 2^500",
             });
         }
+        // After a comma there have to be further arguments, without one there may be.
         let comma = scanner.skip_separator();
         if !comma && !scanner.at_number() {
             return Ok(());
@@ -176,14 +180,14 @@ fn read_groups(
 }
 
 /// The state of the parser: the path so far, and the points that later commands refer to.
-struct Reader {
+struct PathReader {
     builder: PathBuilder,
     /// The last control point of the previous command if it was a cubic (for S) or a quadratic (for T).
     cubic: Option<DVec2>,
     quadratic: Option<DVec2>,
 }
 
-impl Reader {
+impl PathReader {
     /// Adds one command with its numbers. Returns false if a coordinate exceeds the limit.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
         let from = self.builder.current_point();
@@ -193,16 +197,17 @@ impl Reader {
             DVec2::splat(-0.0) // the neutral element of addition, also for −0
         };
         let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
-        let mirrored = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
+        // Without a curve of the same kind before it, S or T starts with a handle at the current point.
+        let reflected = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
         match command.to_ascii_uppercase() {
             b'M' => self.move_to(point(0)),
             b'L' => self.segment(&[point(0)]),
             b'H' => self.segment(&[DVec2::new(base.x + n[0], from.y)]),
             b'V' => self.segment(&[DVec2::new(from.x, base.y + n[0])]),
             b'C' => self.segment(&[point(0), point(2), point(4)]),
-            b'S' => self.segment(&[mirrored(self.cubic), point(0), point(2)]),
+            b'S' => self.segment(&[reflected(self.cubic), point(0), point(2)]),
             b'Q' => self.segment(&[point(0), point(2)]),
-            b'T' => self.segment(&[mirrored(self.quadratic), point(0)]),
+            b'T' => self.segment(&[reflected(self.quadratic), point(0)]),
             _ => self.arc(n, point(5)),
         }
     }

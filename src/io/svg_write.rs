@@ -120,6 +120,7 @@ impl Path {
         let mut writer = Writer::new(precision);
         for part in self.parts() {
             writer.move_to(part.points[0]);
+            // The start of a last line; the points of a closed subpath end with its start.
             let last = part.points.len() - 2;
             // `Z` draws this line. It is also omitted if it is the only segment, even with length 0.
             let closing = part.closed
@@ -128,6 +129,7 @@ impl Path {
             let count = part.segment_count() - usize::from(closing);
             let mut k = 0;
             while k < count {
+                // The longest run of cubics on one ellipse; where it is no arc as a whole, its first half is tried.
                 let run = arcs.then(|| Run::of((k..count).map(|k| part.segment(k))));
                 if let Some(written) = run.flatten().and_then(|run| writer.arc_of(run)) {
                     k += written;
@@ -391,10 +393,11 @@ impl Writer {
         }
         self.implied = if command == 'M' { 'L' } else { command };
         for word in words {
-            let apart = word.starts_with('-')
+            // A number ends before a sign, and before a point if it has one already or an exponent: "1-2", "1.5.5".
+            let is_separate = word.starts_with('-')
                 || (word.starts_with('.') && self.last.contains(['.', 'e']))
                 || self.last.is_empty();
-            if !apart {
+            if !is_separate {
                 self.text.push(' ');
             }
             self.text.push_str(word);
@@ -432,10 +435,12 @@ fn fixed(x: f64, digits: u8) -> String {
     }
     let (size, half) = (x.abs(), 2_f64.powi(-i32::from(digits) - 1));
     let digits = usize::from(digits);
-    // Ties: Rust rounds to even, JavaScript's `toFixed` away from zero.
+    // Ties: Rust rounds to even, JavaScript's `toFixed` away from zero. An f64 is in the middle of two decimals with d
+    // digits exactly if it is m 2⁻ᵈ⁻¹ for an odd m, because 10ᵈ times this is m 5ᵈ / 2. It has d + 1 digits, the last
+    // of them 5.
     let tie = size / half % 2.0 == 1.0;
     let mut word = if tie {
-        without_five(format!("{size:.*}", digits + 1))
+        rounded_up(format!("{size:.*}", digits + 1))
     } else {
         format!("{size:.digits$}")
     };
@@ -452,7 +457,7 @@ fn fixed(x: f64, digits: u8) -> String {
 }
 
 /// A positive number whose last digit 5 is removed, rounded up.
-fn without_five(mut word: String) -> String {
+fn rounded_up(mut word: String) -> String {
     word.pop();
     let mut digits = word.trim_end_matches('.').to_owned().into_bytes();
     for digit in digits.iter_mut().rev() {

@@ -50,7 +50,7 @@ impl From<ParseError> for Error {
 ///
 /// Spaces, tabs and commas separate words; `#` starts a comment up to the end of the line; lines end with a line feed,
 /// a carriage return or both. Lines without words are counted but skipped. `js/io/surface-text.ts` reads the same format.
-pub(crate) struct Reader<'a> {
+pub(crate) struct RowReader<'a> {
     text: &'a str,
     at: usize,
     line: usize,
@@ -58,7 +58,7 @@ pub(crate) struct Reader<'a> {
     words: Vec<&'a str>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> RowReader<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
         Self {
             text: text.strip_prefix('\u{feff}').unwrap_or(text),
@@ -116,14 +116,16 @@ impl<'a> Reader<'a> {
     fn find_word(&mut self) -> bool {
         self.skip(is_blank);
         if self.rest().first() == Some(&b'#') {
-            self.skip(|byte| !is_break(byte));
+            self.skip(|byte| !is_line_break(byte));
         }
-        self.rest().first().is_some_and(|&byte| !is_break(byte))
+        self.rest()
+            .first()
+            .is_some_and(|&byte| !is_line_break(byte))
     }
 
     fn word(&mut self) -> &'a str {
         let from = self.at;
-        self.skip(|byte| !is_blank(byte) && !is_break(byte) && byte != b'#');
+        self.skip(|byte| !is_blank(byte) && !is_line_break(byte) && byte != b'#');
         // Both ends are at ASCII characters or at the ends of the text, so the slice is valid.
         self.text.get(from..self.at).unwrap_or_default()
     }
@@ -154,7 +156,7 @@ fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b',' | 0x0b | 0x0c)
 }
 
-fn is_break(byte: u8) -> bool {
+fn is_line_break(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
@@ -174,7 +176,7 @@ pub(crate) fn number(word: &str) -> Option<f64> {
 }
 
 /// Parses a whole number; saturates at the maximum.
-pub(crate) fn whole(word: &str) -> Option<usize> {
+pub(crate) fn whole_number(word: &str) -> Option<usize> {
     let digits = word.bytes().all(|byte| byte.is_ascii_digit());
     digits.then(|| word.parse().unwrap_or(usize::MAX))
 }

@@ -108,6 +108,8 @@ impl Surface {
         let total = AtomicUsize::new(0);
         let mut ends = Vec::with_capacity(patches.len());
         for batch in patches.chunks(PATCHES_AT_ONCE) {
+            // Each part may have as many cells as all parts together; the sum is checked before each part and after the
+            // batch.
             let empty = &*subdivider;
             let parts = map_patches(batch.len(), |k| {
                 if total.load(Relaxed) > empty.limit {
@@ -141,7 +143,8 @@ impl Surface {
         if subdivider.expected > limit {
             return Err(subdivider.too_many());
         }
-        // Halvings do not end exactly at the tolerance, so there will be more cells than the minimum.
+        // Halvings do not end exactly at the tolerance, so there will be more cells than the minimum. `expected_max`
+        // falls with the depth, because the second derivatives have smaller maxima on smaller pieces.
         let mut before = f64::INFINITY;
         for depth in CLOSE_FORECAST_DEPTHS {
             if subdivider.expected_max <= limit {
@@ -186,7 +189,8 @@ impl Surface {
             return Err(Error::too_many("triangles", 2 * MAX_CELLS, 2 * count));
         }
         let (segments_u, segments_v) = (to_u32(grid.segments_u), to_u32(grid.segments_v));
-        // This does not overflow u32, since the number of vertices of the grid is limited.
+        // The least common multiple, of which both numbers are factors. It does not overflow u32, since the number of
+        // vertices of the grid is limited.
         let full = segments_u / divisor(segments_u, segments_v) * segments_v;
         let (du, dv) = (full / segments_u, full / segments_v);
         let grid_cells = || {

@@ -71,7 +71,7 @@ impl Surface {
         let max_leaves = LEAVES_PER_PATCH
             .saturating_mul(self.patch_count())
             .saturating_add(FURTHER_LEAVES);
-        let mut pieces = Pieces {
+        let mut pieces = FlatSplitter {
             patch: 0,
             tolerance,
             max_leaves,
@@ -85,7 +85,7 @@ impl Surface {
                 break;
             }
         }
-        let Pieces { leaves, work, .. } = pieces;
+        let FlatSplitter { leaves, work, .. } = pieces;
         if leaves.len() > max_leaves {
             return Err(Error::too_many("leaves", max_leaves, leaves.len()));
         }
@@ -95,7 +95,7 @@ impl Surface {
 }
 
 /// The leaves found so far.
-struct Pieces {
+struct FlatSplitter {
     /// The index of the patch that is being split.
     patch: usize,
     tolerance: f64,
@@ -104,7 +104,7 @@ struct Pieces {
     work: WorkLimit,
 }
 
-impl Pieces {
+impl FlatSplitter {
     /// Adds the leaves of one piece; returns `false` as soon as there are too many or the work limit is exceeded. The
     /// recursion depth is limited by the parameters: about 52 halvings, after which a piece is a point.
     fn split(&mut self, piece: &Patch, [u0, u1, v0, v1]: [f64; 4]) -> bool {

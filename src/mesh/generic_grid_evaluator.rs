@@ -24,14 +24,14 @@ pub(crate) struct GenericGridEvaluator {
     grid: Grid,
     method: GridMethod,
     /// Weights along u and along v, each for the degree and for the degree of the derivative.
-    u: [Weights; 2],
-    v: [Weights; 2],
+    u: [GridWeights; 2],
+    v: [GridWeights; 2],
     row: Row,
 }
 
 /// The Bernstein weights of one degree at k/n for k = 0 … n: `degree` + 1 weights for each k.
 #[derive(Default)]
-struct Weights {
+struct GridWeights {
     degree: usize,
     values: Vec<f64>,
 }
@@ -153,16 +153,16 @@ fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
 }
 
 /// Recomputes the weights of a degree and of the degree below if the degree has changed.
-fn prepare(pair: &mut [Weights; 2], degree: usize, segments: usize) {
+fn prepare(pair: &mut [GridWeights; 2], degree: usize, segments: usize) {
     if pair[0].degree != degree {
-        *pair = [degree, degree - 1].map(|degree| Weights {
+        *pair = [degree, degree - 1].map(|degree| GridWeights {
             degree,
             values: weights(degree, segments),
         });
     }
 }
 
-impl Weights {
+impl GridWeights {
     /// Blends the rows of a net at sample k: one point per column, summed in the same order as in [`blend`].
     fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
         let weights = &self.values[k * (self.degree + 1)..][..=self.degree];

@@ -26,7 +26,7 @@ const INNER_PARTS: u32 = 8;
 
 /// A node as part of one patch.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Corner {
+pub(crate) struct MeshCorner {
     pub(crate) node: u32,
     pub(crate) u: f64,
     pub(crate) v: f64,
@@ -45,7 +45,7 @@ pub(crate) struct PatchEnd {
 pub(crate) struct StitchedMesh {
     /// The position of each node.
     pub(crate) nodes: Vec<DVec3>,
-    pub(crate) corners: Vec<Corner>,
+    pub(crate) corners: Vec<MeshCorner>,
     /// The indices of three corners for each triangle.
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) ends: Vec<PatchEnd>,
@@ -134,7 +134,7 @@ impl<'a> Stitcher<'a> {
                 Some(node) => node,
                 None => self.add_node(point),
             };
-            self.out.corners.push(Corner {
+            self.out.corners.push(MeshCorner {
                 node,
                 u: at_u,
                 v: at_v,
@@ -227,7 +227,7 @@ impl<'a> Stitcher<'a> {
         triangulator: &CellTriangulator,
         sampler: &mut Sampler,
         points: &[[f64; 3]],
-    ) -> Option<Corner> {
+    ) -> Option<MeshCorner> {
         if cell.du.min(cell.dv) < INNER_PARTS {
             return None;
         }
@@ -239,7 +239,7 @@ impl<'a> Stitcher<'a> {
             let is_new = triangulator
                 .outline()
                 .all(|k| points[k as usize] != rounded);
-            is_new.then(|| Corner {
+            is_new.then(|| MeshCorner {
                 node: self.add_node(point),
                 u,
                 v,
@@ -304,7 +304,7 @@ fn append(whole: &mut Stitcher, part: Stitcher, shared: usize) {
     out.corners.extend(part.out.corners.iter().map(|corner| {
         // The nodes on shared edges have the same numbers in all parts.
         let own = (corner.node as usize).checked_sub(shared);
-        Corner {
+        MeshCorner {
             node: own.map_or(corner.node, |own| nodes[own]),
             ..*corner
         }

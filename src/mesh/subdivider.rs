@@ -36,7 +36,7 @@ const MAX_VECTORS: usize = 1 << 31;
 /// A piece that may be too large, with bounds on its second derivatives uu, uv and vv per unit of the patch's
 /// parameters.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct PatchPiece {
     cell: Cell,
     /// The cell's size in the patch's parameters, along u and v.
     lengths: [f64; 2],
@@ -71,7 +71,8 @@ impl AdaptiveSubdivider<'_> {
     /// [`Error::TooMany`] above the limit.
     pub(crate) fn cut(&mut self, net: &[DVec3], columns: usize) -> Result<(), Error> {
         self.start(net, columns);
-        let mut pieces = vec![Piece {
+        // Depth first. `second_differences` is a stack, too: its top belongs to the piece on top of `pieces`.
+        let mut pieces = vec![PatchPiece {
             cell: Cell {
                 u: 0,
                 v: 0,
@@ -82,13 +83,14 @@ impl AdaptiveSubdivider<'_> {
             depth: 0,
             second_derivatives: self.second_derivatives(0),
         }];
-        let closed = closed(net, columns);
+        let closed_directions = closed_directions(net, columns);
         let mut tolerance = self.tolerance();
         while let Some(piece) = pieces.pop() {
             if self.detail.depends_on_position() {
                 tolerance = self.tolerance();
             }
-            let distance = bound(piece.lengths, piece.second_derivatives);
+            let distance = distance_bound(piece.lengths, piece.second_derivatives);
+            // A forecast counts the cells that the piece may need, without cutting it further.
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
                 self.expected_max += piece.halved_cells(tolerance);
@@ -98,11 +100,12 @@ impl AdaptiveSubdivider<'_> {
             if self.cells.len() >= self.limit {
                 return Err(self.too_many());
             }
-            let must = piece.cell_closes(closed);
+            // Around a tube the piece is cut even if its triangles would be near enough.
+            let closed_direction = piece.closed_direction(closed_directions);
             let along_u = if distance > tolerance {
                 piece.longer_along_u()
             } else {
-                must
+                closed_direction
             };
             let Some(along_u) = along_u else {
                 self.add(piece.cell);
@@ -110,10 +113,12 @@ impl AdaptiveSubdivider<'_> {
                 continue;
             };
             self.second_differences.halve(along_u);
+            // The larger of the bounds on both halves is a tighter bound for the piece, which may then need no cut.
             let bounds_of_halves = [self.second_derivatives(1), self.second_derivatives(0)];
             let closer = [0, 1, 2].map(|k| larger(bounds_of_halves[0][k], bounds_of_halves[1][k]));
-            if must.is_none() && bound(piece.lengths, closer) <= tolerance {
+            if closed_direction.is_none() && distance_bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
+                // Those of both halves.
                 self.second_differences.pop();
                 self.second_differences.pop();
             } else {
@@ -135,6 +140,7 @@ impl AdaptiveSubdivider<'_> {
 
     /// Pushes the second derivatives of a patch, as Bézier nets, onto the empty stack.
     fn start(&mut self, net: &[DVec3], columns: usize) {
+        // The second differences are f32, so they are those of the net scaled to a size of 1.
         self.size = max_abs(net).max(f64::MIN_POSITIVE);
         let (m, n) = (columns - 1, net.len() / columns - 1);
         let (a, b) = (m as f64, n as f64);
@@ -219,7 +225,7 @@ impl AdaptiveSubdivider<'_> {
     }
 }
 
-impl Piece {
+impl PatchPiece {
     /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
     /// both are equal. `None` if the parameters cannot be halved again.
     fn longer_along_u(&self) -> Option<bool> {
@@ -243,6 +249,7 @@ impl Piece {
         let [h, k] = self.lengths;
         let [uu, uv, vv] = self.second_derivatives;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
+        // a/i² + c/j² ≥ 2√(ac)/(i·j), the arithmetic and the geometric mean; and i·j ≥ i ≥ √(a/tolerance).
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
         both.max((a.max(c) / tolerance).sqrt()).max(1.0)
     }
@@ -251,7 +258,7 @@ impl Piece {
     /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while bound(self.lengths, self.second_derivatives) > tolerance {
+        while distance_bound(self.lengths, self.second_derivatives) > tolerance {
             let Some(along_u) = self.longer_along_u() else {
                 break;
             };
@@ -262,7 +269,7 @@ impl Piece {
     }
 
     /// The closed direction, if any, in which the piece still covers the full range of the parameter.
-    fn cell_closes(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
+    fn closed_direction(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
         match (
             along_u && self.cell.du == DYADIC,
             along_v && self.cell.dv == DYADIC,
@@ -305,8 +312,9 @@ pub(crate) fn cell_limit(degree_u: usize, degree_v: usize) -> usize {
 
 /// Whether a patch is closed (starts and ends at the same point) along u, and along v. A single piece of such a tube,
 /// however thin, would have only triangles with two coincident corners, and nothing would represent it.
-fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
+fn closed_directions(net: &[DVec3], columns: usize) -> [bool; 2] {
     let (last, end) = (net.len() - columns, net.len());
+    // A boundary whose control points all coincide is a pole, not a ring.
     let ring = |from: usize, to: usize, step: usize| {
         let mut inside = (from..to).step_by(step);
         net[from] == net[to] && inside.any(|k| net[k] != net[from])
@@ -318,6 +326,6 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
 }
 
 /// The maximum distance of flat triangles over a cell with these lengths.
-fn bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
+fn distance_bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
     (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
 }

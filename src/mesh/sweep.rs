@@ -9,7 +9,7 @@ use glam::DVec3;
 const TURN: f64 = std::f64::consts::TAU;
 
 /// The cross-section that is swept along the line.
-pub(crate) struct Section {
+pub(crate) struct CrossSection {
     /// The radius of a tube, half the width of a ribbon.
     half: f64,
     /// The corners of a tube's cross-section as (cos φ, sin φ); none for a ribbon.
@@ -28,7 +28,7 @@ pub(crate) struct SweepFrame {
     pub(crate) side: DVec3,
 }
 
-impl Section {
+impl CrossSection {
     pub(crate) fn ribbon(width: f64) -> Self {
         Self {
             half: 0.5 * width,
@@ -39,9 +39,10 @@ impl Section {
 
     /// A tube with hemispheres at its ends; the rings of a hemisphere are about as far apart as the corners.
     pub(crate) fn tube(radius: f64, sides: usize) -> Self {
+        // A quarter of the sides, rounded.
         let steps = ((sides + 2) / 4).max(1);
         let mut corners = Vec::with_capacity(sides);
-        let [step_c, step_s] = turned(TURN / as_f64(sides));
+        let [step_c, step_s] = cos_sin(TURN / as_f64(sides));
         let mut corner = [1.0, 0.0];
         for _ in 0..sides {
             corners.push(corner);
@@ -52,13 +53,14 @@ impl Section {
             half: radius,
             corners,
             rings: (1..steps)
-                .map(|ring| turned(0.25 * TURN * ratio(ring, steps)))
+                .map(|ring| cos_sin(0.25 * TURN * ratio(ring, steps)))
                 .collect(),
         }
     }
 
     /// The number of vertices of a line with one sample.
     pub(crate) fn min_vertices(&self) -> usize {
+        // The last two vertices are the poles of a tube, or the second row without which a ribbon has no faces.
         let rings = 1 + 2 * self.rings.len();
         self.columns() * rings + 2
     }
@@ -75,12 +77,13 @@ impl Section {
 
 /// (cos φ, sin φ) of an angle up to a third of a turn, accurate to the last digits, from the power series of e to the
 /// power iφ. The functions of the standard library would take a hundredth of the wasm module.
-pub(crate) fn turned(angle: f64) -> [f64; 2] {
+pub(crate) fn cos_sin(angle: f64) -> [f64; 2] {
     let mut sum = [1.0, 0.0];
     let mut term = 1.0;
     // (2π / 3) to the 27th over 27! is below 2⁻⁶⁴.
     for k in 1..=27 {
         term *= angle / f64::from(k);
+        // iᵏ is real for even k, and its sign changes with every second k.
         let sign = if k / 2 % 2 == 1 { -1.0 } else { 1.0 };
         sum[usize::from(k % 2 == 1)] += sign * term;
     }
@@ -99,7 +102,7 @@ enum PreviousRow {
 
 /// The vertices and faces of a section that is swept along lines.
 pub(crate) struct Sweep<'a> {
-    section: &'a Section,
+    section: &'a CrossSection,
     /// Whether vertices and faces are written; otherwise vertices are only counted.
     writes: bool,
     pub(crate) vertices: u32,
@@ -112,7 +115,7 @@ pub(crate) struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     /// A sweep that only counts vertices.
-    pub(crate) fn new(section: &'a Section) -> Self {
+    pub(crate) fn new(section: &'a CrossSection) -> Self {
         Self {
             section,
             writes: false,
@@ -126,7 +129,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// A sweep that writes this number of vertices.
-    pub(crate) fn writing(section: &'a Section, vertices: usize) -> Self {
+    pub(crate) fn writing(section: &'a CrossSection, vertices: usize) -> Self {
         Self {
             writes: true,
             positions: Vec::with_capacity(3 * vertices),
@@ -146,6 +149,7 @@ impl<'a> Sweep<'a> {
         self.row = PreviousRow::Nothing;
         self.start = self.vertices;
         if self.section.is_tube() {
+            // From the pole to the line: the elevations of the rings in descending order.
             self.pole(frame, -1.0);
             for &[c, s] in self.section.rings.iter().rev() {
                 self.ring(frame, [c, -s]);
@@ -180,6 +184,7 @@ impl<'a> Sweep<'a> {
         let first = self.vertices;
         let across = frame.along.cross(frame.side);
         if self.section.is_tube() {
+            // Points of the sphere around the sample: c is the radius of its circle across the line, s the height.
             for &[x, y] in &self.section.corners {
                 let normal = (frame.side * x + across * y) * c + frame.along * s;
                 self.vertex(frame.point + normal * self.section.half, normal);
@@ -218,6 +223,7 @@ impl<'a> Sweep<'a> {
             let [here, beside] = [k, (k + 1) % columns].map(to_u32);
             match (before, next) {
                 (PreviousRow::Ring(a), PreviousRow::Ring(b)) => {
+                    // A quadrilateral with p and q on the previous row, r and s on this one.
                     let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];
                     self.indices.extend([p, q, r, p, r, s]);
                 }

@@ -1,7 +1,7 @@
 //! Samples and frames along the isocurves of a surface, for tubes and ribbons.
 
 use super::isocurves::Isocurve;
-use super::sweep::{Sweep, SweepFrame, turned};
+use super::sweep::{Sweep, SweepFrame, cos_sin};
 use super::wire::Wire;
 use crate::curve::carried_frame::double_reflection;
 use crate::geometry::check::max_abs;
@@ -22,7 +22,7 @@ const MIN_ULPS: f64 = 4.0;
 pub(crate) struct Tracer {
     tolerance: f64,
     /// The cosine of the largest angle between the tangents at two successive samples.
-    turn: f64,
+    max_turn_cosine: f64,
     ribbon: bool,
 }
 
@@ -52,8 +52,9 @@ impl Tracer {
                 got: size + got,
             });
         }
+        // The sides of a tube are (1 − cos π/n) radii from its circle; the line may deviate by as much from the curve.
         // 1 − cos 2α = 2 sin² α, without cancellation.
-        let [_, sine] = turned(0.5 * PI / as_f64(sides));
+        let [_, sine] = cos_sin(0.5 * PI / as_f64(sides));
         let share = radii * 2.0 * sine * sine;
         let min = MIN_ULPS * f64::from(f32::EPSILON) * size / share;
         if got < min {
@@ -61,23 +62,28 @@ impl Tracer {
         }
         Ok(Self {
             tolerance: got * share,
-            turn: turned(2.0 * PI / as_f64(sides))[0],
+            max_turn_cosine: cos_sin(2.0 * PI / as_f64(sides))[0],
             ribbon: matches!(wire, Wire::Ribbon { .. }),
         })
     }
 
     /// Sweeps the section along one line.
-    pub(crate) fn follow(&self, line: &Isocurve<'_>, sweep: &mut Sweep<'_>) -> Result<(), Error> {
+    pub(crate) fn sweep_line(
+        &self,
+        line: &Isocurve<'_>,
+        sweep: &mut Sweep<'_>,
+    ) -> Result<(), Error> {
+        // Only a curve that is a point has no tangent.
         if line.curve.tangent(0.0) == DVec3::ZERO {
             return Ok(());
         }
         let polyline = line.curve.flatten(self.tolerance)?;
         let mut before: Option<(LineSample, SweepFrame)> = None;
         for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
-            let sample = self.look(line, t, point);
+            let sample = self.sample_at(line, t, point);
             before = Some(match before {
                 None => self.start(sample, sweep),
-                Some(from) => self.advance(line, from, sample, sweep),
+                Some(from) => self.sweep_to(line, from, sample, sweep),
             });
         }
         if let Some((_, frame)) = before {
@@ -86,7 +92,7 @@ impl Tracer {
         Ok(())
     }
 
-    fn look(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> LineSample {
+    fn sample_at(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> LineSample {
         let (u, v) = if line.constant_u {
             (line.at, t)
         } else {
@@ -111,18 +117,19 @@ impl Tracer {
     }
 
     /// Advances to the next sample, with intermediate samples as the largest angle requires.
-    fn advance(
+    fn sweep_to(
         &self,
         line: &Isocurve<'_>,
         (from, before): (LineSample, SweepFrame),
         to: LineSample,
         sweep: &mut Sweep<'_>,
     ) -> (LineSample, SweepFrame) {
-        let straight =
-            |a: DVec3, b: DVec3| a.dot(b) >= self.turn || a == DVec3::ZERO || b == DVec3::ZERO;
+        let straight = |a: DVec3, b: DVec3| {
+            a.dot(b) >= self.max_turn_cosine || a == DVec3::ZERO || b == DVec3::ZERO
+        };
         if straight(from.along, to.along) && straight(from.normal, to.normal) {
             let side = if to.normal == DVec3::ZERO {
-                carried(&before, &to)
+                transported(&before, &to)
             } else {
                 to.normal
             };
@@ -133,13 +140,13 @@ impl Tracer {
         let middle = 0.5 * (from.t + to.t);
         let close = Point::norm(to.point - from.point) <= self.tolerance;
         if close || middle <= from.t || middle >= to.t {
-            // The line has a corner here.
+            // The line has a corner here: the tube ends, and another one begins.
             sweep.end(&before);
             return self.start(to, sweep);
         }
-        let middle = self.look(line, middle, line.curve.eval(middle));
-        let half = self.advance(line, (from, before), middle, sweep);
-        self.advance(line, half, to, sweep)
+        let middle = self.sample_at(line, middle, line.curve.eval(middle));
+        let half = self.sweep_to(line, (from, before), middle, sweep);
+        self.sweep_to(line, half, to, sweep)
     }
 }
 
@@ -148,6 +155,8 @@ fn frame(sample: &LineSample, side: DVec3) -> SweepFrame {
     let LineSample { point, along, .. } = *sample;
     let mut side = DVec3::normal_of(along, side);
     if side == DVec3::ZERO {
+        // The given direction is zero or parallel to the tangent; an axis at an angle of at least 30° to the tangent is
+        // neither.
         let axis = if along.x.abs() < 0.5 {
             DVec3::X
         } else {
@@ -159,6 +168,6 @@ fn frame(sample: &LineSample, side: DVec3) -> SweepFrame {
 }
 
 /// The side direction of a frame, transported to the next sample without rotation about the line.
-fn carried(from: &SweepFrame, to: &LineSample) -> DVec3 {
+fn transported(from: &SweepFrame, to: &LineSample) -> DVec3 {
     double_reflection(from.side, [from.along, to.along], to.point - from.point)
 }

@@ -19,7 +19,7 @@ const MAX_COMPARED: usize = 256;
 const NONE: u32 = u32::MAX;
 
 /// A vertex: a node and its normal.
-struct Vertex {
+struct WeldedVertex {
     node: u32,
     normal: DVec3,
     /// The previous vertex of the same node.
@@ -29,7 +29,7 @@ struct Vertex {
 /// Numbers vertices in the order in which triangles use them.
 struct Welder<'a> {
     stitched_mesh: &'a StitchedMesh,
-    vertices: Vec<Vertex>,
+    vertices: Vec<WeldedVertex>,
     /// The last vertex of each node.
     last: Vec<u32>,
     /// The vertex of each corner.
@@ -115,6 +115,7 @@ impl Welder<'_> {
     /// The vertex of the corner's node that can be its vertex too, or a new one.
     fn shared_vertex(&mut self, corner: u32, weld: Weld) -> u32 {
         let corner = &self.stitched_mesh.corners[corner as usize];
+        // The vertices of a node are a linked list, the latest first. NONE ends it, because it is no index.
         let last = self.last[corner.node as usize];
         let mut found = last;
         for _ in 0..MAX_COMPARED {
@@ -127,7 +128,7 @@ impl Welder<'_> {
             }
             found = vertex.before;
         }
-        self.vertices.push(Vertex {
+        self.vertices.push(WeldedVertex {
             node: corner.node,
             normal: corner.normal,
             before: last,
@@ -137,7 +138,9 @@ impl Welder<'_> {
         new
     }
 
-    /// Replaces normals by the mean of the normals of their corners, weighted by the angles of the triangles.
+    /// Replaces normals by the mean of the normals of their corners, weighted by the angles of the triangles. So the mean
+    /// does not depend on how a face is divided into triangles. Source: Thürmer and Wüthrich, "Computing vertex normals
+    /// from polygonal facets", Journal of Graphics Tools 3 (1998).
     fn average_normals(&mut self, numbers: &[u32]) {
         let mut sums = vec![DVec3::ZERO; self.vertices.len()];
         let corners = self.stitched_mesh.triangles.as_flattened();

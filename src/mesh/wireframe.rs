@@ -1,6 +1,6 @@
 //! Wireframe meshes: tubes or ribbons along the isocurves of a surface.
 
-use super::sweep::{Section, Sweep};
+use super::sweep::{CrossSection, Sweep};
 use super::tracer::Tracer;
 use super::wire::{Wire, WireframeOptions};
 use super::{Indices, Mesh, PatchRange};
@@ -75,7 +75,7 @@ impl Surface {
         self.each_isocurve(lines, &mut |line| {
             if outcome.is_ok() && sweep.vertices <= MAX_VERTICES {
                 let (first_vertex, first_index) = (sweep.vertices, sweep.first_index());
-                outcome = tracer.follow(&line, sweep);
+                outcome = tracer.sweep_line(&line, sweep);
                 let range = &mut ranges[line.patch_number];
                 if range.vertices == 0 {
                     (range.first_vertex, range.first_index) = (first_vertex, first_index);
@@ -88,7 +88,7 @@ impl Surface {
     }
 
     /// Returns an error if the minimum number of vertices is above the limit, without examining the lines.
-    fn check_min_count(&self, lines: usize, section: &Section) -> Result<(), Error> {
+    fn check_min_count(&self, lines: usize, section: &CrossSection) -> Result<(), Error> {
         let inside = lines
             .saturating_sub(1)
             .saturating_mul(2 * self.patch_count());
@@ -106,7 +106,7 @@ fn too_many(needed: usize) -> Error {
 }
 
 impl Wire {
-    fn section(&self) -> Result<Section, Error> {
+    fn section(&self) -> Result<CrossSection, Error> {
         let (what, size) = self.size();
         if !(size > 0.0 && size < f64::INFINITY) {
             return Err(Error::Range {
@@ -122,8 +122,8 @@ impl Wire {
                 got: as_f64(sides),
             }),
             Self::Tube { sides, .. } if sides > MAX_VERTICES as usize => Err(too_many(sides)),
-            Self::Tube { radius, sides } => Ok(Section::tube(radius, sides)),
-            Self::Ribbon { width } => Ok(Section::ribbon(width)),
+            Self::Tube { radius, sides } => Ok(CrossSection::tube(radius, sides)),
+            Self::Ribbon { width } => Ok(CrossSection::ribbon(width)),
         }
     }
 

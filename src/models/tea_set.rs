@@ -5,7 +5,7 @@
 //! The bowl of the spoon is open to +z, as in the listing. Equal points are one vertex, numbered in the order of first
 //! use.
 
-use super::teapot::{Up, Whole, share, sweep, turn};
+use super::teapot::{Up, Whole, index_points, revolve, sweep};
 use super::{teacup_data, teaspoon_data};
 use crate::surface::network::Surface;
 use glam::DVec3;
@@ -20,11 +20,11 @@ impl Surface {
     pub fn teacup(up: Up) -> Self {
         let mut points = Vec::new();
         for curve in teacup_data::CUP.chunks(4) {
-            turn(curve, -1, &mut points);
+            revolve(curve, -1, &mut points);
         }
         sweep(&teacup_data::HANDLE, &mut points);
         for curve in teacup_data::SAUCER.chunks(4) {
-            turn(curve, -1, &mut points);
+            revolve(curve, -1, &mut points);
         }
         surface(&points, teacup_data::UNITS, up)
     }
@@ -51,16 +51,19 @@ impl Surface {
 
 /// One control point of cross-section `ring` of the spoon; `around` may exceed the number of points and wraps around.
 fn spoon_point(ring: usize, around: usize) -> Whole {
-    use teaspoon_data::{AROUND, HALVES, ODD};
-    let around = around % AROUND;
-    if let Some(odd) = ODD.iter().find(|odd| (odd.0, odd.1) == (ring, around)) {
+    use teaspoon_data::{ASYMMETRIC_POINTS, HALVES, POINTS_AROUND};
+    let around = around % POINTS_AROUND;
+    if let Some(odd) = ASYMMETRIC_POINTS
+        .iter()
+        .find(|odd| (odd.0, odd.1) == (ring, around))
+    {
         return odd.2;
     }
     let half = &HALVES[ring];
     match around {
         2..8 => half[around - 2],
         _ => {
-            let [x, y, z] = half[(3 + AROUND - around) % AROUND - 2];
+            let [x, y, z] = half[(3 + POINTS_AROUND - around) % POINTS_AROUND - 2];
             [-x, y, z]
         }
     }
@@ -68,7 +71,7 @@ fn spoon_point(ring: usize, around: usize) -> Whole {
 
 /// The bicubic surface of control points given in integer units.
 fn surface(points: &[Whole], units: f64, up: Up) -> Surface {
-    let (vertices, indices) = share(points);
+    let (vertices, indices) = index_points(points);
     let vertices = vertices.iter().map(|p| {
         let [x, y, z] = p.map(|whole| six_digits(f64::from(whole) / units));
         match up {

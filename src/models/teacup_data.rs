@@ -6,7 +6,7 @@
 //! published decimals bit for bit. The direction of each curve is opposite to v of the archive, so that normals point
 //! outwards.
 
-use super::teapot_data::{Ring, Section};
+use super::teapot_data::{Ring, TubeSection};
 
 /// The tables are in units of 1 / `UNITS`.
 pub(crate) const UNITS: f64 = 1100.0;
@@ -28,7 +28,7 @@ pub(crate) const CUP: [Ring; 12] = [
 ];
 
 /// The cross-sections of the handle from its lower end: one curve.
-pub(crate) const HANDLE: [Section; 4] = [
+pub(crate) const HANDLE: [TubeSection; 4] = [
     [-450, 400, -450, 325, -50],
     [-850, 575, -1000, 525, -50],
     [-850, 950, -900, 1050, -50],

@@ -6,7 +6,7 @@
 //! listing's 306, of which four are unused and twelve repeat the edge between body and bottom; here that edge is shared
 //! like all others.
 
-use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
+use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, TubeSection, UNITS, WALL};
 use crate::surface::network::Surface;
 use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
@@ -96,10 +96,10 @@ impl Surface {
 fn teapot(options: TeapotOptions) -> Surface {
     let mut points: Vec<Whole> = Vec::new();
     if options.rim {
-        turn(&WALL[..4], 1, &mut points);
+        revolve(&WALL[..4], 1, &mut points);
     }
     if options.body {
-        turn(&WALL[3..], 1, &mut points);
+        revolve(&WALL[3..], 1, &mut points);
     }
     if options.handle {
         sweep(&HANDLE, &mut points);
@@ -108,19 +108,19 @@ fn teapot(options: TeapotOptions) -> Surface {
         sweep(&SPOUT, &mut points);
     }
     if options.lid {
-        turn(&LID, 1, &mut points);
+        revolve(&LID, 1, &mut points);
     }
     if options.bottom {
-        turn(&BOTTOM, -1, &mut points);
+        revolve(&BOTTOM, -1, &mut points);
     }
-    let (vertices, indices) = share(&points);
+    let (vertices, indices) = index_points(&points);
     let vertices = vertices.iter().map(|&p| position(p, options)).collect();
     Surface::bicubic(vertices, indices)
 }
 
 /// A surface of revolution: rotates profiles about the z-axis, a quarter turn per patch; `sense` 1 is clockwise as seen
 /// from above.
-pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
+pub(crate) fn revolve(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
     for curve in profile.windows(4).step_by(3) {
         for quarter in 0..4 {
             for ring in curve {
@@ -136,7 +136,7 @@ pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
 }
 
 /// A sweep along cross-sections: two curves, each with one patch on the side of −y and its mirror image.
-pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
+pub(crate) fn sweep(sections: &[TubeSection], points: &mut Vec<Whole>) {
     for curve in sections.windows(4).step_by(3) {
         for section in curve {
             points.extend(half_section(section));
@@ -149,13 +149,13 @@ pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
 }
 
 /// The half of a cross-section with y ≤ 0.
-fn half_section(section: &Section) -> [Whole; 4] {
+fn half_section(section: &TubeSection) -> [Whole; 4] {
     let [x0, z0, x1, z1, width] = section.map(i32::from);
     [[x0, 0, z0], [x0, -width, z0], [x1, -width, z1], [x1, 0, z1]]
 }
 
 /// The distinct points in the order of first use, and the index of each point among them.
-pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
+pub(crate) fn index_points(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
     let mut vertices: Vec<Whole> = Vec::new();
     let mut indices = Vec::with_capacity(points.len());
     for point in points {

@@ -46,10 +46,10 @@ pub(crate) const BOTTOM: [Ring; 4] = [
 ];
 
 /// One cross-section of handle or spout: x and z of its two ends in the plane y = 0, and its half-width.
-pub(crate) type Section = [i16; 5];
+pub(crate) type TubeSection = [i16; 5];
 
 /// The cross-sections of the handle from its upper end: two curves.
-pub(crate) const HANDLE: [Section; 7] = [
+pub(crate) const HANDLE: [TubeSection; 7] = [
     [-6400, 8100, -6000, 9000, 1200],
     [-9200, 8100, -10000, 9000, 1200],
     [-10800, 8100, -12000, 9000, 1200],
@@ -60,7 +60,7 @@ pub(crate) const HANDLE: [Section; 7] = [
 ];
 
 /// The cross-sections of the spout from the body outwards: two curves.
-pub(crate) const SPOUT: [Section; 7] = [
+pub(crate) const SPOUT: [TubeSection; 7] = [
     [6800, 5700, 6800, 2400, 2640],
     [10400, 5700, 12400, 3300, 2640],
     [9200, 8400, 9600, 8100, 1000],

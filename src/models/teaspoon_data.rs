@@ -11,10 +11,10 @@ use super::teapot::Whole;
 pub(crate) const UNITS: f64 = 280_000.0;
 
 /// The number of control points around the spoon: four patches with four points each, of which neighbours share one.
-pub(crate) const AROUND: usize = 12;
+pub(crate) const POINTS_AROUND: usize = 12;
 
 /// Cross-sections from the end of the bowl to the tip of the handle, four curves: control points 2 to 7 of each. Point
-/// 3 − k (modulo `AROUND`) is the mirror image of point k at the plane x = 0.
+/// 3 − k (modulo `POINTS_AROUND`) is the mirror image of point k at the plane x = 0.
 pub(crate) const HALVES: [[Whole; 6]; 13] = [
     [
         [0, 55000, -5000],
@@ -123,7 +123,7 @@ pub(crate) const HALVES: [[Whole; 6]; 13] = [
 ];
 
 /// Points of the archive that differ from the mirror image: cross-section, control point around it, coordinates.
-pub(crate) const ODD: [(usize, usize, Whole); 12] = [
+pub(crate) const ASYMMETRIC_POINTS: [(usize, usize, Whole); 12] = [
     (5, 10, [-4922, -45000, 8958]),
     (5, 8, [-2187, -45000, 5833]),
     (6, 10, [-4922, -70000, 13125]),

@@ -4,14 +4,14 @@
 use std::cmp::Ordering;
 
 /// Runs of this length are sorted by insertion, without a buffer.
-const FEW: usize = 16;
+const INSERTION_SORT_LENGTH: usize = 16;
 
 /// Sorts stably in O(n log n): items that compare equal keep their order.
 pub(crate) fn sort_by<T: Copy>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
-    for run in items.chunks_mut(FEW) {
-        insert_each(run, &order);
+    for run in items.chunks_mut(INSERTION_SORT_LENGTH) {
+        insertion_sort(run, &order);
     }
-    let mut width = FEW;
+    let mut width = INSERTION_SORT_LENGTH;
     let mut merged = Vec::new();
     while width < items.len() {
         for pair in items.chunks_mut(2 * width) {
@@ -25,7 +25,7 @@ pub(crate) fn sort_by<T: Copy>(items: &mut [T], order: impl Fn(&T, &T) -> Orderi
     }
 }
 
-fn insert_each<T: Copy>(run: &mut [T], order: &impl Fn(&T, &T) -> Ordering) {
+fn insertion_sort<T: Copy>(run: &mut [T], order: &impl Fn(&T, &T) -> Ordering) {
     for sorted in 1..run.len() {
         let item = run[sorted];
         let mut hole = sorted;

@@ -24,7 +24,7 @@ const MAX_ROUNDS: usize = 40;
 
 /// A rectangle of parameters and its area.
 #[derive(Clone, Copy)]
-struct Tile {
+struct AreaTile {
     u: [f64; 2],
     v: [f64; 2],
     area: f64,
@@ -33,8 +33,8 @@ struct Tile {
 }
 
 /// A tile that is split into four.
-struct Split {
-    quarters: [Tile; 4],
+struct SplitTile {
+    quarters: [AreaTile; 4],
     area: f64,
     /// An estimate of the remaining error of the area.
     error: f64,
@@ -77,7 +77,7 @@ fn scaled_area(patch: &Patch) -> f64 {
     let mut rule = TileArea::new(points, patch.columns);
     let mut work = WorkLimit::new(MAX_STEPS);
     let steps_of_split = 2 * (rule.steps(true) + rule.steps(false));
-    let mut tiles = vec![Tile::new([0.0, 1.0], [0.0, 1.0], 0.0, &mut rule)];
+    let mut tiles = vec![AreaTile::new([0.0, 1.0], [0.0, 1.0], 0.0, &mut rule)];
     let mut finished = 0.0;
     for _ in 0..MAX_ROUNDS {
         let affordable = (MAX_STEPS - work.used()) / steps_of_split;
@@ -91,7 +91,7 @@ fn scaled_area(patch: &Patch) -> f64 {
         if !work.spend(tiles.len() * steps_of_split) {
             break;
         }
-        let split: Vec<Split> = tiles.iter().map(|tile| tile.split(&mut rule)).collect();
+        let split: Vec<SplitTile> = tiles.iter().map(|tile| tile.split(&mut rule)).collect();
         let area = split.iter().fold(finished, |sum, tile| sum + tile.area);
         let error: f64 = split.iter().map(|tile| tile.error).sum();
         if is_last || error <= AREA_ERROR * area + NO_AREA {
@@ -110,7 +110,7 @@ fn scaled_area(patch: &Patch) -> f64 {
     tiles.iter().fold(finished, |sum, tile| sum + tile.area)
 }
 
-impl Tile {
+impl AreaTile {
     fn new(u: [f64; 2], v: [f64; 2], change_before: f64, rule: &mut TileArea) -> Self {
         let area = rule.area(u, v);
         Self {
@@ -121,7 +121,7 @@ impl Tile {
         }
     }
 
-    fn split(&self, rule: &mut TileArea) -> Split {
+    fn split(&self, rule: &mut TileArea) -> SplitTile {
         let halves = |[from, to]: [f64; 2]| {
             let middle = 0.5 * (from + to);
             [[from, middle], [middle, to]]
@@ -129,7 +129,7 @@ impl Tile {
         let ([u0, u1], [v0, v1]) = (halves(self.u), halves(self.v));
         // Neighbours in this order share a range of u or of v, which `TileArea` reuses.
         let mut quarters =
-            [(u0, v0), (u0, v1), (u1, v1), (u1, v0)].map(|(u, v)| Tile::new(u, v, 0.0, rule));
+            [(u0, v0), (u0, v1), (u1, v1), (u1, v0)].map(|(u, v)| AreaTile::new(u, v, 0.0, rule));
         let area: f64 = quarters.iter().map(|quarter| quarter.area).sum();
         let change = (area - self.area).abs();
         for quarter in &mut quarters {
@@ -138,7 +138,7 @@ impl Tile {
         // The next split is estimated to change the area in the same proportion as this split did; a quarter of the
         // parent's change is attributed to this tile.
         let error = change * (4.0 * change / self.change_before).min(1.0);
-        Split {
+        SplitTile {
             quarters,
             area,
             error,

@@ -34,7 +34,7 @@ const LIMIT_STEP: f64 = 1.0 / 256.0;
 
 /// A limit is accepted if the nearest sample differs from it by at most this fraction of it. For a diverging 1/h the
 /// difference is half of it.
-const LIMIT_SHARE: f64 = 0.25;
+const MAX_LIMIT_ERROR: f64 = 0.25;
 
 /// A limit is also accepted if the difference is at most this, in units of 1/size: both values are then noise around
 /// zero.
@@ -54,7 +54,7 @@ impl Patch {
         let scaling = Scaling::around(self.control_bounds());
         let patch = scaling.image(self);
         let [k1, k2] = patch
-            .principal(u, v)
+            .principal_curvatures(u, v)
             .or_else(|| patch.principal_limit(u, v))
             .unwrap_or_default()
             .map(|k| k / scaling.size);
@@ -67,7 +67,7 @@ impl Patch {
     }
 
     /// k1 and k2; `None` where ∂u × ∂v vanishes.
-    fn principal(&self, u: f64, v: f64) -> Option<[f64; 2]> {
+    fn principal_curvatures(&self, u: f64, v: f64) -> Option<[f64; 2]> {
         if !self.is_regular(u, v) {
             return None;
         }
@@ -93,12 +93,12 @@ impl Patch {
         // The cubic through the values at 1, 2, 3 and 4 steps, evaluated at 0.
         for (steps, weight) in [(4.0, -1.0), (3.0, 4.0), (2.0, -6.0), (1.0, 4.0)] {
             let toward_middle = |t: f64| t + (0.5 - t) * (steps * LIMIT_STEP);
-            nearest = self.principal(toward_middle(u), toward_middle(v))?;
+            nearest = self.principal_curvatures(toward_middle(u), toward_middle(v))?;
             for (sum, k) in limit.iter_mut().zip(nearest) {
                 *sum += weight * k;
             }
         }
-        let close = |(a, b): (&f64, &f64)| (a - b).abs() <= LIMIT_SHARE * a.abs() + LIMIT_NOISE;
+        let close = |(a, b): (&f64, &f64)| (a - b).abs() <= MAX_LIMIT_ERROR * a.abs() + LIMIT_NOISE;
         // k1 and k2 are extrapolated separately; where they are nearly equal, rounding may exchange them.
         let [k1, k2] = limit;
         let ordered = [k1.max(k2), k1.min(k2)];

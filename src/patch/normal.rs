@@ -22,7 +22,7 @@ const VANISHING: f64 = 1e-13;
 /// The parameters toward which limits are taken: first the middle of the patch. Where N vanishes on the whole line to
 /// the middle, as along a fold in the middle, the limits from both sides disagree, and the second point selects one of
 /// them.
-const INWARD: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
+const LIMIT_TARGETS: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
 
 /// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
 pub(crate) struct NormalNet {
@@ -75,16 +75,16 @@ impl NormalNet {
         } else {
             None
         };
-        let toward = |inner_point| self.toward(u, v, inner_point);
+        let limit_toward = |inner_point| self.limit_toward(u, v, inner_point);
         on_side
-            .or_else(|| INWARD.into_iter().find_map(toward))
+            .or_else(|| LIMIT_TARGETS.into_iter().find_map(limit_toward))
             .unwrap_or(DVec3::ZERO)
     }
 
     /// The limit of the direction at (u, v) along the straight line to another point: the direction of the first
     /// coefficient of N on this line that does not vanish. The coefficient of order k combines the coefficients of N
     /// with k steps in u and v together.
-    fn toward(&self, u: f64, v: f64, [to_u, to_v]: [f64; 2]) -> Option<DVec3> {
+    fn limit_toward(&self, u: f64, v: f64, [to_u, to_v]: [f64; 2]) -> Option<DVec3> {
         let columns = self.degree_u + 1;
         let rows = self.degree_v + 1;
         let narrow = piece_toward(&self.net, columns, u, to_u);

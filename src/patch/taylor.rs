@@ -11,12 +11,12 @@ pub(crate) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
 pub(crate) const LONG_ROW: usize = 9;
 
 /// The Bernstein weights at one parameter, for a row's degree and for the two degrees below it.
-pub(crate) struct Weights {
+pub(crate) struct BernsteinWeights {
     count: usize,
     weights: [[f64; MAX_COUNT]; 3],
 }
 
-impl Weights {
+impl BernsteinWeights {
     /// `None` for rows so short that de Casteljau's algorithm is as fast, and for t outside the unit interval.
     pub(crate) fn new(count: usize, t: f64) -> Option<Self> {
         if count < LONG_ROW || !(0.0..=1.0).contains(&t) {

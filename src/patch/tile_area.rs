@@ -15,8 +15,8 @@ type Lanes = [f64; NODES];
 pub(crate) struct TileArea {
     points: Vec<[f64; 3]>,
     columns: usize,
-    of_u: Weights,
-    of_v: Weights,
+    of_u: QuadratureWeights,
+    of_v: QuadratureWeights,
     /// ∂S/∂u divided by m at the nodes along u: a curve in v for each node, three coordinates for each control point.
     slopes: Vec<[Lanes; 3]>,
     /// The differences of the control points of the curves in v at the nodes along u.
@@ -24,7 +24,7 @@ pub(crate) struct TileArea {
 }
 
 /// Bernstein weights at the nodes in a range.
-struct Weights {
+struct QuadratureWeights {
     range: [f64; 2],
     /// The weights of the degree; `lower` holds the weights of the degree below.
     weights: Vec<Lanes>,
@@ -37,8 +37,8 @@ impl TileArea {
         let rows = points.len() / columns;
         Self {
             columns,
-            of_u: Weights::new(columns),
-            of_v: Weights::new(rows),
+            of_u: QuadratureWeights::new(columns),
+            of_v: QuadratureWeights::new(rows),
             slopes: vec![[[0.0; NODES]; 3]; rows],
             differences: vec![[[0.0; NODES]; 3]; rows],
             points,
@@ -98,7 +98,7 @@ impl TileArea {
     }
 }
 
-impl Weights {
+impl QuadratureWeights {
     fn new(count: usize) -> Self {
         Self {
             range: [f64::NAN; 2],

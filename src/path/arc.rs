@@ -2,7 +2,9 @@
 
 use crate::geometry::check::MAX_COORDINATE;
 use crate::numeric::float::as_f64;
-use casteljau_kernels::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
+use casteljau_kernels::numeric::trigonometry::{
+    angle, rotated, unit_vector, unit_vector_of_degrees,
+};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_8, TAU};
 
@@ -53,24 +55,24 @@ pub(crate) fn arc(
         max_piece_angle(tolerance / ellipse.radii.max_element())
     });
     let pieces = (theta / max_angle).ceil().max(as_f64(min_pieces));
-    let half_step = direction(theta / (2.0 * pieces));
+    let half_step = unit_vector(theta / (2.0 * pieces));
     let sign = if shape.sweep { 1.0 } else { -1.0 };
     let step = DVec2::new(half_step.x, sign * half_step.y);
     let reach = 4.0 / 3.0 * step.y / (1.0 + step.x);
     // The end of the current cubic is at the angle 2β.
     let mut beta = DVec2::X;
     let mut point = shape.from;
-    let mut handle = ellipse.normal_at(turned(beta, beta)) * reach;
+    let mut handle = ellipse.normal_at(rotated(beta, beta)) * reach;
     let mut left = pieces;
     while left > 0.0 {
         left -= 1.0;
-        beta = turned(beta, step);
+        beta = rotated(beta, step);
         let next = if left == 0.0 {
             shape.to
         } else {
             shape.from + ellipse.chord(beta)
         };
-        let next_handle = ellipse.normal_at(turned(beta, beta)) * reach;
+        let next_handle = ellipse.normal_at(rotated(beta, beta)) * reach;
         if !cubic(&[point + handle, next - next_handle, next]) {
             break;
         }
@@ -89,7 +91,7 @@ fn max_piece_angle(tolerance: f64) -> f64 {
     let (mut low, mut high) = (0.0, FRAC_PI_8);
     for _ in 0..BISECTIONS {
         let middle = (low + high) / 2.0;
-        let DVec2 { x: cos, y: sin } = direction(middle);
+        let DVec2 { x: cos, y: sin } = unit_vector(middle);
         let square = sin * sin;
         if square * square * square <= bound * cos * cos {
             low = middle;
@@ -114,9 +116,9 @@ struct Ellipse {
 impl Ellipse {
     /// Half the chord on the unit circle is d; the centre lies at ±√(1 − d²) perpendicular to it.
     fn of(shape: &Arc) -> Option<Self> {
-        let axis = direction_of_degrees(shape.degrees);
-        let back = DVec2::new(axis.x, -axis.y);
-        let half = turned((shape.from - shape.to) * 0.5, back);
+        let axis = unit_vector_of_degrees(shape.degrees);
+        let inverse_axis = DVec2::new(axis.x, -axis.y);
+        let half = rotated((shape.from - shape.to) * 0.5, inverse_axis);
         let mut radii = shape.radii;
         let mut d = half / radii;
         let scale = d.x.abs().max(d.y.abs());
@@ -151,19 +153,19 @@ impl Ellipse {
     }
 
     /// Maps a vector from the unit circle to the plane.
-    fn out(&self, v: DVec2) -> DVec2 {
-        turned(v * self.radii, self.axis)
+    fn to_plane(&self, v: DVec2) -> DVec2 {
+        rotated(v * self.radii, self.axis)
     }
 
     /// The image of the unit-circle radius at an angle from the start, turned by +90°.
     fn normal_at(&self, angle: DVec2) -> DVec2 {
-        let end = turned(self.start, angle);
-        self.out(DVec2::new(-end.y, end.x))
+        let end = rotated(self.start, angle);
+        self.to_plane(DVec2::new(-end.y, end.x))
     }
 
     /// The chord from the start to the angle 2β.
     fn chord(&self, beta: DVec2) -> DVec2 {
-        let middle = turned(self.start, beta);
-        self.out(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))
+        let middle = rotated(self.start, beta);
+        self.to_plane(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))
     }
 }

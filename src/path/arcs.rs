@@ -21,9 +21,9 @@ const REFINEMENTS: usize = 8;
 /// Halvings of a polynomial whose coefficients do not decide yet whether it keeps a bound.
 const MAX_DEPTH: usize = 6;
 /// The part of the tolerance that joining arcs of nearly the same circle may take.
-const JOINING: f64 = 0.05;
+const JOIN_SHARE: f64 = 0.05;
 /// A part within this share of the tolerance of a line is not replaced by arcs of huge radius.
-const STRAIGHT: f64 = 0.01;
+const LINE_SHARE: f64 = 0.01;
 /// The rounding of coordinates of a curve of size 1.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -87,7 +87,7 @@ impl Path {
                     return Err(Error::too_many("arcs", MAX_ARCS, count + arcs.len()));
                 }
             }
-            let arcs = joined(arcs, JOINING * tolerance);
+            let arcs = joined(arcs, JOIN_SHARE * tolerance);
             count += arcs.len();
             subpaths.push(arcs);
         }
@@ -97,14 +97,14 @@ impl Path {
 
 /// An arc by its ends, the tangent at its start and its signed curvature.
 #[derive(Clone, Copy)]
-struct Piece {
+struct TangentArc {
     start: DVec2,
     tangent: DVec2,
     curvature: f64,
     end: DVec2,
 }
 
-impl Piece {
+impl TangentArc {
     /// The arc with a tangent at its start to another point.
     fn new(start: DVec2, tangent: DVec2, end: DVec2) -> Self {
         let chord = end - start;
@@ -170,12 +170,12 @@ impl Piece {
             0.5 * self.curvature * a.dot(b) - 0.5 * (a + b).dot(normal)
         });
         let shift = 0.5 * self.curvature * tolerance * tolerance;
-        keeps(distances, -tolerance + shift, tolerance + shift, MAX_DEPTH)
+        stays_between(distances, -tolerance + shift, tolerance + shift, MAX_DEPTH)
     }
 
     /// The arc in the unit of the path.
     fn to_arc(self, map: &Normalized<DVec2>) -> CircularArc {
-        let [start, end] = [self.start, self.end].map(|p| map.back(p));
+        let [start, end] = [self.start, self.end].map(|p| map.inverse(p));
         let line = CircularArc {
             start,
             end,
@@ -195,7 +195,7 @@ impl Piece {
         let from_center = self.start - center;
         let start_angle = from_center.y.atan2(from_center.x);
         CircularArc {
-            center: Some(map.back(center)),
+            center: Some(map.inverse(center)),
             radius: radius.abs() / map.scale,
             start_angle,
             end_angle: start_angle + turn,
@@ -206,7 +206,7 @@ impl Piece {
 
 /// Whether a polynomial with these Bernstein coefficients stays between two bounds on 0 to 1; no if `depth` halvings do
 /// not decide it.
-fn keeps(mut coefficients: Scalars, min: f64, max: f64, depth: usize) -> bool {
+fn stays_between(mut coefficients: Scalars, min: f64, max: f64, depth: usize) -> bool {
     let holds = |x: &f64| (min..=max).contains(x);
     if coefficients.iter().all(holds) {
         return true;
@@ -217,11 +217,11 @@ fn keeps(mut coefficients: Scalars, min: f64, max: f64, depth: usize) -> bool {
     }
     let mut right = coefficients.clone();
     halve(&mut coefficients, &mut right);
-    keeps(coefficients, min, max, depth - 1) && keeps(right, min, max, depth - 1)
+    stays_between(coefficients, min, max, depth - 1) && stays_between(right, min, max, depth - 1)
 }
 
 /// Two arcs with a common tangent, which have the tangents of a part of a curve at its ends, if they are near enough.
-fn biarc(part: &Curve<DVec2>, tolerance: f64) -> Option<[Piece; 2]> {
+fn fit_biarc(part: &Curve<DVec2>, tolerance: f64) -> Option<[TangentArc; 2]> {
     let points = part.control_points();
     let [p0, p1] = [points[0], points[points.len() - 1]];
     let [t0, t1] = [part.start_tangent(), part.end_tangent()];
@@ -244,8 +244,8 @@ fn biarc(part: &Curve<DVec2>, tolerance: f64) -> Option<[Piece; 2]> {
     if !(d > 0.0 && joint.is_finite() && tangent.length_squared() > 0.5) {
         return None;
     }
-    let first = Piece::new(p0, t0, joint);
-    let second = Piece::new(joint, tangent, p1);
+    let first = TangentArc::new(p0, t0, joint);
+    let second = TangentArc::new(joint, tangent, p1);
     // Neither turns by more than 90°.
     if t0.dot(tangent) < 0.0 || tangent.dot(t1) < 0.0 {
         return None;
@@ -278,24 +278,24 @@ fn parameter_across(points: &[DVec2], through: DVec2, direction: DVec2) -> f64 {
 }
 
 /// The line from the start to the end of a part of a curve, if it is near enough.
-fn line(part: &Curve<DVec2>, tolerance: f64) -> Option<Piece> {
+fn fit_line(part: &Curve<DVec2>, tolerance: f64) -> Option<TangentArc> {
     let points = part.control_points();
-    let piece = Piece::line(points[0], points[points.len() - 1]);
+    let arc = TangentArc::line(points[0], points[points.len() - 1]);
     let reach = points.iter().map(|&p| Point::norm(p - points[0]));
     let is_small = reach.fold(0.0, f64::max) <= tolerance;
-    (is_small || piece.is_near(points, tolerance)).then_some(piece)
+    (is_small || arc.is_near(points, tolerance)).then_some(arc)
 }
 
 /// The lines and arcs of one segment.
 fn append_arcs(curve: &Curve<DVec2>, tolerance: f64, arcs: &mut Vec<CircularArc>) {
     let map = Normalized::around(curve.start(), curve.control_points());
     let unit = Curve::from_points(map.points(curve.control_points()));
-    let tolerance = (tolerance * map.scale * (1.0 - JOINING)).max(ROUNDING);
+    let tolerance = (tolerance * map.scale * (1.0 - JOIN_SHARE)).max(ROUNDING);
     let (mut from, mut step) = (0.0, 1.0);
     while from < 1.0 && arcs.len() <= MAX_ARCS {
-        let (to, pieces) = longest(&unit, from, step, tolerance);
+        let (to, found) = longest_arcs(&unit, from, step, tolerance);
         step = 2.0 * (to - from);
-        arcs.extend(pieces.into_iter().flatten().map(|piece| piece.to_arc(&map)));
+        arcs.extend(found.into_iter().flatten().map(|arc| arc.to_arc(&map)));
         from = to;
     }
     // Exact joints between segments.
@@ -306,17 +306,17 @@ fn append_arcs(curve: &Curve<DVec2>, tolerance: f64, arcs: &mut Vec<CircularArc>
 
 /// The longest part from a parameter, up to the precision of a few bisections, that a line or two arcs approximate; the search
 /// begins with a given step.
-fn longest(
+fn longest_arcs(
     curve: &Curve<DVec2>,
     from: f64,
     mut step: f64,
     tolerance: f64,
-) -> (f64, [Option<Piece>; 2]) {
+) -> (f64, [Option<TangentArc>; 2]) {
     let fit = |to: f64| {
         let part = curve.part(from, to);
-        let line = |tolerance| line(&part, tolerance).map(|line| [Some(line), None]);
-        let pair = || biarc(&part, tolerance).map(|pair| pair.map(Some));
-        line(STRAIGHT * tolerance)
+        let line = |tolerance| fit_line(&part, tolerance).map(|line| [Some(line), None]);
+        let pair = || fit_biarc(&part, tolerance).map(|pair| pair.map(Some));
+        line(LINE_SHARE * tolerance)
             .or_else(pair)
             .or_else(|| line(tolerance))
     };
@@ -330,7 +330,7 @@ fn longest(
             break;
         }
         match fit(to) {
-            Some(pieces) => best = Some((to, pieces)),
+            Some(found) => best = Some((to, found)),
             None => too_far = Some(to),
         }
         if best.is_some() && (too_far.is_some() || to == 1.0) {
@@ -338,26 +338,29 @@ fn longest(
         }
         step *= if best.is_some() { 2.0 } else { 0.5 };
     }
-    let Some((mut to, mut pieces)) = best else {
+    let Some((mut to, mut found)) = best else {
         // The part is shorter than the rounding of its parameters.
         let to = end_of(step.max(f64::EPSILON));
         let part = curve.part(from, to);
         let points = part.control_points();
         return (
             to,
-            [Some(Piece::line(points[0], points[points.len() - 1])), None],
+            [
+                Some(TangentArc::line(points[0], points[points.len() - 1])),
+                None,
+            ],
         );
     };
     if let Some(mut too_far) = too_far {
         for _ in 0..REFINEMENTS {
             let middle = 0.5 * (to + too_far);
             match fit(middle) {
-                Some(fitted) => (to, pieces) = (middle, fitted),
+                Some(fitted) => (to, found) = (middle, fitted),
                 None => too_far = middle,
             }
         }
     }
-    (to, pieces)
+    (to, found)
 }
 
 /// The arcs with neighbours of nearly the same circle, or on one line, joined.
@@ -368,11 +371,11 @@ fn joined(arcs: Vec<CircularArc>, tolerance: f64) -> Vec<CircularArc> {
     for (k, arc) in arcs.iter().enumerate() {
         let whole = result
             .last()
-            .and_then(|last| union(last, arc))
+            .and_then(|last| joined_pair(last, arc))
             .filter(|whole| {
                 arcs[first..=k]
                     .iter()
-                    .all(|part| is_on(part, whole, tolerance))
+                    .all(|part| is_near_arc(part, whole, tolerance))
             });
         match (whole, result.last_mut()) {
             (Some(whole), Some(last)) if k - first < MAX_JOINED => *last = whole,
@@ -389,7 +392,7 @@ fn joined(arcs: Vec<CircularArc>, tolerance: f64) -> Vec<CircularArc> {
 const MAX_JOINED: usize = 64;
 
 /// The arc from the start of one to the end of the next with the tangent of the first at its start.
-fn union(a: &CircularArc, b: &CircularArc) -> Option<CircularArc> {
+fn joined_pair(a: &CircularArc, b: &CircularArc) -> Option<CircularArc> {
     let (center, _) = (a.center?, b.center?);
     let turns = [a, b].map(|arc| arc.end_angle - arc.start_angle);
     let turn = turns[0] + turns[1];
@@ -399,15 +402,15 @@ fn union(a: &CircularArc, b: &CircularArc) -> Option<CircularArc> {
     let map = Normalized::new(a.start, a.radius);
     let outwards = Point::unit(a.start - center);
     let tangent = outwards.perp() * turn.signum();
-    let piece = Piece::new(DVec2::ZERO, tangent, (b.end - a.start) * map.scale);
-    let arc = piece.to_arc(&map);
+    let arc = TangentArc::new(DVec2::ZERO, tangent, (b.end - a.start) * map.scale);
+    let arc = arc.to_arc(&map);
     Some(CircularArc { end: b.end, ..arc })
         .filter(|arc| (arc.end_angle - arc.start_angle - turn).abs() < 1.0)
 }
 
 /// Whether a part of an arc lies within a distance of it: the distance of two circles is at most that of their centres and
 /// the difference of their radii.
-fn is_on(part: &CircularArc, whole: &CircularArc, tolerance: f64) -> bool {
+fn is_near_arc(part: &CircularArc, whole: &CircularArc, tolerance: f64) -> bool {
     match (part.center, whole.center) {
         (Some(a), Some(b)) => Point::norm(a - b) + (part.radius - whole.radius).abs() <= tolerance,
         _ => false,

@@ -2,7 +2,7 @@
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, walk};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, visit_vertices};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -71,7 +71,7 @@ impl Path {
         for (subpath, part) in self.parts().enumerate() {
             for (k, points) in part.segments().enumerate() {
                 let time = |t| PathTime::new(subpath, as_f64(k) + t);
-                walk(points, k > 0, tolerance, |t, p| vertex(time(t), p));
+                visit_vertices(points, k > 0, tolerance, |t, p| vertex(time(t), p));
             }
         }
         Ok(())

@@ -173,7 +173,7 @@ impl Path {
         sort_by(&mut ends, PathTime::total_cmp);
         ends.push(self.end_of(last));
         let mut start = PathTime::new(0, 0.0);
-        let part = |end| self.between(std::mem::replace(&mut start, end), end);
+        let part = |end| self.subpaths_between(std::mem::replace(&mut start, end), end);
         Ok(ends.into_iter().map(part).collect())
     }
 
@@ -221,11 +221,11 @@ impl Path {
                 .into_iter()
                 .collect());
         }
-        Ok(self.between(start, end))
+        Ok(self.subpaths_between(start, end))
     }
 
     /// The subpaths between two positions in order; parts whose ends have the same t are omitted.
-    fn between(&self, start: PathTime, end: PathTime) -> Self {
+    fn subpaths_between(&self, start: PathTime, end: PathTime) -> Self {
         let mut path = Self::default();
         for k in start.subpath..=end.subpath {
             let spline = spline(self.part(k));

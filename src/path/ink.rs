@@ -16,7 +16,7 @@ use crate::spline::{Join, Spline};
 use glam::DVec2;
 
 /// Samples on each side of one with which it is averaged at most.
-const WINDOW: usize = 16;
+const MAX_NEIGHBOURS: usize = 16;
 
 /// A run that is longer is settled, so that the time for a sample is bounded.
 const MAX_RUN: usize = 256;
@@ -25,13 +25,13 @@ const MAX_RUN: usize = 256;
 const MIN_GROWTH: usize = 8;
 
 /// Tangents that differ by more than the angle with this cosine, 60°, make a corner.
-const CORNER: f64 = 0.5;
+const CORNER_COSINE: f64 = 0.5;
 
 /// Milliseconds between samples without times, and those in which the fastest stroke advances by its size.
-const INTERVAL: f64 = 10.0;
+const SAMPLE_INTERVAL: f64 = 10.0;
 
 /// Simulated pressure follows the speed with a delay of this many widths.
-const RESPONSE: f64 = 4.0;
+const PRESSURE_DELAY: f64 = 4.0;
 
 /// The pressure at which the width is `size`.
 const MIDDLE_PRESSURE: f64 = 0.5;
@@ -264,8 +264,11 @@ fn push(points: &mut Vec<InkPoint>, position: DVec2, width: f64) {
 }
 
 /// The weighted mean of the points around one, at most `reach` away along the polyline and as far to both sides.
-fn mean(points: &[InkPoint], k: usize, reach: f64) -> (DVec2, f64) {
-    let [first, last] = [k.saturating_sub(WINDOW), (k + WINDOW).min(points.len() - 1)];
+fn weighted_mean(points: &[InkPoint], k: usize, reach: f64) -> (DVec2, f64) {
+    let [first, last] = [
+        k.saturating_sub(MAX_NEIGHBOURS),
+        (k + MAX_NEIGHBOURS).min(points.len() - 1),
+    ];
     let here = points[k];
     let reach = reach
         .min(here.length - points[first].length)
@@ -284,14 +287,14 @@ fn mean(points: &[InkPoint], k: usize, reach: f64) -> (DVec2, f64) {
 
 /// A fitted cubic or line.
 #[derive(Clone, Debug)]
-struct Piece {
+struct InkPiece {
     curve: Curve<DVec2>,
     length: f64,
     /// Arc lengths on the curve, from 0 to its length, and widths.
     stops: Vec<(f64, f64)>,
 }
 
-impl Piece {
+impl InkPiece {
     /// Widths that are interpolated linearly within twice the tolerance, the radii within the tolerance, become no stops.
     fn new(run: &[InkPoint], handles: [DVec2; 2], tolerance: f64) -> Self {
         let [first, last] = [run[0], run[run.len() - 1]];
@@ -340,7 +343,7 @@ fn tangents(run: &[InkPoint], start: Option<DVec2>) -> Vec<[DVec2; 2]> {
                 return [chord(k.min(last - 1)); 2];
             }
             let [before, after] = [chord(k - 1), chord(k)];
-            if before.dot(after) < CORNER {
+            if before.dot(after) < CORNER_COSINE {
                 [before, after]
             } else {
                 [(before * step(k) + after * step(k - 1)).unit(); 2]
@@ -361,12 +364,12 @@ fn tangents(run: &[InkPoint], start: Option<DVec2>) -> Vec<[DVec2; 2]> {
 }
 
 /// The pieces of a run up to a point, each with the index of its end.
-fn fit(
+fn fitted_pieces(
     run: &[InkPoint],
     tangents: &[[DVec2; 2]],
     last: usize,
     tolerance: f64,
-) -> Vec<(usize, Piece)> {
+) -> Vec<(usize, InkPiece)> {
     let points: Vec<DVec2> = run[..=last].iter().map(|point| point.position).collect();
     let mut stops = vec![0];
     stops.extend((1..last).filter(|&k| tangents[k][0] != tangents[k][1]));
@@ -383,12 +386,12 @@ fn fit(
     };
     let mut from = 0;
     let piece = |(to, handles)| {
-        let piece = Piece::new(&run[from..=to], handles, tolerance);
+        let piece = InkPiece::new(&run[from..=to], handles, tolerance);
         from = to;
         (to, piece)
     };
     samples
-        .cover_all(tangents, &stops, FitEffort::Fast)
+        .fit_between_stops(tangents, &stops, FitEffort::Fast)
         .into_iter()
         .map(piece)
         .collect()
@@ -417,7 +420,7 @@ pub struct InkStroke {
     options: InkOptions,
     tolerance: f64,
     /// The last sample, as it came.
-    tip: Option<Tip>,
+    last_sample: Option<LastSample>,
     /// The streamlined samples.
     samples: Vec<InkPoint>,
     /// The number of samples whose mean is final.
@@ -429,7 +432,7 @@ pub struct InkStroke {
     /// The tangent at that joint.
     tangent: Option<DVec2>,
     /// The curve up to that joint.
-    pieces: Vec<Piece>,
+    pieces: Vec<InkPiece>,
     length: f64,
     /// The number of pieces whose contours have been returned as settled, and their length.
     drawn: usize,
@@ -437,7 +440,7 @@ pub struct InkStroke {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Tip {
+struct LastSample {
     position: DVec2,
     pressure: f64,
     width: f64,
@@ -453,7 +456,7 @@ impl InkStroke {
         Ok(Self {
             tolerance: options.checked_tolerance()?,
             options: options.clone(),
-            tip: None,
+            last_sample: None,
             samples: Vec::new(),
             averaged: 0,
             run: Vec::new(),
@@ -498,7 +501,7 @@ impl InkStroke {
         };
         let is_simulated = self.options.pressure == InkPressure::Simulated;
         let width = self.options.width(pressure);
-        self.tip = Some(Tip {
+        self.last_sample = Some(LastSample {
             position,
             pressure,
             width,
@@ -527,19 +530,19 @@ impl InkStroke {
 
     /// The pressure that follows from the speed.
     fn simulated_pressure(&self, position: DVec2, time: Option<f64>) -> f64 {
-        let Some(tip) = self.tip else {
+        let Some(last_sample) = self.last_sample else {
             return MIDDLE_PRESSURE;
         };
-        let elapsed = match (tip.time, time) {
+        let elapsed = match (last_sample.time, time) {
             (Some(from), Some(to)) if to > from => to - from,
-            _ => INTERVAL,
+            _ => SAMPLE_INTERVAL,
         };
-        let widths = (position - tip.position).norm() / self.options.size;
-        let target = 1.0 - (widths * INTERVAL / elapsed).min(1.0);
+        let widths = (position - last_sample.position).norm() / self.options.size;
+        let target = 1.0 - (widths * SAMPLE_INTERVAL / elapsed).min(1.0);
         if self.samples.len() == 1 && widths > 0.0 {
             return target;
         }
-        target + (tip.pressure - target) * (-widths / RESPONSE).exp()
+        target + (last_sample.pressure - target) * (-widths / PRESSURE_DELAY).exp()
     }
 
     /// Half the length over which samples are averaged.
@@ -552,9 +555,10 @@ impl InkStroke {
         let (last, reach) = (self.samples.len() - 1, self.reach());
         let end = self.samples[last].length;
         while self.averaged < last
-            && (last - self.averaged >= WINDOW || end - self.samples[self.averaged].length >= reach)
+            && (last - self.averaged >= MAX_NEIGHBOURS
+                || end - self.samples[self.averaged].length >= reach)
         {
-            let (position, width) = mean(&self.samples, self.averaged, reach);
+            let (position, width) = weighted_mean(&self.samples, self.averaged, reach);
             self.averaged += 1;
             push(&mut self.run, position, width);
             if self.run.len() >= self.next_fit {
@@ -570,7 +574,7 @@ impl InkStroke {
             return;
         };
         let tangents = tangents(&self.run, self.tangent);
-        let mut fitted = fit(&self.run, &tangents, last, self.tolerance);
+        let mut fitted = fitted_pieces(&self.run, &tangents, last, self.tolerance);
         self.next_fit = self.run.len() + MIN_GROWTH.max(self.run.len() / 4);
         if last < MAX_RUN {
             fitted.pop();
@@ -588,26 +592,26 @@ impl InkStroke {
     }
 
     /// The pieces after the last joint, and those to the predicted positions.
-    fn open_pieces(&self, predicted: &[DVec2]) -> Vec<Piece> {
-        let Some(tip) = self.tip else {
+    fn open_pieces(&self, predicted: &[DVec2]) -> Vec<InkPiece> {
+        let Some(last_sample) = self.last_sample else {
             return Vec::new();
         };
         // The means of the last samples, and of those that no other sample follows.
-        let start = self.averaged.saturating_sub(WINDOW);
+        let start = self.averaged.saturating_sub(MAX_NEIGHBOURS);
         let mut samples = self.samples[start..].to_vec();
-        for &position in std::iter::once(&tip.position).chain(predicted) {
-            push(&mut samples, position, tip.width);
+        for &position in std::iter::once(&last_sample.position).chain(predicted) {
+            push(&mut samples, position, last_sample.width);
         }
         let mut run = self.run.clone();
         for k in self.averaged - start..samples.len() {
-            let (position, width) = mean(&samples, k, self.reach());
+            let (position, width) = weighted_mean(&samples, k, self.reach());
             push(&mut run, position, width);
         }
         if run.len() < 2 {
             return Vec::new();
         }
         let tangents = tangents(&run, self.tangent);
-        let fitted = fit(&run, &tangents, run.len() - 1, self.tolerance);
+        let fitted = fitted_pieces(&run, &tangents, run.len() - 1, self.tolerance);
         fitted.into_iter().map(|(_, piece)| piece).collect()
     }
 
@@ -621,7 +625,7 @@ impl InkStroke {
     /// The widths of pieces that begin at a length of a stroke; the positions are parts of its whole length.
     fn profile<'a>(
         &self,
-        pieces: impl Iterator<Item = &'a Piece>,
+        pieces: impl Iterator<Item = &'a InkPiece>,
         mut from: f64,
         length: f64,
     ) -> WidthProfile {
@@ -687,9 +691,9 @@ impl InkStroke {
         self.spline_with(&self.open_pieces(&[]))
     }
 
-    fn spline_with(&self, open: &[Piece]) -> Option<Spline<DVec2>> {
+    fn spline_with(&self, open: &[InkPiece]) -> Option<Spline<DVec2>> {
         let start = self.samples.first()?.position;
-        Some(chain(start, self.pieces.iter().chain(open)))
+        Some(spline_of(start, self.pieces.iter().chain(open)))
     }
 
     /// The widths along the centre line, which has the outline as its stroke.
@@ -697,12 +701,15 @@ impl InkStroke {
         self.widths_with(&self.open_pieces(&[]))
     }
 
-    fn widths_with(&self, open: &[Piece]) -> WidthProfile {
+    fn widths_with(&self, open: &[InkPiece]) -> WidthProfile {
         let length = self.length + length_of(open);
         if length > 0.0 {
             self.profile(self.pieces.iter().chain(open), 0.0, length)
         } else {
-            WidthProfile::constant(self.tip.map_or(self.options.size, |tip| tip.width))
+            WidthProfile::constant(
+                self.last_sample
+                    .map_or(self.options.size, |last_sample| last_sample.width),
+            )
         }
     }
 
@@ -741,7 +748,7 @@ impl InkStroke {
         // The slope of the width at a joint depends on one stop before it and one after it.
         let context = self.drawn.saturating_sub(1);
         let from = self.drawn_length - length_of(&self.pieces[context..self.drawn]);
-        let pieces: Vec<&Piece> = self.pieces[context..].iter().chain(&open).collect();
+        let pieces: Vec<&InkPiece> = self.pieces[context..].iter().chain(&open).collect();
         let profile = self.profile(pieces.iter().copied(), from.max(0.0), length);
         let fixed = self.length - self.options.taper[1];
         let (mut settled, mut end) = (self.drawn, self.drawn_length);
@@ -754,11 +761,11 @@ impl InkStroke {
             }
         }
         let options = self.stroke_options().simple(false);
-        let stroke = |part: &[&Piece], from: f64| {
+        let stroke = |part: &[&InkPiece], from: f64| {
             let Some(first) = part.first() else {
                 return Ok(Path::default());
             };
-            let spline = chain(first.curve.start(), part.iter().copied());
+            let spline = spline_of(first.curve.start(), part.iter().copied());
             Path::stroke_part(spline, from, length, &profile, &options)
         };
         let [a, b] = [self.drawn - context, settled - context];
@@ -778,12 +785,12 @@ impl InkStroke {
     }
 }
 
-fn length_of(pieces: &[Piece]) -> f64 {
+fn length_of(pieces: &[InkPiece]) -> f64 {
     pieces.iter().map(|piece| piece.length).sum()
 }
 
 /// The spline of consecutive pieces.
-fn chain<'a>(start: DVec2, pieces: impl Iterator<Item = &'a Piece>) -> Spline<DVec2> {
+fn spline_of<'a>(start: DVec2, pieces: impl Iterator<Item = &'a InkPiece>) -> Spline<DVec2> {
     let mut points = vec![start];
     let mut degrees = Vec::new();
     for piece in pieces {

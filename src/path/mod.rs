@@ -106,12 +106,12 @@ pub struct Path {
     /// The index of the last point of every segment; its first point is the last one of the segment before, or the
     /// first one of its subpath.
     ends: Vec<usize>,
-    subpaths: Vec<Extent>,
+    subpaths: Vec<SubpathEnd>,
 }
 
 /// The ends of a subpath in the lists of its path; it starts where the previous one ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Extent {
+struct SubpathEnd {
     points: usize,
     segments: usize,
     closed: bool,
@@ -242,7 +242,7 @@ impl Path {
 
     /// Ends a subpath: it consists of the points and segments after those of the last subpath.
     fn end_subpath(&mut self, closed: bool) {
-        self.subpaths.push(Extent {
+        self.subpaths.push(SubpathEnd {
             points: self.points.len(),
             segments: self.ends.len(),
             closed,

@@ -10,7 +10,7 @@ use super::arc::Arc;
 use super::builder::PathBuilder;
 use crate::geometry::error::Error;
 use crate::numeric::float::{as_f64, ratio};
-use casteljau_kernels::numeric::trigonometry::{direction_of_degrees, turned};
+use casteljau_kernels::numeric::trigonometry::{rotated, unit_vector_of_degrees};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -132,8 +132,8 @@ impl PathBuilder {
             return self.counted();
         }
         let degrees = rotation.to_degrees();
-        let axis = direction_of_degrees(degrees);
-        let at = |unit: DVec2| center + turned(radii * unit, axis);
+        let axis = unit_vector_of_degrees(degrees);
+        let at = |unit: DVec2| center + rotated(radii * unit, axis);
         self.begin(at(DVec2::X));
         for unit in [DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y, DVec2::X] {
             self.add_quarter(radii, degrees, true, at(unit));
@@ -165,7 +165,7 @@ impl PathBuilder {
         if !fits {
             return self.counted();
         }
-        let at = |angle: f64| center + direction_of_degrees(angle.to_degrees()) * radius;
+        let at = |angle: f64| center + unit_vector_of_degrees(angle.to_degrees()) * radius;
         self.begin(at(start_angle));
         let parts = whole_parts(turn.abs() / FRAC_PI_2 - ANGLE_ROUNDING);
         for k in 1..=parts {

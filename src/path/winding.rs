@@ -52,7 +52,7 @@ const MAX_DEPTH: u32 = 64;
 const MAX_PIECES: u32 = 64 * MAX_DEPTH;
 /// A determinant of rounded differences has the right sign if it exceeds this ratio of the sum of its terms. Source:
 /// Shewchuk, "Adaptive precision floating-point arithmetic", 1997, (3 + 16ε)ε.
-const CERTAIN: f64 = 4.0 * f64::EPSILON;
+const SIDE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl Path {
     /// The winding number of the path around a point: counter-clockwise is positive (x right, y up; clockwise on a
@@ -81,9 +81,9 @@ impl Path {
 
 /// The number of upward minus downward crossings of a curve with the ray from p to the right.
 pub(crate) fn crossings(points: &[DVec2], p: DVec2) -> i32 {
-    match by_box(points, p) {
+    match crossings_by_box(points, p) {
         Some(count) => count,
-        None => Search {
+        None => CrossingCounter {
             p,
             min: SMALLEST_ULPS * ulp(max_abs(points)),
             pieces: MAX_PIECES,
@@ -94,7 +94,7 @@ pub(crate) fn crossings(points: &[DVec2], p: DVec2) -> i32 {
 
 /// The crossings if all control points lie on one side of p, otherwise `None`.
 #[inline]
-fn by_box(points: &[DVec2], p: DVec2) -> Option<i32> {
+fn crossings_by_box(points: &[DVec2], p: DVec2) -> Option<i32> {
     let above = points.iter().filter(|q| q.y > p.y).count();
     if above == 0 || above == points.len() {
         return Some(0);
@@ -102,18 +102,18 @@ fn by_box(points: &[DVec2], p: DVec2) -> Option<i32> {
     let right = points.iter().filter(|q| q.x > p.x).count();
     match right {
         0 => Some(0),
-        _ if right == points.len() => Some(across(points, p)),
+        _ if right == points.len() => Some(crossings_by_ends(points, p)),
         _ => None,
     }
 }
 
 /// The crossings with the whole horizontal line through p, which depend only on the ends.
-fn across(points: &[DVec2], p: DVec2) -> i32 {
+fn crossings_by_ends(points: &[DVec2], p: DVec2) -> i32 {
     let above = |q: DVec2| i32::from(q.y > p.y);
     above(points[points.len() - 1]) - above(points[0])
 }
 
-struct Search {
+struct CrossingCounter {
     p: DVec2,
     /// Parts of at most this size count as lines.
     min: f64,
@@ -121,18 +121,18 @@ struct Search {
     pieces: u32,
 }
 
-impl Search {
+impl CrossingCounter {
     fn crossings(&mut self, points: &[DVec2], halvings: u32) -> i32 {
-        if let Some(count) = by_box(points, self.p) {
+        if let Some(count) = crossings_by_box(points, self.p) {
             return count;
         }
         let side = self.side(points);
         let small = |q: &DVec2| (*q - self.p).abs().max_element() <= self.min;
         let decided = points.len() == 2 && side.is_some();
         if decided || halvings == 0 || self.pieces == 0 || points.iter().all(small) {
-            let across = across(points, self.p);
-            return if across.signum() == side.unwrap_or(0) {
-                across
+            let count = crossings_by_ends(points, self.p);
+            return if count.signum() == side.unwrap_or(0) {
+                count
             } else {
                 0
             };
@@ -152,7 +152,7 @@ impl Search {
         let (chord, to_point) = (b - a, self.p - a);
         let (one, other) = (chord.x * to_point.y, chord.y * to_point.x);
         let side = one - other;
-        let certain = side.abs() > CERTAIN * (one.abs() + other.abs());
+        let certain = side.abs() > SIDE_ROUNDING * (one.abs() + other.abs());
         certain.then_some(if (side > 0.0) == swapped { -1 } else { 1 })
     }
 }

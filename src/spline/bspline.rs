@@ -237,6 +237,7 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
     let (degree, spans) = (knots.degree(), knots.spans());
     let mut all = Vec::with_capacity(spans * degree + 1);
     let mut segment = vec![P::default(); degree + 1];
+    // The knots on which a span depends: p up to its start, its end, and p − 1 after it.
     let mut local = vec![0.0; 2 * degree + 1];
     for k in knots.starts() {
         let at = |i: usize| points[(k + i) % points.len()];
@@ -246,6 +247,7 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
             .enumerate()
             .for_each(|(i, u)| *u = knots.at(k + i));
         to_bezier(&mut segment, &local);
+        // The last point is the first one of the next segment.
         all.extend_from_slice(&segment[..degree]);
     }
     if !closed {

@@ -129,8 +129,8 @@ impl<P: Point> Spline<P> {
         if joint == 0 {
             return self.rotate().remove(self.segment_count() - 1);
         }
-        let healed = heal(self.curve(joint - 1), self.curve(joint));
-        Ok(self.replace(joint - 1, 2, &[healed]))
+        let merged = merged_curve(self.curve(joint - 1), self.curve(joint));
+        Ok(self.replace(joint - 1, 2, &[merged]))
     }
 
     /// Replaces `count` segments from k on by curves; the outer end points are kept.
@@ -162,27 +162,27 @@ impl<P: Point> Spline<P> {
 }
 
 /// One curve that replaces two consecutive curves.
-fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
+fn merged_curve<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
     while left.degree() < right.degree() {
         left = left.elevated();
     }
     while right.degree() < left.degree() {
         right = right.elevated();
     }
-    let healed = healed_at(&left, &right, split_parameter(&left, &right));
-    if healed.control_points().iter().all(|&p| is_within_limit(p)) {
-        return healed;
+    let merged = merged_at(&left, &right, split_parameter(&left, &right));
+    if merged.control_points().iter().all(|&p| is_within_limit(p)) {
+        return merged;
     }
     // At ½ the larger of the extrapolation factors 1/t and 1/(1 − t) is smallest.
-    let healed = healed_at(&left, &right, 0.5);
-    if healed.control_points().iter().all(|&p| is_within_limit(p)) {
-        return healed;
+    let merged = merged_at(&left, &right, 0.5);
+    if merged.control_points().iter().all(|&p| is_within_limit(p)) {
+        return merged;
     }
     Curve::from_points([left.start(), right.end()].into_iter().collect())
 }
 
 /// One curve that replaces two curves of the same degree, with the former joint at t.
-fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
+fn merged_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
     let n = left.degree();
     let (whole, halves) = extrapolate(left, right, t);
     let point = |i: usize| match i {

@@ -26,7 +26,7 @@ const ARMS: [f64; 3] = [8.0, 16.0, 32.0];
 
 /// Between points farther apart than this (in tolerances), a turn by more than this angle (75°) is a corner even if the
 /// turns beside it are as large.
-const SURE_CORNER: f64 = 1.3;
+const SPARSE_CORNER_ANGLE: f64 = 1.3;
 
 /// The maximum number of clusters in an arm, and the number of those that are used.
 const MAX_IN_ARM: usize = 128;
@@ -89,7 +89,7 @@ struct CornerDetector<P> {
 
 /// A corner at a cluster.
 #[derive(Clone, Copy)]
-struct Corner<P> {
+struct DetectedCorner<P> {
     cluster: usize,
     apex: P,
     /// The unit vector that bisects the outer angle; zero between points far apart.
@@ -103,8 +103,8 @@ struct Corner<P> {
 impl<P: Point> CornerDetector<P> {
     /// Adds the corners that are detected with an arm length. Within an arm of a corner no other one is added; shorter
     /// arms and better fits come first. `taken` marks the clusters with a corner, counted from the start of `own`.
-    fn add_corners(&self, arm: f64, taken: &mut [bool], found: &mut Vec<Corner<P>>) {
-        let mut candidates: Vec<Corner<P>> = self
+    fn add_corners(&self, arm: f64, taken: &mut [bool], found: &mut Vec<DetectedCorner<P>>) {
+        let mut candidates: Vec<DetectedCorner<P>> = self
             .own
             .clone()
             .filter_map(|k| self.corner(k, arm))
@@ -134,7 +134,7 @@ impl<P: Point> CornerDetector<P> {
         })
     }
 
-    fn corner(&self, k: usize, arm: f64) -> Option<Corner<P>> {
+    fn corner(&self, k: usize, arm: f64) -> Option<DetectedCorner<P>> {
         let before = self.arm(k, arm, |steps| k.checked_sub(steps))?;
         let after = self.arm(k, arm, |steps| {
             Some(k + steps).filter(|&at| at < self.clusters.len())
@@ -145,7 +145,7 @@ impl<P: Point> CornerDetector<P> {
         }
         let mean = |index: usize| self.clusters[index].mean;
         let arms = [mean(k) - mean(k - before), mean(k + after) - mean(k)];
-        if !turns_more(arms, self.cosines[0]) {
+        if !turns_by_more_than(arms, self.cosines[0]) {
             return None;
         }
         let mut samples: Vec<(P, f64)> = Vec::with_capacity(2 * MAX_SAMPLES + 1);
@@ -160,7 +160,7 @@ impl<P: Point> CornerDetector<P> {
         let lines = TwoLines::fitted(&samples);
         // The cheapest tests first: most clusters are no corners.
         if lines.apex.norm() > self.tolerance
-            || !turns_more([lines.before, lines.after], self.cosines[1])
+            || !turns_by_more_than([lines.before, lines.after], self.cosines[1])
         {
             return None;
         }
@@ -171,7 +171,7 @@ impl<P: Point> CornerDetector<P> {
         }
         // The addend keeps the ratio small where both models fit up to rounding.
         let ratio = Parabola::fitted(&samples).squares / (off + 1e-4 * limit);
-        (ratio >= MIN_RATIO).then_some(Corner {
+        (ratio >= MIN_RATIO).then_some(DetectedCorner {
             cluster: k,
             apex: here.mean + lines.apex,
             outward: (lines.before.unit() - lines.after.unit()).unit(),
@@ -201,7 +201,7 @@ impl<P: Point> CornerDetector<P> {
     }
 
     /// A corner of the polyline at a cluster whose neighbours are far away.
-    fn sparse_corner(&self, k: usize) -> Option<Corner<P>> {
+    fn sparse_corner(&self, k: usize) -> Option<DetectedCorner<P>> {
         let turn = |k: usize| {
             let mean = |index: usize| self.clusters.get(index).map(|cluster| cluster.mean);
             let (a, b, c) = (mean(k.checked_sub(1)?)?, mean(k)?, mean(k + 1)?);
@@ -210,18 +210,20 @@ impl<P: Point> CornerDetector<P> {
         let here = turn(k)?;
         let beside = |k: Option<usize>| k.and_then(turn).unwrap_or(0.0);
         let stands_out = here > 2.0 * beside(k.checked_sub(1)).max(beside(Some(k + 1)));
-        (here > self.angle && (here > SURE_CORNER || stands_out)).then_some(Corner {
-            cluster: k,
-            apex: self.clusters[k].mean,
-            outward: P::default(),
-            ratio: f64::INFINITY,
-            reach: 1,
-        })
+        (here > self.angle && (here > SPARSE_CORNER_ANGLE || stands_out)).then_some(
+            DetectedCorner {
+                cluster: k,
+                apex: self.clusters[k].mean,
+                outward: P::default(),
+                ratio: f64::INFINITY,
+                reach: 1,
+            },
+        )
     }
 
     /// The index of the point at a corner: the outermost one near the apex. The apex is off by up to half a tolerance,
     /// because the cluster at the corner has points of both lines.
-    fn index(&self, polyline: &SampledPolyline<P>, corner: &Corner<P>) -> usize {
+    fn index(&self, polyline: &SampledPolyline<P>, corner: &DetectedCorner<P>) -> usize {
         let first = |k: usize| {
             self.clusters
                 .get(k)
@@ -246,7 +248,7 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Whether two vectors differ by more than the angle with a given cosine. A vector of length 0 has no angle.
-fn turns_more<P: Point>([u, v]: [P; 2], cosine: f64) -> bool {
+fn turns_by_more_than<P: Point>([u, v]: [P; 2], cosine: f64) -> bool {
     u.dot(v) < cosine * (u.dot(u) * v.dot(v)).sqrt()
 }
 

@@ -84,7 +84,7 @@ struct GreedyFit<P> {
 
 impl<P: Point> FitSamples<P> {
     /// The cubics from stop to stop. `tangents` are the tangents before and after each point; they differ only at stops.
-    pub(crate) fn cover_all(
+    pub(crate) fn fit_between_stops(
         mut self,
         tangents: &[[P; 2]],
         stops: &[usize],
@@ -94,24 +94,24 @@ impl<P: Point> FitSamples<P> {
         for pair in stops.windows(2) {
             self.tangents[pair[0]] = tangents[pair[0]][1];
             self.tangents[pair[1]] = tangents[pair[1]][0];
-            cubics.extend(self.closest_cover(pair[0], pair[1], effort).cubics);
+            cubics.extend(self.closest_fit(pair[0], pair[1], effort).cubics);
         }
         cubics
     }
 
     /// The cubics from index `first` to `last`.
-    fn cover(&self, first: usize, last: usize) -> GreedyFit<P> {
-        let mut cover = GreedyFit::default();
+    fn greedy_fit(&self, first: usize, last: usize) -> GreedyFit<P> {
+        let mut fit = GreedyFit::default();
         let (mut from, mut step) = (first, last - first);
         while from < last {
-            let (to, handles) = self.longest(from, last, step);
-            cover.failures += usize::from(handles.is_none());
+            let (to, handles) = self.longest_cubic(from, last, step);
+            fit.failures += usize::from(handles.is_none());
             let handles = handles.unwrap_or_else(|| self.short_handles(from, to));
-            cover.cubics.push((to, handles));
+            fit.cubics.push((to, handles));
             step = to - from;
             from = to;
         }
-        cover
+        fit
     }
 
     /// The inner control points where no cubic satisfies the criteria, between two consecutive points: of a line, or within
@@ -129,7 +129,7 @@ impl<P: Point> FitSamples<P> {
     }
 
     /// The cubics for the tolerance; with the best effort for the smallest one that needs no more of them.
-    fn closest_cover(&mut self, first: usize, last: usize, effort: FitEffort) -> GreedyFit<P> {
+    fn closest_fit(&mut self, first: usize, last: usize, effort: FitEffort) -> GreedyFit<P> {
         let tolerance = self.criteria.tolerance;
         let bisections = match effort {
             FitEffort::Fast => 0,
@@ -139,7 +139,7 @@ impl<P: Point> FitSamples<P> {
         let mut best: Option<GreedyFit<P>> = None;
         // After the first round `best` is the cover for `high`; a cover for `low` is worse, unless `low` is 0.
         for _ in 0..=bisections {
-            let next = self.cover(first, last);
+            let next = self.greedy_fit(first, last);
             let is_worse = best.as_ref().is_some_and(|best| {
                 next.cubics.len() > best.cubics.len() || next.failures > best.failures
             });
@@ -156,7 +156,7 @@ impl<P: Point> FitSamples<P> {
 
     /// The end of the longest run from an index that a cubic approximates and its inner control points; the next index
     /// and `None` if there is no cubic.
-    fn longest(&self, from: usize, last: usize, step: usize) -> (usize, Option<[P; 2]>) {
+    fn longest_cubic(&self, from: usize, last: usize, step: usize) -> (usize, Option<[P; 2]>) {
         let mut best = (from + 1, self.handles(from, from + 1));
         let (mut fails, mut to) = (last + 1, (from + step.max(2)).min(last));
         let mut bisections = 0;

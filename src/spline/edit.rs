@@ -105,7 +105,7 @@ impl<P: Point> Spline<P> {
     }
 
     /// The segments before and after a joint.
-    pub(crate) fn beside(&self, joint: usize) -> (usize, usize) {
+    pub(crate) fn adjacent_segments(&self, joint: usize) -> (usize, usize) {
         let count = self.segment_count();
         ((joint + count - 1) % count, joint)
     }

@@ -5,7 +5,7 @@ use super::corners::{angle_between, corners};
 use super::cubics::{
     FitCriteria, FitEffort, FitSamples, ROUNDING_SHARE, chord_lengths, is_straight,
 };
-use super::grid::{Grid, NormalizedGrid};
+use super::grid::{DecimalGrid, NormalizedGrid};
 use super::polyline::{PointTree, SampledPolyline};
 use super::smoothing::smoothed;
 use crate::geometry::check::{check_points, check_tolerance, max_abs};
@@ -86,7 +86,7 @@ pub(crate) const fn default_corner_angle() -> f64 {
 }
 
 /// A smaller coordinate of a unit tangent is 0.
-const ALIGNED: f64 = 1e-9;
+const MIN_COORDINATE: f64 = 1e-9;
 
 /// Joints are moved by at least and at most these parts of the tolerance.
 const MIN_SHIFT: f64 = 0.05;
@@ -238,7 +238,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
     }
 
     /// Sets the greatest distance between the polyline and the spline, and the other criteria.
-    pub(crate) fn require(&mut self, distance: f64, extrema: bool, grid: Option<Grid>) {
+    pub(crate) fn require(&mut self, distance: f64, extrema: bool, grid: Option<DecimalGrid>) {
         let normalized = self.normalized;
         self.criteria = FitCriteria {
             tolerance: distance * normalized.scale,
@@ -308,14 +308,14 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             joints: joints.clone(),
             criteria: self.criteria,
         };
-        let cubics = samples.cover_all(&tangents, &stops, self.effort);
+        let cubics = samples.fit_between_stops(&tangents, &stops, self.effort);
         let on_grid = |p: P| self.criteria.grid.map_or(p, |on| on.grid.nearest(p));
         let joint = |k: usize| {
             // A joint that was not moved has the coordinates of the input, without the rounding of the normalization.
             on_grid(if joints[k] == points[k] {
                 self.input[around(k)]
             } else {
-                self.normalized.back(joints[k])
+                self.normalized.inverse(joints[k])
             })
         };
         // The difference keeps handles parallel to an axis.
@@ -336,7 +336,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         for axis in 0..P::DIMENSION {
             let aligned = |tangent: P| tangent.with_coordinate(axis, 0.0).unit();
             for tangent in tangents.iter_mut().flatten() {
-                if tangent.coordinate(axis).abs() < ALIGNED {
+                if tangent.coordinate(axis).abs() < MIN_COORDINATE {
                     *tangent = aligned(*tangent);
                 }
             }

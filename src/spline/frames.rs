@@ -14,7 +14,7 @@ impl FrameSequence for Spline<DVec3> {
     fn segment_at(&self, t: f64) -> (usize, f64) {
         self.locate(t)
     }
-    fn link(&self, k: usize) -> Curve<DVec3> {
+    fn curve_at_index(&self, k: usize) -> Curve<DVec3> {
         self.curve(k)
     }
     fn parts_of_length(&self, locations: &[(usize, f64)]) -> Option<Vec<f64>> {

@@ -6,7 +6,7 @@ use crate::geometry::point::Point;
 
 /// The points whose coordinates have a number of decimals.
 #[derive(Clone, Copy)]
-pub(crate) struct Grid {
+pub(crate) struct DecimalGrid {
     /// The number of steps per unit, 10 to the power of the decimals.
     steps: f64,
     /// The largest distance by which a point is moved.
@@ -22,7 +22,7 @@ const MAX_PART: f64 = 0.96;
 /// Beyond this number of steps from 0 each f64 is on the grid.
 const MAX_STEPS: f64 = (1_u64 << 52) as f64;
 
-impl Grid {
+impl DecimalGrid {
     /// The grid, if it moves the points by at most 0.96 of the tolerance.
     pub(crate) fn new<P: Point>(decimals: u8, points: &[P], tolerance: f64) -> Result<Self, Error> {
         let steps = 10_f64.powi(i32::from(decimals));
@@ -62,7 +62,7 @@ impl Grid {
 /// A grid under a normalization.
 #[derive(Clone, Copy)]
 pub(crate) struct NormalizedGrid<P> {
-    pub(crate) grid: Grid,
+    pub(crate) grid: DecimalGrid,
     pub(crate) normalized: Normalized<P>,
 }
 
@@ -70,6 +70,6 @@ impl<P: Point> NormalizedGrid<P> {
     /// The image of the point of the grid next to the point with an image.
     pub(crate) fn nearest(self, image: P) -> P {
         let Normalized { origin, scale } = self.normalized;
-        (self.grid.nearest(self.normalized.back(image)) - origin) * scale
+        (self.grid.nearest(self.normalized.inverse(image)) - origin) * scale
     }
 }

@@ -29,10 +29,10 @@ pub enum Interpolation {
 }
 
 /// The pole of the recursive filter that inverts (1, 4, 1): √3 − 2.
-const POLE: f64 = -0.267_949_192_431_122_7;
+const FILTER_POLE: f64 = -0.267_949_192_431_122_7;
 
 /// After this many steps the power of the pole is below the rounding error of 1: 0.268³² = 5·10⁻¹⁹.
-const RUN_IN: usize = 32;
+const FILTER_STEPS: usize = 32;
 
 impl<P: Point> Spline<P> {
     /// A cubic spline through points; its joints are the points, at t = 0, 1, 2, …
@@ -94,10 +94,10 @@ impl<P: Point> Spline<P> {
             return Err(Error::too_many("points", limit, count));
         }
         check_points("points", points)?;
-        let row = Equation { points, closed };
+        let sequence = PointSequence { points, closed };
         let derivatives = match step {
-            None => row.natural(),
-            Some(step) => row.catmull_rom(step),
+            None => sequence.natural_derivatives(),
+            Some(step) => sequence.catmull_rom(step),
         };
         let handle = |i: usize, along: P| {
             let handle = points[i] + along / 3.0;
@@ -144,14 +144,14 @@ fn power(length: f64, alpha: f64) -> f64 {
 }
 
 /// The points to interpolate, open or closed.
-struct Equation<'a, P> {
+struct PointSequence<'a, P> {
     points: &'a [P],
     closed: bool,
 }
 
-impl<P: Point> Equation<'_, P> {
+impl<P: Point> PointSequence<'_, P> {
     /// The indices of the neighbours of a point; at an open end the missing neighbour is the point itself.
-    fn beside(&self, i: usize) -> (usize, usize) {
+    fn neighbours(&self, i: usize) -> (usize, usize) {
         let count = self.points.len();
         if self.closed {
             ((i + count - 1) % count, (i + 1) % count)
@@ -163,7 +163,7 @@ impl<P: Point> Equation<'_, P> {
     /// At each point, the derivative of the segment before it and of the segment after it.
     fn catmull_rom(&self, step: &dyn Fn(f64) -> f64) -> Vec<(P, P)> {
         let derivatives = |i: usize| {
-            let (before, after) = self.beside(i);
+            let (before, after) = self.neighbours(i);
             let points = [before, i, after].map(|k| self.points[k]);
             let step = |from: usize, to: usize, chord: P| {
                 if from == to { 0.0 } else { step(chord.norm()) }
@@ -184,33 +184,33 @@ impl<P: Point> Equation<'_, P> {
     /// previous value. Both start some steps early, where earlier values have no weight: on the periodic continuation
     /// of a closed spline, or on the mirror image beyond an open end (the natural spline continues by point reflection
     /// at its end, so its derivatives are mirrored).
-    fn natural(&self) -> Vec<(P, P)> {
+    fn natural_derivatives(&self) -> Vec<(P, P)> {
         let count = self.points.len();
         let period = if self.closed { count } else { 2 * (count - 1) };
         let right = |i: usize| {
             // Index into the period: the closed sequence, or the open one and its mirror image.
             let i = i % period;
             let i = if i < count { i } else { period - i };
-            let (before, after) = self.beside(i);
+            let (before, after) = self.neighbours(i);
             let at_end = !self.closed && (i == before || i == after);
             // At an open end D₋₁ = D₁, so the equation is twice 2D₀ + D₁ = 3(P₁ − P₀).
             (self.points[after] - self.points[before]) * if at_end { 6.0 } else { 3.0 }
         };
         // Start a whole number of periods before the first point.
-        let early = RUN_IN.div_ceil(period) * period;
-        let mut found = Vec::with_capacity(count + RUN_IN);
+        let early = FILTER_STEPS.div_ceil(period) * period;
+        let mut found = Vec::with_capacity(count + FILTER_STEPS);
         // 1/(x + 4 + 1/x) = −z / ((1 − z x)(1 − z/x)) with the pole z: a forward and a backward filter.
         let mut forward = P::default();
-        for i in early - RUN_IN..early + count + RUN_IN {
-            forward = right(i) + forward * POLE;
+        for i in early - FILTER_STEPS..early + count + FILTER_STEPS {
+            forward = right(i) + forward * FILTER_POLE;
             if i >= early {
                 found.push((forward, forward));
             }
         }
         let mut back = P::default();
         for pair in found.iter_mut().rev() {
-            back = pair.0 + back * POLE;
-            *pair = (back * -POLE, back * -POLE);
+            back = pair.0 + back * FILTER_POLE;
+            *pair = (back * -FILTER_POLE, back * -FILTER_POLE);
         }
         found.truncate(count);
         found

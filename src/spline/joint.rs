@@ -68,7 +68,7 @@ impl<P: Point> Sides<P> {
     ///
     /// G1: P₃ + |P₄ − P₃| · unit(P₃ − P₂). C1: P₃ + r (P₃ − P₂), where r is the degree of the near segment divided by
     /// that of the far one. If the near handle has length zero it has no direction; the far handle is then unchanged.
-    pub(crate) fn follow(&self, mode: JointMode) -> P {
+    pub(crate) fn far_handle(&self, mode: JointMode) -> P {
         let ([near, _], joint, [far, _]) = (self.near, self.joint, self.far);
         let aligned = || joint + (joint - near).unit() * (far - joint).norm();
         match mode {

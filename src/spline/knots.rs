@@ -57,7 +57,7 @@ impl Knots {
             degree,
             closed,
         };
-        match knots.fault() {
+        match knots.first_invalid() {
             None => Ok(knots),
             Some((index, expected)) => Err(Error::Item {
                 what: "knots",
@@ -69,7 +69,7 @@ impl Knots {
     }
 
     /// The index of the first invalid knot, and what a valid one must satisfy.
-    fn fault(&self) -> Option<(usize, &'static str)> {
+    fn first_invalid(&self) -> Option<(usize, &'static str)> {
         let (v, p, n) = (&self.values, self.degree, self.count);
         if let Some(index) = v.windows(2).position(|pair| pair[0] > pair[1]) {
             return Some((index + 1, "a knot not below the one before it"));
@@ -83,9 +83,11 @@ impl Knots {
             let parted = (0..n).find(|&i| self.at(i + p) == self.at(i + 2 * p));
             return parted.map(|i| ((i + p).min(n), "at most degree times the same knot"));
         }
+        // If the knots i and i + p + 1 are equal, the basis function of point i is 0 everywhere.
         if let Some(i) = (0..n).find(|&i| v[i] == v[i + p + 1]) {
             return Some((i + p + 1, "at most degree + 1 times the same knot"));
         }
+        // At the ends p + 1 equal knots are usual; inside they would disconnect the curve.
         let inside = |i: &usize| v[first] < v[*i] && v[*i] < v[last];
         let parted = (p..n).filter(inside).find(|&i| v[i] == v[i + p]);
         parted.map(|i| (i + p, "at most degree times the same knot inside"))

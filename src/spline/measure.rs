@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::eval::check_segments;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, walk};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices, visit_vertices};
 use crate::curve::trace::PathSink;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
@@ -69,7 +69,7 @@ impl<P: Point> Spline<P> {
         self.check_flatten(tolerance)?;
         for (k, curve) in self.segments().enumerate() {
             let shifted = |t, p| vertex(as_f64(k) + t, p);
-            walk(curve.control_points(), k > 0, tolerance, shifted);
+            visit_vertices(curve.control_points(), k > 0, tolerance, shifted);
         }
         Ok(())
     }

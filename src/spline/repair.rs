@@ -19,11 +19,11 @@ pub(crate) struct JointRepair<'a, P: Point, M> {
     spline: &'a mut Spline<P>,
     mode: &'a M,
     /// The state of each control point.
-    states: Vec<State>,
+    states: Vec<PointState>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum State {
+enum PointState {
     /// Unchanged; the point may be moved.
     Free,
     /// Unchanged; the point must not move, because a repaired joint depends on it.
@@ -41,7 +41,7 @@ struct JointPoints {
 impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     pub(crate) fn new(spline: &'a mut Spline<P>, mode: &'a M) -> Self {
         Self {
-            states: vec![State::Free; spline.points.len()],
+            states: vec![PointState::Free; spline.points.len()],
             spline,
             mode,
         }
@@ -50,13 +50,13 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Moves a point unless it must not move; returns whether the point is at `to` now.
     pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
-        let free = self.states[index] == State::Free;
+        let free = self.states[index] == PointState::Free;
         // A free point that is already at `to`, or cannot move there, is fixed.
         if free && is_within_limit(to) && *target != to {
             *target = to;
-            self.states[index] = State::Changed;
+            self.states[index] = PointState::Changed;
         } else if free {
-            self.states[index] = State::Fixed;
+            self.states[index] = PointState::Fixed;
         }
         *target == to
     }
@@ -80,7 +80,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
 
     fn sides(&self, around: &JointPoints, joint: usize, forward: bool) -> Sides<P> {
         let at = |index: usize| self.spline.points[index];
-        let (before, after) = self.spline.beside(joint);
+        let (before, after) = self.spline.adjacent_segments(joint);
         let (near, far) = if forward {
             (before, after)
         } else {
@@ -101,11 +101,11 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         match mode {
             JointMode::Free => {}
             JointMode::Auto => self.automatic(joint),
-            _ => self.follow(joint, forward, mode),
+            _ => self.move_far_side(joint, forward, mode),
         }
     }
 
-    fn follow(&mut self, joint: usize, forward: bool, mode: JointMode) {
+    fn move_far_side(&mut self, joint: usize, forward: bool, mode: JointMode) {
         let around = self.around(joint, forward);
         let JointPoints { near, far, .. } = around;
         // On a closed spline of two lines or of one quadratic, the same point is on both sides.
@@ -117,12 +117,12 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         let apart = near[1] != far[0] && near[1] != far[1];
         let second = mode.is_second_order() && sides.are_cubic() && apart;
         let mode = if second { mode } else { mode.of_first_order() };
-        let handle = sides.follow(mode);
+        let handle = sides.far_handle(mode);
         for index in [around.joint, near[0]] {
-            self.fix(index);
+            self.mark_fixed(index);
         }
         if second {
-            self.fix(near[1]);
+            self.mark_fixed(near[1]);
         }
         let is_set = self.set_point(far[0], handle);
         if is_set && mode == JointMode::C2 {
@@ -131,9 +131,9 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         }
     }
 
-    fn fix(&mut self, index: usize) {
-        if self.states[index] == State::Free {
-            self.states[index] = State::Fixed;
+    fn mark_fixed(&mut self, index: usize) {
+        if self.states[index] == PointState::Free {
+            self.states[index] = PointState::Fixed;
         }
     }
 
@@ -144,7 +144,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         let steps = [here - before, after - here].map(|chord| chord.norm().sqrt());
         let (departure, arrival) = catmull_rom([before, here, after], steps);
         let around = self.around(joint, true);
-        let (left, right) = self.spline.beside(joint);
+        let (left, right) = self.spline.adjacent_segments(joint);
         for (segment, handle, derivative) in [
             (left, around.near[0], -arrival),
             (right, around.far[0], departure),
@@ -160,7 +160,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// here.
     fn anchors(&self, joint: usize) -> [usize; 3] {
         let starts = &self.spline.starts;
-        let (left, right) = self.spline.beside(joint);
+        let (left, right) = self.spline.adjacent_segments(joint);
         [
             starts[left],
             starts[right],
@@ -175,7 +175,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
             return self.automatic(joint);
         }
         let around = self.around(joint, true);
-        let (left, right) = self.spline.beside(joint);
+        let (left, right) = self.spline.adjacent_segments(joint);
         let (near, far) = (around.near[0], around.far[0]);
         let to = self.spline.points[around.joint];
         // A handle of length zero keeps that length.
@@ -191,13 +191,13 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         if self.spline.degree_of(left) > 1 {
             self.set_point(near, along(self.spline.points[near]));
         }
-        // The far handle is not marked as changed yet, because `follow` may move it again.
+        // The far handle is not marked as changed yet, because `move_far_side` may move it again.
         if self.spline.degree_of(right) > 1 && near != far && is_within_limit(along(handle)) {
             self.spline.points[far] = along(handle);
         }
-        self.follow(joint, true, mode);
+        self.move_far_side(joint, true, mode);
         if self.spline.points[far] != handle {
-            self.states[far] = State::Changed;
+            self.states[far] = PointState::Changed;
         }
     }
 
@@ -256,7 +256,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     /// Whether a control point that determines the near side of a joint has changed.
     fn is_touched(&self, joint: usize, forward: bool) -> bool {
         let around = self.around(joint, forward);
-        let changed = |index: usize| self.states[index] == State::Changed;
+        let changed = |index: usize| self.states[index] == PointState::Changed;
         let mode = (self.mode)(joint);
         let [before, _, after] = self.anchors(joint);
         changed(around.near[0])
@@ -279,7 +279,8 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
             (segments - 1, segments - 1, [end, end - 1, last]),
         ] {
             let degree = self.spline.degree_of(segment);
-            let moved = self.states[from] == State::Changed || self.states[to] == State::Changed;
+            let moved =
+                self.states[from] == PointState::Changed || self.states[to] == PointState::Changed;
             if moved && degree > 2 && (self.mode)(joint) == JointMode::Auto {
                 let (from, to) = (self.spline.points[from], self.spline.points[to]);
                 self.set_point(handle, from + (to - from) * ratio(1, degree));

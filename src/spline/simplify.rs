@@ -4,7 +4,7 @@ use super::Spline;
 use super::corners::angle_between;
 use super::cubics::{FitEffort, ROUNDING_SHARE, is_monotone};
 use super::fit::{CurveFitter, DEFAULT_CORNER_ANGLE, check_corner_angle};
-use super::grid::Grid;
+use super::grid::DecimalGrid;
 use crate::curve::Curve;
 use crate::curve::extrema::extrema_of;
 use crate::curve::flatten::Polyline;
@@ -153,7 +153,7 @@ impl<P: Point> Spline<P> {
         // The tolerance is shared by the polyline, the rounding of the result and the fit.
         let distance = tolerance * (1.0 - ROUNDING_SHARE) - share;
         let grid = match precision {
-            Some(decimals) => Some(Grid::new(decimals, &self.points, tolerance)?),
+            Some(decimals) => Some(DecimalGrid::new(decimals, &self.points, tolerance)?),
             None => None,
         };
         let plain = self.degrees().iter().all(|&degree| degree <= 3);
@@ -189,7 +189,7 @@ impl<P: Point> Spline<P> {
     }
 
     /// The spline with control points on a grid. Segments that become a point are left out.
-    fn rounded(self, grid: Option<Grid>) -> Result<Self, Error> {
+    fn rounded(self, grid: Option<DecimalGrid>) -> Result<Self, Error> {
         let Some(grid) = grid else {
             return Ok(self);
         };
@@ -244,7 +244,7 @@ impl<P: Point> Vertices<P> {
     fn simplified(
         mut self,
         options: &SimplifyOptions,
-        (distance, grid): (f64, Option<Grid>),
+        (distance, grid): (f64, Option<DecimalGrid>),
         closed: bool,
     ) -> Spline<P> {
         let corner_angle = options.corner_angle;

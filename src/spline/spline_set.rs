@@ -147,13 +147,13 @@ impl SplineSet {
                 (m.at.t, m.at.u) = (m.at.u, m.at.t);
             }
             let overlap = matches!(m.at.kind, IntersectionKind::Overlap { .. });
-            !(overlap || m.a == m.b && self.one_joint(m.a, m.at.t, m.at.u))
+            !(overlap || m.a == m.b && self.is_one_joint(m.a, m.at.t, m.at.u))
         });
         joined(found, self, self)
     }
 
     /// Whether two parameters of a spline denote the same joint.
-    fn one_joint(&self, spline_index: usize, t: f64, u: f64) -> bool {
+    fn is_one_joint(&self, spline_index: usize, t: f64, u: f64) -> bool {
         let (count, closed) = self.sizes[spline_index];
         // On a closed spline, t and u may also be next to each other across its start.
         let around = if closed { count as f64 } else { f64::INFINITY };
@@ -182,11 +182,11 @@ fn joined(
             .then(p.at.u.total_cmp(&q.at.u))
     };
     sort_by(&mut found, order);
-    let (pieces, points): (Vec<SplineIntersection>, Vec<SplineIntersection>) = found
+    let (overlaps, points): (Vec<SplineIntersection>, Vec<SplineIntersection>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, IntersectionKind::Overlap { .. }));
     // The ends of all overlaps: an isolated intersection at one of them is a part of the overlap.
-    let mut ends: Vec<(usize, usize, f64, f64)> = pieces
+    let mut ends: Vec<(usize, usize, f64, f64)> = overlaps
         .iter()
         .flat_map(|m| {
             let (t_end, u_end) = end_of(m);
@@ -197,8 +197,8 @@ fn joined(
     sort_by(&mut ends, |p, q| {
         (p.0, p.1).cmp(&(q.0, q.1)).then(p.2.total_cmp(&q.2))
     });
-    let pieces = joined_pieces(pieces);
-    let mut all: Vec<SplineIntersection> = Vec::with_capacity(pieces.len() + points.len());
+    let overlaps = joined_overlaps(overlaps);
+    let mut all: Vec<SplineIntersection> = Vec::with_capacity(overlaps.len() + points.len());
     for point in points {
         let near = |t: f64, u: f64| {
             (t - point.at.t).abs() <= ONE_JOINT && (u - point.at.u).abs() <= ONE_JOINT
@@ -217,17 +217,17 @@ fn joined(
         }
         let from = (point.a, point.b, point.at.t - ONE_JOINT);
         let start = ends.partition_point(|&(a, b, t, _)| (a, b, t) < from);
-        let at_piece = ends[start..]
+        let at_overlap = ends[start..]
             .iter()
             .take_while(|&&(a, b, t, _)| {
                 (a, b) == (point.a, point.b) && t <= point.at.t + ONE_JOINT
             })
             .any(|&(_, _, t, u)| near(t, u));
-        if !at_piece {
+        if !at_overlap {
             all.push(point);
         }
     }
-    all.extend(pieces);
+    all.extend(overlaps);
     sort_by(&mut all, order);
     all
 }
@@ -241,24 +241,26 @@ fn end_of(intersection: &SplineIntersection) -> (f64, f64) {
 }
 
 /// Merges overlaps, sorted by the pair of splines and by t, that continue where another one ends in the same direction.
-fn joined_pieces(pieces: Vec<SplineIntersection>) -> Vec<SplineIntersection> {
+fn joined_overlaps(overlaps: Vec<SplineIntersection>) -> Vec<SplineIntersection> {
     let mut all: Vec<SplineIntersection> = Vec::new();
     // Those of the same pair that do not end before the current one starts.
     let mut open: Vec<usize> = Vec::new();
-    for piece in pieces {
-        let (t_end, u_end) = end_of(&piece);
-        let after = |q: &SplineIntersection| piece.at.t - end_of(q).0;
-        open.retain(|&k| (all[k].a, all[k].b) == (piece.a, piece.b) && after(&all[k]) <= ONE_JOINT);
+    for overlap in overlaps {
+        let (t_end, u_end) = end_of(&overlap);
+        let after = |q: &SplineIntersection| overlap.at.t - end_of(q).0;
+        open.retain(|&k| {
+            (all[k].a, all[k].b) == (overlap.a, overlap.b) && after(&all[k]) <= ONE_JOINT
+        });
         let continues = |q: &SplineIntersection| {
             after(q) >= -ONE_JOINT
-                && (end_of(q).1 - piece.at.u).abs() <= ONE_JOINT
-                && (end_of(q).1 - q.at.u) * (u_end - piece.at.u) > 0.0
+                && (end_of(q).1 - overlap.at.u).abs() <= ONE_JOINT
+                && (end_of(q).1 - q.at.u) * (u_end - overlap.at.u) > 0.0
         };
         match open.iter().rev().find(|&&k| continues(&all[k])) {
             Some(&k) => all[k].at.kind = IntersectionKind::Overlap { t_end, u_end },
             None => {
                 open.push(all.len());
-                all.push(piece);
+                all.push(overlap);
             }
         }
     }

@@ -10,10 +10,10 @@ const MAX_STEPS: usize = 32;
 const LAST_STEP: f64 = 1e-9;
 
 /// The maximum number of times that a step is shortened; only a useless start needs more.
-const MAX_CUTS: usize = 8;
+const MAX_REDUCTIONS: usize = 8;
 
-/// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.
-const CUT: f64 = 0.25;
+/// A step that does not descend is shortened by this factor. With [`MAX_REDUCTIONS`] it becomes 65,536 times shorter.
+const STEP_REDUCTION: f64 = 0.25;
 
 /// Below this determinant, relative to the product of the second derivatives, rounding decides the direction of the
 /// Newton step: half of its digits are lost.
@@ -32,16 +32,17 @@ pub(crate) fn descend(
     for _ in 0..MAX_STEPS {
         let mut step = newton_step(&jet, at, within);
         let is_last = step.iter().all(|s| s.abs() < LAST_STEP);
-        let mut cuts = 0;
+        let mut reductions = 0;
         let (next, there) = loop {
-            let next = moved(at, step, within);
+            let next = clamped_step(at, step, within);
             let there = whole.jet(0, next);
             let may_go_on = work.spend(whole.jet_steps());
-            if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
+            // Rounding decides whether the last step descends, so it is taken in any case.
+            if is_last || there.f <= jet.f || reductions == MAX_REDUCTIONS || !may_go_on {
                 break (next, there);
             }
-            cuts += 1;
-            step = step.map(|s| CUT * s);
+            reductions += 1;
+            step = step.map(|s| STEP_REDUCTION * s);
         };
         if is_last {
             return (next, there.f, true);
@@ -54,22 +55,23 @@ pub(crate) fn descend(
     (at, jet.f, false)
 }
 
-fn moved(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
+fn clamped_step(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
     [0, 1].map(|k| (at[k] + step[k]).clamp(within[k][0], within[k][1]))
 }
 
 /// The Newton step; it runs along an edge of the rectangle only where the descent direction leads out of the rectangle.
 fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
-    let stuck = |k: usize, slope: f64| {
+    let is_blocked = |k: usize, slope: f64| {
         (at[k] <= within[k][0] && slope >= 0.0) || (at[k] >= within[k][1] && slope <= 0.0)
     };
     // In one direction; where the second derivative is not that of a minimum, some step downhill.
     let uncoupled = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
-    match (stuck(0, jet.u), stuck(1, jet.v)) {
+    match (is_blocked(0, jet.u), is_blocked(1, jet.v)) {
         (true, true) => [0.0; 2],
         (true, false) => [0.0, uncoupled(jet.v, jet.vv)],
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
+            // Where the Hessian matrix H is positive definite, −H⁻¹ ∇f by Cramer's rule.
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
             if jet.uu > 0.0 && det > MIN_DETERMINANT * jet.uu * jet.vv.abs() {
                 [

@@ -31,7 +31,7 @@ pub(crate) const SMALL_AT_THE_LIMIT: f64 = 1.0 / 16.0;
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
 
 /// The distance of patches from a point.
-pub(crate) struct Distance<'a> {
+pub(crate) struct PatchDistance<'a> {
     patches: &'a [Patch],
     /// The indices of the patches to which the polynomials belong.
     near: &'a [usize],
@@ -43,7 +43,7 @@ pub(crate) struct Distance<'a> {
     pub(crate) size: f64,
 }
 
-impl Objective for Distance<'_> {
+impl Objective for PatchDistance<'_> {
     fn value(&self, index: usize, at: [f64; 2]) -> f64 {
         self.surface_point(index, at).distance
     }
@@ -75,7 +75,7 @@ impl Objective for Distance<'_> {
     }
 }
 
-impl<'a> Distance<'a> {
+impl<'a> PatchDistance<'a> {
     pub(crate) fn new(
         patches: &'a [Patch],
         near: &'a [usize],

@@ -16,7 +16,7 @@ const DEGREES_PER_INTERVAL: usize = 12;
 
 /// A rectangle of parameters.
 #[derive(Clone, Copy)]
-struct Tile {
+struct ParameterRectangle {
     u: [f64; 2],
     v: [f64; 2],
 }
@@ -27,7 +27,7 @@ impl Patch {
         let [along_u, along_v] =
             [self.degree_u(), self.degree_v()].map(|n| (3 * n - 1).div_ceil(DEGREES_PER_INTERVAL));
         let part = |k: usize, n: usize| [ratio(k, n), ratio(k + 1, n)];
-        let tiles = (0..along_u * along_v).map(|k| Tile {
+        let tiles = (0..along_u * along_v).map(|k| ParameterRectangle {
             u: part(k % along_u, along_u),
             v: part(k / along_u, along_v),
         });
@@ -37,10 +37,10 @@ impl Patch {
     }
 
     /// The integral of a function of S, ∂u and ∂v over a tile.
-    fn integral(&self, tile: Tile, f: &dyn Fn(DVec3, DVec3, DVec3) -> f64) -> f64 {
+    fn integral(&self, tile: ParameterRectangle, f: &dyn Fn(DVec3, DVec3, DVec3) -> f64) -> f64 {
         let [m, n] = [self.degree_u(), self.degree_v()];
         let du = differences_u(&self.points, self.columns);
-        let along_v: Vec<Node> = nodes(tile.v, n).collect();
+        let along_v: Vec<QuadratureNode> = nodes(tile.v, n).collect();
         let mut sum = 0.0;
         for at_u in nodes(tile.u, m) {
             let curve: Vec<DVec3> = blends(&self.points, &at_u.weights).collect();
@@ -60,14 +60,14 @@ impl Patch {
 }
 
 /// A node of the quadrature: its weight, and the Bernstein weights of a degree and of the degree below.
-struct Node {
+struct QuadratureNode {
     weight: f64,
     weights: Vec<f64>,
     lower: Vec<f64>,
 }
 
 /// The nodes of the quadrature in an interval.
-fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
+fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = QuadratureNode> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     (0..2 * GAUSS_8.nodes.len()).map(move |k| {
         let (x, weight) = (GAUSS_8.nodes[k / 2], GAUSS_8.weights[k / 2]);
@@ -77,7 +77,7 @@ fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
             bernstein_into(&mut weights, t);
             weights
         };
-        Node {
+        QuadratureNode {
             weight: half * weight,
             weights: bernstein(degree + 1),
             lower: bernstein(degree),
@@ -128,7 +128,11 @@ impl Surface {
         let mut neighbours = vec![Vec::new(); self.patch_count()];
         for pair in &topology.shared {
             let [a, b] = pair.as_slice() else { return None };
-            let flip = if follows(a) == follows(b) { -1.0 } else { 1.0 };
+            let flip = if is_counter_clockwise(a) == is_counter_clockwise(b) {
+                -1.0
+            } else {
+                1.0
+            };
             neighbours[a.patch].push((b.patch, flip));
             neighbours[b.patch].push((a.patch, flip));
         }
@@ -154,7 +158,7 @@ impl Surface {
 
 /// Whether the edge, in its shared direction, runs counter-clockwise around the patch as seen from its normal. Two
 /// neighbours whose normals agree traverse a shared edge in opposite directions.
-fn follows(side: &EdgeUse) -> bool {
+fn is_counter_clockwise(side: &EdgeUse) -> bool {
     let along = matches!(side.edge, PatchEdge::V0 | PatchEdge::U1);
     along != side.reversed
 }

@@ -11,7 +11,7 @@ use std::collections::BinaryHeap;
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 /// Minima nearer than this in u and v count as one: the square root of rounding, for a flat minimum, with a margin.
-const SAME: f64 = 1.0 / 1_048_576.0;
+const SAME_POINT: f64 = 1.0 / 1_048_576.0;
 
 /// The maximum number of coefficients in the queue: 16 MB.
 const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
@@ -79,6 +79,7 @@ pub(crate) fn minimise(
         best: None,
         ties: 0,
     };
+    // The better the first point, the more pieces are excluded at once; corners are points, not only bounds.
     let corner = |piece: &PolynomialPiece| min_corner(piece).1;
     let first = wholes
         .iter()
@@ -160,6 +161,8 @@ impl MinimumSearch<'_> {
     ) -> bool {
         let (start, corner) = min_corner(piece);
         let whole = &self.wholes[piece.index];
+        // A corner that is as good as the best point up to rounding is tried if its exact value is better. One that is
+        // better by more than rounding is always tried.
         if !always && corner > self.min_value - SLACK {
             if corner > self.min_value + SLACK
                 || self.ties == MAX_TIES
@@ -200,7 +203,9 @@ impl MinimumSearch<'_> {
     /// Whether a point is the best one found so far.
     fn is_known(&self, index: usize, [u, v]: [f64; 2]) -> bool {
         self.best.is_some_and(|best| {
-            best.index == index && (best.u - u).abs() < SAME && (best.v - v).abs() < SAME
+            best.index == index
+                && (best.u - u).abs() < SAME_POINT
+                && (best.v - v).abs() < SAME_POINT
         })
     }
 }
@@ -220,5 +225,6 @@ fn min_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
 /// Whether the coefficients of the second derivatives prove that the polynomial has one minimum in the piece.
 fn is_convex(piece: &PolynomialPiece) -> bool {
     let [uu, uv, vv] = piece.second_derivatives();
+    // The Hessian matrix is positive definite (Sylvester's criterion) for all values in these ranges.
     uu[0] > 0.0 && vv[0] > 0.0 && uu[0] * vv[0] > uv[0].abs().max(uv[1].abs()).powi(2)
 }

@@ -5,7 +5,7 @@
 //! the search by bounds: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA 1998; of
 //! products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
-use super::distance::{Distance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
+use super::distance::{PatchDistance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
 use super::minimum::minimise;
 use super::network::Surface;
 use super::piece::PolynomialPiece;
@@ -48,7 +48,7 @@ impl Patch {
         let patches = std::slice::from_ref(self);
         let scaling = Scaling::around(box_of(patches)?);
         let images = [scaling.image(self)];
-        let distance = Distance::new(patches, &[0], &images, &scaling, p);
+        let distance = PatchDistance::new(patches, &[0], &images, &scaling, p);
         // The cutoff is larger than `reach`, since the bounds are rounded.
         let (found, is_complete) = distance.search_small(None, 4.0 * reach);
         let is_near = |candidate: &SurfacePoint| candidate.distance <= reach;
@@ -89,7 +89,7 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
         .zip(&images)
         .map(|(index, image)| squared_distance(index, image, &scaling, p))
         .collect();
-    let distance = Distance::new(patches, &near, &images, &scaling, p);
+    let distance = PatchDistance::new(patches, &near, &images, &scaling, p);
     let (min, is_complete) = minimise(&wholes, &distance)?;
     let mut candidate = distance.surface_point(min.index, [min.u, min.v]);
     let small = if is_complete {

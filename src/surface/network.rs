@@ -31,18 +31,18 @@ pub struct Surface {
     joined: Vec<u32>,
     /// The control nets of all patches, one after the other.
     indices: Vec<u32>,
-    patches: Vec<Layout>,
+    patches: Vec<PatchLayout>,
 }
 
 /// The degrees of a patch, and the position of its net in the indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Layout {
+struct PatchLayout {
     first: usize,
     degree_u: usize,
     degree_v: usize,
 }
 
-impl Layout {
+impl PatchLayout {
     fn count(&self) -> usize {
         (self.degree_u + 1) * (self.degree_v + 1)
     }
@@ -96,7 +96,7 @@ impl Surface {
         for &[degree_u, degree_v] in degrees {
             check_degree("degree_u", degree_u)?;
             check_degree("degree_v", degree_v)?;
-            let layout = Layout {
+            let layout = PatchLayout {
                 first,
                 degree_u,
                 degree_v,
@@ -125,7 +125,7 @@ impl Surface {
     /// A surface of bicubic patches whose indices are already checked.
     pub(crate) fn bicubic(vertices: Vec<DVec3>, indices: Vec<u32>) -> Self {
         let patches = (0..indices.len() / 16)
-            .map(|patch| Layout {
+            .map(|patch| PatchLayout {
                 first: 16 * patch,
                 degree_u: 3,
                 degree_v: 3,
@@ -261,6 +261,7 @@ impl Surface {
             });
         }
         checked_point(&mut self.vertices, index, to)?;
+        // All vertices of one former position have the same entry, that of the first of them.
         let joint = self.joined[index];
         for (vertex, &joined) in self.vertices.iter_mut().zip(&self.joined) {
             if joined == joint {
@@ -283,7 +284,7 @@ impl Patch {
         Surface {
             joined: joined(&vertices),
             indices: (0..).take(vertices.len()).collect(),
-            patches: vec![Layout {
+            patches: vec![PatchLayout {
                 first: 0,
                 degree_u: self.degree_u(),
                 degree_v: self.degree_v(),

@@ -5,7 +5,7 @@ use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Zeros nearer than this in u and v count as one: between two zeros at a distance s the pair rises to s²/4, which
 /// rounding hides.
-pub(crate) const SAME: f64 = 1.0 / 8_388_608.0;
+pub(crate) const SAME_ZERO: f64 = 1.0 / 8_388_608.0;
 
 /// The maximum number of steps of Newton's method from one start.
 const MAX_STEPS: usize = 16;
@@ -23,6 +23,8 @@ pub(crate) fn distance_from_zero(whole: &PolynomialPiece, at: [f64; 2]) -> f64 {
 pub(crate) fn onto_square(whole: &PolynomialPiece, at: [f64; 2]) -> [f64; 2] {
     let mut inside = at.map(|t| t.clamp(0.0, 1.0));
     for k in 0..2 {
+        // The other parameter was clamped, so the point moves along this edge: the step s that minimises
+        // (a + s a′)² + (b + s b′)².
         if inside[1 - k] != at[1 - k] {
             let [a, b] = [0, 1].map(|plane| whole.jet(plane, inside));
             let [da, db] = if k == 0 { [a.u, b.u] } else { [a.v, b.v] };
@@ -67,7 +69,7 @@ pub(crate) fn zero_near(
 /// A zero near a point at which the pair touches zero: the derivative is singular there, and the component of the pair
 /// along the direction in which it is not singular is zero. Newton's method solves these two equations; `None` if it
 /// diverges.
-pub(crate) fn touch(
+pub(crate) fn touching_zero(
     whole: &PolynomialPiece,
     from: [f64; 2],
     work: &mut WorkLimit,
@@ -78,11 +80,11 @@ pub(crate) fn touch(
             return None;
         }
         let [a, b] = [0, 1].map(|k| whole.jet(k, at));
-        let step = solve(along(&a, &b), singular(&a, &b));
+        let step = solve(regular_component(&a, &b), jacobian_determinant(&a, &b));
         at = [at[0] + step[0], at[1] + step[1]];
         // When the search ends, the pieces around such a point are no wider than this. A step that is not finite also
         // fails this test.
-        let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME.sqrt());
+        let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME_ZERO.sqrt());
         if !is_near {
             return None;
         }
@@ -103,7 +105,8 @@ pub(crate) fn project_to_zero_set(
         if !work.spend(2 * whole.jet_steps()) {
             break;
         }
-        let [u, v, value] = along(&whole.jet(0, at), &whole.jet(1, at));
+        // One equation for two parameters: the shortest of its Newton steps runs along the gradient (u, v).
+        let [u, v, value] = regular_component(&whole.jet(0, at), &whole.jet(1, at));
         let share = value / (u * u + v * v);
         if !share.is_finite() {
             break;
@@ -114,13 +117,13 @@ pub(crate) fn project_to_zero_set(
 }
 
 /// The component of the pair along its largest derivative: its derivatives in u and v, and its value.
-fn along(a: &Jet, b: &Jet) -> [f64; 3] {
-    let [x, y] = greater([a.u, b.u], [a.v, b.v]);
+fn regular_component(a: &Jet, b: &Jet) -> [f64; 3] {
+    let [x, y] = longer([a.u, b.u], [a.v, b.v]);
     [x * a.u + y * b.u, x * a.v + y * b.v, x * a.f + y * b.f]
 }
 
 /// The determinant of the derivative: its derivatives in u and v, and its value.
-fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
+fn jacobian_determinant(a: &Jet, b: &Jet) -> [f64; 3] {
     [
         a.uu * b.v + a.u * b.uv - a.uv * b.u - a.v * b.uu,
         a.uv * b.v + a.u * b.vv - a.vv * b.u - a.v * b.uv,
@@ -128,14 +131,14 @@ fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
     ]
 }
 
-/// The Newton step for two equations, each given by its derivatives and its value.
+/// The Newton step for two equations, each given by its derivatives and its value, by Cramer's rule.
 fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
     let det = au * bv - av * bu;
     [(av * b - bv * a) / det, (bu * a - au * b) / det]
 }
 
 /// The longer of two vectors.
-pub(crate) fn greater(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn longer(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     if a[0].hypot(a[1]) >= b[0].hypot(b[1]) {
         a
     } else {

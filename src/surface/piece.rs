@@ -8,7 +8,7 @@
 //! (1980).
 
 use crate::numeric::float::as_f64;
-use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
+use crate::patch::taylor::{BernsteinWeights, LONG_ROW, MAX_COUNT, taylor};
 use casteljau_kernels::bernstein::de_casteljau::halve_net;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 
@@ -205,7 +205,7 @@ impl PolynomialPiece {
     /// The value and derivatives of a plane at a point of this piece's unit square.
     pub(crate) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
         let mut columns = [[0.0; MAX_COUNT]; 3];
-        let weights = Weights::new(self.columns, u);
+        let weights = BernsteinWeights::new(self.columns, u);
         for (j, row) in self.plane(k).chunks(self.columns).enumerate() {
             let [f, slope, bend] = match &weights {
                 Some(weights) => weights.blend(row),

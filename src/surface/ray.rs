@@ -9,7 +9,7 @@ use super::network::Surface;
 use super::piece::PolynomialPiece;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
-use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
+use super::zeros::{MAX_RAY_STEPS, ZERO_TOLERANCE, common_zeros};
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -94,13 +94,13 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         for hits in all {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = Point::norm(a.point - b.point);
-                // `blur` computes a normal, so it is called only where the simpler limits do not decide.
-                apart <= NEAR * scaling.size
+                // `hit_uncertainty` computes a normal, so it is called only where the simpler limits do not decide.
+                apart <= ZERO_TOLERANCE * scaling.size
                     || apart <= ON_SIDE * scaling.size
                         && [a, b]
-                            .map(|hit| blur(patches, hit, &ray) * scaling.size)
+                            .map(|hit| hit_uncertainty(patches, hit, &ray) * scaling.size)
                             .iter()
-                            .any(|blur| apart <= *blur)
+                            .any(|limit| apart <= *limit)
             };
             for hit in hits? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
@@ -140,10 +140,10 @@ fn hits_of(
     // A point that Newton's method did not bring onto the ray is not a hit.
     hits.retain(|hit| {
         let from_start = scaling.local_point(hit.point) - ray.start;
-        from_start.dot(ray.along) >= -NEAR
+        from_start.dot(ray.along) >= -ZERO_TOLERANCE
             && Point::norm(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
-    let reach = NEAR * scaling.size;
+    let reach = ZERO_TOLERANCE * scaling.size;
     if !zeros.complete && patch.control_bounds().distance(origin) <= reach {
         let origin_on_patch = patch.nearest_within(origin, reach);
         hits.extend(
@@ -164,8 +164,11 @@ fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPi
         .collect();
     let is_all =
         |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));
-    let is_beside = |axis: DVec3| is_all(&|d| d > NEAR, axis) || is_all(&|d| d < -NEAR, axis);
-    if is_all(&|d| d < -NEAR, ray.along) || ray.across.iter().any(|&axis| is_beside(axis)) {
+    let is_beside = |axis: DVec3| {
+        is_all(&|d| d > ZERO_TOLERANCE, axis) || is_all(&|d| d < -ZERO_TOLERANCE, axis)
+    };
+    if is_all(&|d| d < -ZERO_TOLERANCE, ray.along) || ray.across.iter().any(|&axis| is_beside(axis))
+    {
         return None;
     }
     let [e1, e2] = ray.across;
@@ -186,11 +189,11 @@ fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPi
 /// The edge that two patches share, or the seam of one patch, is the same curve from both sides except for the last
 /// digits. Where the ray grazes it, a hit moves by this error divided by the cosine of the ray's angle with the normal.
 /// Duplicate hits inside a patch are already merged by the patch's own search.
-fn blur(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
+fn hit_uncertainty(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
     let is_end = |t: f64| t.min(1.0 - t) <= ON_SIDE;
     if !(is_end(hit.u) || is_end(hit.v)) {
-        return NEAR;
+        return ZERO_TOLERANCE;
     }
     let normal = patches[hit.patch].normal(hit.u, hit.v);
-    (8.0 * NEAR / normal.dot(ray.along).abs()).min(ON_SIDE)
+    (8.0 * ZERO_TOLERANCE / normal.dot(ray.along).abs()).min(ON_SIDE)
 }

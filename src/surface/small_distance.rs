@@ -11,16 +11,16 @@ use super::queued_piece::QueuedPiece;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
-/// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `SHARE` of that
-/// distance, or by more than `SHARE_OF_SIZE` of the size.
-const SHARE: f64 = 1.0 / 16.0;
-const SHARE_OF_SIZE: f64 = 1.0 / 16_777_216.0;
+/// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `MIN_IMPROVEMENT` of that
+/// distance, or by more than `MIN_IMPROVEMENT_OF_SIZE` of the size.
+const MIN_IMPROVEMENT: f64 = 1.0 / 16.0;
+const MIN_IMPROVEMENT_OF_SIZE: f64 = 1.0 / 16_777_216.0;
 
 /// The cost of one descent, in evaluations of a piece with derivatives.
 const DESCENT_JETS: usize = 16;
 
 /// The maximum number of coefficients in the queue: 16 MB.
-const MAX_WAITING: usize = 1 << 21;
+const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 
 /// Searches pieces whose planes are the coordinates of S − p for the smallest distance.
 ///
@@ -41,12 +41,12 @@ pub(crate) fn search_small(
     let mut coefficients = 0;
     while let Some(QueuedPiece { low, piece }) = queue.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
-        let is_far = |low: f64, min: f64| low > cutoff.min(worthwhile(min));
+        let is_far = |low: f64, min: f64| low > cutoff.min(improvement_limit(min));
         if min <= goal || is_far(low, min) {
             return true;
         }
         let (start, corner) = nearest_corner(&piece);
-        let descends = corner < worthwhile(min);
+        let descends = corner < improvement_limit(min);
         let jets = if descends { DESCENT_JETS } else { 0 };
         if !work.spend(piece.steps() + jets * piece.jet_steps()) {
             return false;
@@ -61,7 +61,7 @@ pub(crate) fn search_small(
                 coefficients += half.piece.plane(0).len();
                 queue.push(half);
             }
-            if coefficients > MAX_WAITING {
+            if coefficients > MAX_QUEUED_COEFFICIENTS {
                 return false;
             }
         }
@@ -70,8 +70,8 @@ pub(crate) fn search_small(
 }
 
 /// The distance below which a point is a sufficient improvement.
-fn worthwhile(min: f64) -> f64 {
-    min - (SHARE * min).min(SHARE_OF_SIZE)
+fn improvement_limit(min: f64) -> f64 {
+    min - (MIN_IMPROVEMENT * min).min(MIN_IMPROVEMENT_OF_SIZE)
 }
 
 /// A piece and the distance of the bounding box of its control points.

@@ -5,14 +5,15 @@
 //! those where the pair only touches zero: pieces so small that rounding decides.
 
 use super::newton::{
-    SAME, distance_from_zero, greater, onto_square, project_to_zero_set, touch, zero_near,
+    SAME_ZERO, distance_from_zero, longer, onto_square, project_to_zero_set, touching_zero,
+    zero_near,
 };
 use super::piece::{PolynomialPiece, search};
 use casteljau_kernels::numeric::order::range;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
-pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;
+pub(crate) const ZERO_TOLERANCE: f64 = 32.0 * f64::EPSILON;
 
 /// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has at most 18 zeros, and
 /// around a zero that the pair only touches a few hundred pieces remain while they are small.
@@ -45,7 +46,7 @@ struct Zero {
     v: [f64; 2],
     /// The known point where the pair is nearest to zero, and the pair's absolute value there.
     at: [f64; 2],
-    off: f64,
+    residual: f64,
 }
 
 /// The common zeros of planes 0 and 1 of a whole piece. If they are zero along a curve, the result contains the ends of
@@ -68,7 +69,7 @@ fn collect(
     work: &mut WorkLimit,
 ) -> bool {
     let sides = piece.sides();
-    let mut finder = Finder {
+    let mut finder = ZeroFinder {
         whole,
         on_face: sides.len() == 4,
         min_curve: CURVE_SHARE * length(whole.range(2)),
@@ -82,6 +83,7 @@ fn collect(
     if few && curve.is_none() {
         return true;
     }
+    // The zeros are not isolated: those on the edges are listed instead, among them the ends of a curve of zeros.
     for side in sides {
         collect(side, whole, zeros, work);
     }
@@ -93,7 +95,7 @@ fn collect(
 }
 
 /// The state of a search.
-struct Finder<'a> {
+struct ZeroFinder<'a> {
     whole: &'a PolynomialPiece,
     /// Whether the search covers the square; on an edge or at a corner the derivative of the pair has no meaning.
     on_face: bool,
@@ -104,28 +106,33 @@ struct Finder<'a> {
     curve: Option<Zero>,
 }
 
-impl Finder<'_> {
+impl ZeroFinder<'_> {
     /// Whether a piece has to be halved; if not, adds its zero, if any.
     fn examine(&mut self, piece: &PolynomialPiece, work: &mut WorkLimit) -> bool {
         let ranges = [piece.range(0), piece.range(1)];
-        let is_far = |range: &[f64; 2]| range[0] > NEAR || range[1] < -NEAR;
+        let is_far = |range: &[f64; 2]| range[0] > ZERO_TOLERANCE || range[1] < -ZERO_TOLERANCE;
         if ranges.iter().any(is_far) {
             return false;
         }
-        let is_point = ranges.iter().all(|range| length(*range) <= NEAR);
+        let is_point = ranges.iter().all(|range| length(*range) <= ZERO_TOLERANCE);
+        // Two equations for one parameter, or for none, have no Jacobian determinant: pieces are halved to the end.
         if !self.on_face {
             if is_point {
-                self.add_last(piece, work);
+                self.add_undecided(piece, work);
             }
             return !is_point;
         }
+        // Where neither polynomial excludes a zero, this component of the pair may.
         let slopes = mean_slopes(piece);
         let across = range_across(piece, &slopes);
         if is_far(&across) {
             return false;
         }
-        if is_point || length(across) <= NEAR && (self.is_along(piece) || is_small(piece)) {
-            self.add_last(piece, work);
+        // Halving does not help where the component is zero up to rounding.
+        if is_point
+            || length(across) <= ZERO_TOLERANCE && (self.may_be_curve(piece) || is_small(piece))
+        {
+            self.add_undecided(piece, work);
             return false;
         }
         if !is_one_to_one(piece, &slopes) {
@@ -135,33 +142,33 @@ impl Finder<'_> {
             return true;
         };
         let zero = Zero::at(self.whole, onto_square(self.whole, at));
-        if zero.off <= NEAR {
+        if zero.residual <= ZERO_TOLERANCE {
             add(self.zeros, zero);
         }
         false
     }
 
     /// Whether plane 2 changes as much as along a curve of zeros.
-    fn is_along(&self, piece: &PolynomialPiece) -> bool {
+    fn may_be_curve(&self, piece: &PolynomialPiece) -> bool {
         length(piece.range(2)) > self.min_curve
     }
 
     /// Adds the zero of a piece in which rounding decides.
-    fn add_last(&mut self, piece: &PolynomialPiece, work: &mut WorkLimit) {
+    fn add_undecided(&mut self, piece: &PolynomialPiece, work: &mut WorkLimit) {
         let mut zero = Zero::within(self.whole, piece);
-        if self.is_along(piece) {
+        if self.may_be_curve(piece) {
             self.curve = Some(zero);
             return;
         }
         if self.on_face {
-            let touch = touch(self.whole, zero.at, work);
-            let slid = project_to_zero_set(self.whole, zero.at, work);
-            for at in [touch, Some(slid)].into_iter().flatten() {
+            let touching_zero = touching_zero(self.whole, zero.at, work);
+            let projected = project_to_zero_set(self.whole, zero.at, work);
+            for at in [touching_zero, Some(projected)].into_iter().flatten() {
                 zero = zero.union(&Zero::at(self.whole, onto_square(self.whole, at)));
             }
         }
         // The pair is zero to rounding in one direction, and to what remains in the piece in the other.
-        if zero.off <= 4.0 * NEAR {
+        if zero.residual <= 4.0 * ZERO_TOLERANCE {
             add(self.zeros, zero);
         }
     }
@@ -172,7 +179,7 @@ impl Finder<'_> {
 fn is_small(piece: &PolynomialPiece) -> bool {
     [piece.u, piece.v]
         .iter()
-        .all(|range| length(*range) <= SAME.sqrt())
+        .all(|range| length(*range) <= SAME_ZERO.sqrt())
 }
 
 fn length([low, high]: [f64; 2]) -> f64 {
@@ -198,7 +205,7 @@ impl Zero {
             u,
             v,
             at,
-            off: distance_from_zero(whole, at),
+            residual: distance_from_zero(whole, at),
         }
     }
 
@@ -213,13 +220,18 @@ impl Zero {
     }
 
     fn touches(&self, other: &Self) -> bool {
-        let overlap = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME && b[0] <= a[1] + SAME;
+        let overlap =
+            |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME_ZERO && b[0] <= a[1] + SAME_ZERO;
         overlap(self.u, other.u) && overlap(self.v, other.v)
     }
 
     fn union(&self, other: &Self) -> Self {
         let both = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        let nearer = if other.off < self.off { other } else { self };
+        let nearer = if other.residual < self.residual {
+            other
+        } else {
+            self
+        };
         Self {
             u: both(self.u, other.u),
             v: both(self.v, other.v),
@@ -234,6 +246,7 @@ fn add(zeros: &mut Vec<Zero>, mut zero: Zero) {
     while k < zeros.len() {
         if zeros[k].touches(&zero) {
             zero = zero.union(&zeros.swap_remove(k));
+            // The union may touch zeros that the zero did not touch.
             k = 0;
         } else {
             k += 1;
@@ -257,7 +270,7 @@ fn mean_slopes(piece: &PolynomialPiece) -> [[f64; 2]; 2] {
 /// The range of the component of the pair perpendicular to its largest derivative, in which a pair that touches zero
 /// changes least.
 fn range_across(piece: &PolynomialPiece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
-    let [x, y] = greater(slopes[0], slopes[1]);
+    let [x, y] = longer(slopes[0], slopes[1]);
     let size = x.hypot(y).max(f64::MIN_POSITIVE);
     let pairs = piece.plane(0).iter().zip(piece.plane(1));
     range(pairs.map(|(a, b)| (x * b - y * a) / size)).into()
@@ -275,12 +288,12 @@ fn is_one_to_one(piece: &PolynomialPiece, [[au, bu], [av, bv]]: &[[f64; 2]; 2]) 
         for (a, b) in piece.slopes(0, along_u).zip(piece.slopes(1, along_u)) {
             let image = [(bv * a - av * b) / det, (au * b - bu * a) / det];
             for (row, value) in image.into_iter().enumerate() {
-                let off = (value - if row == direction { 1.0 } else { 0.0 }).abs();
+                let residual = (value - if row == direction { 1.0 } else { 0.0 }).abs();
                 // A singular mean gives NaN, which `max` would ignore.
-                if off.is_nan() {
+                if residual.is_nan() {
                     return false;
                 }
-                spread[row][direction] = spread[row][direction].max(off);
+                spread[row][direction] = spread[row][direction].max(residual);
             }
         }
     }

@@ -117,10 +117,10 @@ impl Arena {
     ) -> usize {
         let end = at + points.len() * dimension;
         self.grow(end);
-        for (reserve, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
+        for (place, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
             // Assignments instead of a copy, because a copy of unknown length is a function call.
-            (reserve[0], reserve[1]) = (point.x, point.y);
-            if let Some(z) = reserve.get_mut(2) {
+            (place[0], place[1]) = (point.x, point.y);
+            if let Some(z) = place.get_mut(2) {
                 *z = point.z;
             }
         }
@@ -188,6 +188,7 @@ impl Arena {
     fn write_message(&mut self, error: &Error) {
         let mut at = 0;
         for part in error.parts() {
+            // The texts are constants of the module, so their addresses stay valid.
             let pair = match part {
                 Part::Text(text) => [text.as_ptr().addr() as f64, text.len() as f64],
                 Part::Number(number) => [number, -1.0],
@@ -199,6 +200,7 @@ impl Arena {
     /// Two output slices of equal length: the first `length` numbers of the arena, and a copy of them.
     pub(crate) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
         self.grow(2 * length);
+        // Both outputs start as the input, which is changed in place.
         self.0.copy_within(..length, length);
         self.0[..2 * length].split_at_mut(length)
     }

@@ -37,11 +37,11 @@ static MESH: SingleThreadCell<Mesh> = SingleThreadCell::new(Mesh {
 static GRID: SingleThreadCell<Option<(Surface, GridMeshBuilder)>> = SingleThreadCell::new(None);
 
 /// The layout of the last mesh if it is a part of a grid.
-static LAYOUT: SingleThreadCell<Option<Layout>> = SingleThreadCell::new(None);
+static LAYOUT: SingleThreadCell<Option<PartLayout>> = SingleThreadCell::new(None);
 
 /// Everything that the layout of a part depends on: the patches, the grid, whether there are quads, and whether indices
 /// have 32 bits.
-type Layout = (Range<usize>, Grid, bool, bool);
+type PartLayout = (Range<usize>, Grid, bool, bool);
 
 /// The positions and normals of the last mesh in f64, if requested.
 static PRECISE: SingleThreadCell<[Vec<f64>; 2]> = SingleThreadCell::new([Vec::new(), Vec::new()]);

@@ -19,21 +19,21 @@ const VANISHING: f64 = 1e-12;
 pub fn curvature_is_within(derivative: &[DVec2; 3], limits: [f64; 2]) -> bool {
     let square = |v: &DVec2| v.dot(*v);
     let longest = derivative.iter().map(square).fold(0.0, larger).sqrt();
-    let test = Test {
+    let test = CurvatureTest {
         slowest: VANISHING * longest,
         limits,
     };
-    test.holds(derivative, 1.0, PROOF_HALVINGS)
+    test.is_proved(derivative, 1.0, PROOF_HALVINGS)
 }
 
-struct Test {
+struct CurvatureTest {
     slowest: f64,
     limits: [f64; 2],
 }
 
-impl Test {
+impl CurvatureTest {
     /// Whether the limits are proved for an interval of length `dt`, of which these are the control points of B′.
-    fn holds(&self, vectors: &[DVec2; 3], dt: f64, halvings: usize) -> bool {
+    fn is_proved(&self, vectors: &[DVec2; 3], dt: f64, halvings: usize) -> bool {
         let [a, b, c] = *vectors;
         let along = (a + c).normalize_or_zero();
         let (least, _) = range(vectors.iter().map(|v| v.dot(along)));
@@ -65,7 +65,8 @@ impl Test {
         }
         let (mut left, mut right) = (*vectors, *vectors);
         split_with(&mut left, &mut right, |a, b| (a + b) * 0.5);
-        self.holds(&left, 0.5 * dt, halvings - 1) && self.holds(&right, 0.5 * dt, halvings - 1)
+        self.is_proved(&left, 0.5 * dt, halvings - 1)
+            && self.is_proved(&right, 0.5 * dt, halvings - 1)
     }
 }
 
@@ -102,9 +103,9 @@ mod tests {
             let is_mild = max - min < 20.0;
             assert!(wide || !is_mild, "{k}: {min} to {max} is not proved");
             for limits in [[0.99 * min, f64::INFINITY], [f64::NEG_INFINITY, 0.99 * max]] {
-                let holds = curvature_is_within(&vectors, limits);
+                let is_proved = curvature_is_within(&vectors, limits);
                 assert!(
-                    !holds || (min >= limits[0] && max <= limits[1]),
+                    !is_proved || (min >= limits[0] && max <= limits[1]),
                     "{k}: {min} to {max} is not within {limits:?}"
                 );
             }

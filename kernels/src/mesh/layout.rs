@@ -11,9 +11,9 @@ pub fn fill_uvs(segments_u: usize, segments_v: usize, uvs: &mut [f32]) {
     let mut parts = uvs.chunks_exact_mut(numbers);
     let Some(first) = parts.next() else { return };
     for (iv, line) in first.chunks_exact_mut(2 * (segments_u + 1)).enumerate() {
-        let v = share(iv, segments_v);
+        let v = parameter(iv, segments_v);
         for (iu, pair) in line.chunks_exact_mut(2).enumerate() {
-            pair.copy_from_slice(&[share(iu, segments_u), v]);
+            pair.copy_from_slice(&[parameter(iu, segments_u), v]);
         }
     }
     for part in parts {
@@ -25,7 +25,7 @@ pub fn fill_uvs(segments_u: usize, segments_v: usize, uvs: &mut [f32]) {
     clippy::cast_possible_truncation,
     reason = "meshes have f32 coordinates"
 )]
-fn share(k: usize, segments: usize) -> f32 {
+fn parameter(k: usize, segments: usize) -> f32 {
     (k as f64 / segments as f64) as f32
 }
 

@@ -4,7 +4,7 @@ use crate::numeric::lanes::f64x2;
 use glam::DVec3;
 
 /// A point or a vector.
-pub type Vector = [f64; 3];
+pub type Vector3 = [f64; 3];
 
 /// The Bernstein weights of a degree and of the next lower degree at one parameter.
 #[derive(Clone, Debug, Default)]
@@ -18,10 +18,10 @@ struct Weights {
 pub struct RowSampler {
     columns: usize,
     /// The control points, and the differences along u (rows shorter by one) and along v (one row fewer).
-    nets: [Vec<Vector>; 3],
+    nets: [Vec<Vector3>; 3],
     v: f64,
     /// The rows of the nets, blended at v.
-    row: [Vec<Vector>; 3],
+    row: [Vec<Vector3>; 3],
     across: Weights,
     along: Weights,
 }
@@ -41,7 +41,7 @@ impl RowSampler {
 
     /// The point and ∂u × ∂v, up to a factor, at (u, v).
     #[inline(never)]
-    pub fn sample(&mut self, u: f64, v: f64) -> (Vector, Vector) {
+    pub fn sample(&mut self, u: f64, v: f64) -> (Vector3, Vector3) {
         if v != self.v {
             self.v = v;
             self.across.set(v);
@@ -103,7 +103,7 @@ impl Weights {
 
 /// Σ wᵢ Pᵢ.
 #[inline(always)]
-fn blend(points: &[Vector], weights: &[f64]) -> Vector {
+fn blend(points: &[Vector3], weights: &[f64]) -> Vector3 {
     let (mut xy, mut z) = (f64x2::splat(0.0), 0.0);
     for (&[px, py, pz], &weight) in points.iter().zip(weights) {
         xy += f64x2::new([px, py]) * f64x2::splat(weight);
@@ -114,7 +114,7 @@ fn blend(points: &[Vector], weights: &[f64]) -> Vector {
 }
 
 /// Σ wⱼ Pᵢⱼ for each column i.
-fn blend_rows(net: &[Vector], columns: usize, weights: &[f64], out: &mut [Vector]) {
+fn blend_rows(net: &[Vector3], columns: usize, weights: &[f64], out: &mut [Vector3]) {
     out.fill([0.0; 3]);
     for (row, &weight) in net.chunks_exact(columns).zip(weights) {
         let numbers = out.as_flattened_mut().iter_mut();

@@ -16,7 +16,7 @@ const TERMS: usize = 9;
 const TANGENT_TERMS: usize = 13;
 
 /// (cos x, sin x) for |x| ≤ π/4, by Taylor series.
-pub fn direction(x: f64) -> DVec2 {
+pub fn unit_vector(x: f64) -> DVec2 {
     let square = x * x;
     let (mut cos, mut sin) = (1.0, 1.0);
     for k in (1..=TERMS).rev() {
@@ -28,10 +28,10 @@ pub fn direction(x: f64) -> DVec2 {
 }
 
 /// (cos φ, sin φ) of an angle in degrees; exact at multiples of 90°.
-pub fn direction_of_degrees(degrees: f64) -> DVec2 {
+pub fn unit_vector_of_degrees(degrees: f64) -> DVec2 {
     let rest = degrees % 360.0;
     let quarters = (rest / 90.0 + 0.5).floor();
-    let unit = direction((rest - 90.0 * quarters) * (std::f64::consts::PI / 180.0));
+    let unit = unit_vector((rest - 90.0 * quarters) * (std::f64::consts::PI / 180.0));
     quarter_turns(unit, (quarters + 4.0) % 4.0)
 }
 
@@ -39,8 +39,11 @@ pub fn direction_of_degrees(degrees: f64) -> DVec2 {
 pub fn cos_sin(angle: f64) -> (f64, f64) {
     let quarters = (angle / FRAC_PI_2).round();
     let rest = (angle - quarters * FRAC_PI_2) - quarters * REST_OF_HALF_PI;
-    let turned = quarter_turns(direction(rest), quarters - 4.0 * (0.25 * quarters).floor());
-    (turned.x, turned.y)
+    let rotated = quarter_turns(
+        unit_vector(rest),
+        quarters - 4.0 * (0.25 * quarters).floor(),
+    );
+    (rotated.x, rotated.y)
 }
 
 /// A vector turned by 90° a given number of times, from 0 to 3.
@@ -71,7 +74,7 @@ pub fn angle(unit: DVec2) -> f64 {
 }
 
 /// A vector rotated by the angle of a unit vector.
-pub fn turned(v: DVec2, by: DVec2) -> DVec2 {
+pub fn rotated(v: DVec2, by: DVec2) -> DVec2 {
     DVec2::new(v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x)
 }
 

@@ -32,7 +32,7 @@ impl SegmentLengths {
         &self.ends
     }
 
-    pub(crate) fn whole(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.ends[self.last() + 1]
     }
 
@@ -78,7 +78,7 @@ impl SegmentLengths {
         steps: usize,
         curve: &dyn Fn(usize) -> Curve<P>,
     ) -> Vec<(usize, f64)> {
-        let (whole, last) = (self.whole(), self.last());
+        let (whole, last) = (self.total(), self.last());
         let count = as_f64(last + 1);
         let mut positions = Vec::with_capacity(steps + 1);
         for i in 0..steps {

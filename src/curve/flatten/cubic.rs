@@ -12,24 +12,24 @@ use casteljau_kernels::curve::chord_rates::{ChordRates, PARTS, rates_in_plane, r
 use std::ops::Range;
 
 /// The length of a part.
-const LENGTH: f64 = 1.0 / PARTS as f64;
+const PART_LENGTH: f64 = 1.0 / PARTS as f64;
 
 /// The bounds are wasteful if they give more chords than one of these multiples of the estimate plus a number: for few
 /// chords, and for many.
 const WASTEFUL: [(f64, f64); 2] = [(1.5, 3.0), (1.3, 24.0)];
 
 /// A range of t that is not halved any more: the curve is a point there, up to rounding.
-const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
+const MIN_LENGTH: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// The Taylor expansion at some t: B(t + s) − B(t) = s D₁ + s² D₂ + s³ D₃.
 #[derive(Clone, Copy)]
-struct Taylor<P> {
+struct CubicTaylor<P> {
     first: P,
     second: P,
     third: P,
 }
 
-impl<P: Point> Taylor<P> {
+impl<P: Point> CubicTaylor<P> {
     /// The expansion at 0 of the curve with the given control points times `scale`.
     fn of([p0, p1, p2, p3]: [P; 4], scale: f64) -> Self {
         // D₁ = 3 ΔP₀, D₂ = 3 Δ²P₀, D₃ = Δ³P₀.
@@ -106,10 +106,10 @@ pub(super) struct CubicParts<P> {
     /// The start of each part.
     starts: [P; PARTS],
     /// Scaled.
-    parts: [Taylor<P>; PARTS],
+    parts: [CubicTaylor<P>; PARTS],
     rates: [f64; PARTS],
     tolerance: f64,
-    back: f64,
+    inverse_scale: f64,
     /// The integral of the rates.
     sum: f64,
     /// An estimate of the smallest number of chords that is possible.
@@ -127,7 +127,7 @@ pub(super) fn visit_parts<P: Point>(
     visit: &mut impl FnMut(&CubicParts<P>, [f64; 2]),
 ) {
     let parts = CubicParts::new(points, scale, tolerance);
-    if parts.is_wasteful() && length > SHORTEST {
+    if parts.is_wasteful() && length > MIN_LENGTH {
         let (left, right) = split_cubic_with(points, |a, b| (a + b) * 0.5);
         let half = 0.5 * length;
         visit_parts(left, [from, half], scale, tolerance, visit);
@@ -139,18 +139,18 @@ pub(super) fn visit_parts<P: Point>(
 
 impl<P: Point> CubicParts<P> {
     fn new(points: [P; 4], scale: f64, tolerance: f64) -> Self {
-        let whole = Taylor::of(points, scale);
+        let whole = CubicTaylor::of(points, scale);
         let tolerance = tolerance * scale;
         let ChordRates { enough, minimum } = whole.rates(0.125 / tolerance);
         let rates = enough.map(f64::from);
         Self {
-            starts: std::array::from_fn(|k| weigh4(points, k as f64 * LENGTH)),
-            parts: std::array::from_fn(|k| whole.moved(k as f64 * LENGTH)),
-            sum: rates.iter().sum::<f64>() * LENGTH,
-            min_chords: f64::from(minimum.iter().sum::<f32>()) * LENGTH,
+            starts: std::array::from_fn(|k| weigh4(points, k as f64 * PART_LENGTH)),
+            parts: std::array::from_fn(|k| whole.moved(k as f64 * PART_LENGTH)),
+            sum: rates.iter().sum::<f64>() * PART_LENGTH,
+            min_chords: f64::from(minimum.iter().sum::<f32>()) * PART_LENGTH,
             rates,
             tolerance,
-            back: 1.0 / scale,
+            inverse_scale: 1.0 / scale,
         }
     }
 
@@ -170,7 +170,7 @@ impl<P: Point> CubicParts<P> {
         clippy::cast_sign_loss,
         reason = "numbers of chords, below 2^25"
     )]
-    pub(super) fn walk(&self, vertex: &mut impl FnMut(f64, P)) {
+    pub(super) fn visit_inner_vertices(&self, vertex: &mut impl FnMut(f64, P)) {
         let chords = self.chord_count();
         // Each chord gets the same share of the integral, at most 1.
         let (share, per_share) = (self.sum / chords, chords / self.sum);
@@ -178,7 +178,7 @@ impl<P: Point> CubicParts<P> {
         // The last vertex, the first boundary after it, and the integral of the rates up to the next vertex.
         let (mut from, mut boundary, mut left) = (0.0, 1, share);
         for (k, (part, &rate)) in self.parts.iter().zip(&self.rates).enumerate() {
-            let (start, within) = (k as f64 * LENGTH, rate * LENGTH);
+            let (start, within) = (k as f64 * PART_LENGTH, rate * PART_LENGTH);
             if remaining == 0 {
                 break;
             }
@@ -195,10 +195,13 @@ impl<P: Point> CubicParts<P> {
             let more = (((within - left) * per_share) as u32).min(remaining - 1);
             for i in 0..=more {
                 let t = start + (first + f64::from(i) * step);
-                vertex(t, self.starts[k] + part.offset(t - start) * self.back);
+                vertex(
+                    t,
+                    self.starts[k] + part.offset(t - start) * self.inverse_scale,
+                );
             }
             from = start + (first + f64::from(more) * step);
-            boundary = k + 1 + usize::from(from >= start + LENGTH);
+            boundary = k + 1 + usize::from(from >= start + PART_LENGTH);
             remaining -= more + 1;
             left += f64::from(more + 1) * share - within;
         }
@@ -216,7 +219,7 @@ impl<P: Point> CubicParts<P> {
     ) {
         // A chord without a boundary inside keeps the tolerance, because of the rate of its part.
         if let Some(before) = boundaries.clone().next().map(|first| first - 1) {
-            let at = self.parts[before].moved(from - before as f64 * LENGTH);
+            let at = self.parts[before].moved(from - before as f64 * PART_LENGTH);
             if !at.chord_is_within(to - from, self.tolerance) {
                 self.divide(from, to, boundaries, vertex);
             }
@@ -232,7 +235,7 @@ impl<P: Point> CubicParts<P> {
         vertex: &mut impl FnMut(f64, P),
     ) {
         let middle = usize::midpoint(start, end - 1);
-        let t = middle as f64 * LENGTH;
+        let t = middle as f64 * PART_LENGTH;
         self.emit_boundary_vertices(from, t, start..middle, vertex);
         vertex(t, self.starts[middle]);
         self.emit_boundary_vertices(t, to, middle + 1..end, vertex);

@@ -18,7 +18,7 @@ use crate::numeric::float::ulp;
 use cubic::{CubicParts, visit_parts};
 use glam::DVec3;
 use std::borrow::Borrow;
-use steps::{Planner, Steps};
+use steps::{EqualSteps, StepPlanner};
 
 /// The largest number of vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
@@ -52,7 +52,7 @@ impl<P: Point> Polyline<P> {
     /// vertices, the last of which is then the start.
     pub(crate) fn append(&mut self, curve: &Curve<P>, from: f64, tolerance: f64) {
         let joined = !self.ts.is_empty();
-        walk(&curve.points, joined, tolerance, |t, point| {
+        visit_vertices(&curve.points, joined, tolerance, |t, point| {
             self.ts.push(from + t);
             self.points.push(point);
         });
@@ -87,7 +87,7 @@ impl<P: Point> Curve<P> {
     /// Same as `flatten`, before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        walk(&self.points, false, tolerance, vertex);
+        visit_vertices(&self.points, false, tolerance, vertex);
         Ok(())
     }
 
@@ -100,7 +100,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// Passes on the vertices inside (0, 1).
-    fn walk_inside(&self, tolerance: f64, vertex: &mut impl FnMut(f64, P)) {
+    fn visit_inner_vertices(&self, tolerance: f64, vertex: &mut impl FnMut(f64, P)) {
         let size = self.max_abs();
         let scale = if PLAIN_RANGE.contains(&size) {
             1.0
@@ -119,13 +119,15 @@ impl<P: Point> Curve<P> {
         if let Some(points) = as_cubic(&self.points) {
             let mut visit = |parts: &CubicParts<P>, [from, length]: [f64; 2]| {
                 if length == 1.0 {
-                    return parts.walk(vertex);
+                    return parts.visit_inner_vertices(vertex);
                 }
                 // The curve is halved: later parts start with a vertex, and vertices are points of the whole curve.
                 if from > 0.0 {
                     vertex(from, self.eval(from));
                 }
-                parts.walk(&mut |t, _| vertex(from + length * t, self.eval(from + length * t)));
+                parts.visit_inner_vertices(&mut |t, _| {
+                    vertex(from + length * t, self.eval(from + length * t))
+                });
             };
             return visit_parts(points, [0.0, 1.0], scale, tolerance, &mut visit);
         }
@@ -158,12 +160,12 @@ impl<P: Point> Curve<P> {
 
     /// Passes on the parts of a curve of any degree and the steps in them. Plane points are converted to space, so that
     /// the code is compiled once.
-    fn each_step(&self, scale: f64, tolerance: f64, mut visit: impl FnMut(Steps)) {
+    fn each_step(&self, scale: f64, tolerance: f64, mut visit: impl FnMut(EqualSteps)) {
         let mut points = [DVec3::ZERO; MAX_DEGREE + 1];
         for (to, &p) in points.iter_mut().zip(&self.points) {
             *to = ((p - self.start()) * scale).to_3d();
         }
-        let mut planner = Planner::new(self.degree(), tolerance * scale, &mut visit);
+        let mut planner = StepPlanner::new(self.degree(), tolerance * scale, &mut visit);
         planner.plan(&points, [0.0, 1.0], 0);
     }
 
@@ -217,7 +219,7 @@ impl<P: Point> Curve<P> {
 /// Passes on the vertices of the curve with the given control points, for a tolerance that is checked; without the start
 /// if the curve is joined to another one, whose last vertex it is.
 #[cfg_attr(feature = "fast", inline)]
-pub(crate) fn walk<P: Point>(
+pub(crate) fn visit_vertices<P: Point>(
     points: &[P],
     joined: bool,
     tolerance: f64,
@@ -227,7 +229,7 @@ pub(crate) fn walk<P: Point>(
         vertex(0.0, points[0]);
     }
     if points.len() > 2 {
-        Curve::from_slice(points).walk_inside(tolerance, &mut vertex);
+        Curve::from_slice(points).visit_inner_vertices(tolerance, &mut vertex);
     }
     vertex(1.0, points[points.len() - 1]);
 }

@@ -18,7 +18,7 @@ use casteljau_kernels::bernstein::de_casteljau::split_with;
 use glam::DVec3;
 
 /// A part is halved if that may save more than about half this number of steps: one is lost at each end.
-const WASTE: f64 = 1.5;
+const MAX_WASTE: f64 = 1.5;
 
 /// Halvings after which the bounds are used as they are: a part of 2⁻⁴⁸, 32 roundings of the parameter, is a point up to
 /// rounding.
@@ -26,7 +26,7 @@ const PART_HALVINGS: u32 = f64::MANTISSA_DIGITS - 5;
 
 /// A part of a curve, and the number of equal steps in it.
 #[derive(Clone, Copy)]
-pub(super) struct Steps {
+pub(super) struct EqualSteps {
     pub(super) from: f64,
     pub(super) length: f64,
     /// A whole number, at least 1.
@@ -34,7 +34,7 @@ pub(super) struct Steps {
 }
 
 /// Finds the parts of a curve of degree 4 to 64.
-pub(super) struct Planner<'a, F> {
+pub(super) struct StepPlanner<'a, F> {
     tolerance: f64,
     /// 1 / (8 · tolerance).
     per_tolerance: f64,
@@ -42,7 +42,7 @@ pub(super) struct Planner<'a, F> {
     visit: &'a mut F,
 }
 
-impl<'a, F: FnMut(Steps)> Planner<'a, F> {
+impl<'a, F: FnMut(EqualSteps)> StepPlanner<'a, F> {
     pub(super) fn new(degree: usize, tolerance: f64, visit: &'a mut F) -> Self {
         Self {
             tolerance,
@@ -64,9 +64,9 @@ impl<'a, F: FnMut(Steps)> Planner<'a, F> {
         // The possible saving is steps − min = (steps² − min²) / (steps + min).
         let waste_squared = steps * steps - min_squared;
         let is_flat = steps <= 1.0 || is_flat(&points[..=n], self.tolerance);
-        if is_flat || waste_squared <= WASTE * steps || halvings == PART_HALVINGS {
+        if is_flat || waste_squared <= MAX_WASTE * steps || halvings == PART_HALVINGS {
             let count = if is_flat { 1.0 } else { steps.ceil() };
-            return (self.visit)(Steps {
+            return (self.visit)(EqualSteps {
                 from,
                 length,
                 count,

@@ -26,7 +26,7 @@ impl NormalizedPair {
         if let Some(overlap) = self.overlap(interval) {
             return locations.push(overlap);
         }
-        // The parameter of an end or a stop is known, so it is preferred to other points of the interval.
+        // The parameter of an end or a zero of B′ is known, so it is preferred to other points of the interval.
         if let Some((t, u)) = self.end_in(interval) {
             return locations.push(self.with_kind(t, u));
         }
@@ -36,13 +36,13 @@ impl NormalizedPair {
         );
         if let Some(times) = self
             .tangency(middle)
-            .filter(|&location| interval.holds(location))
+            .filter(|&location| interval.contains(location))
         {
             return locations.push(ClassifiedContact::new(times, IntersectionKind::Tangent));
         }
         let crossing = |location| {
             self.crossing(location)
-                .filter(|&location| interval.holds(location))
+                .filter(|&location| interval.contains(location))
         };
         // Newton's method from both ends of the interval finds two crossings that are too close for the search, or one.
         match self.paired(interval).map(crossing) {
@@ -139,18 +139,18 @@ impl NormalizedPair {
         let mut locations = Vec::new();
         if t_ends.contains(&t) {
             locations.extend([u, interval.u[0], interval.u[1]].map(|u| self.project_onto_b(t, u)));
-            let stops = u_ends.iter().filter(|u| inside(u, interval.u));
-            locations.extend(stops.map(|&u| (t, u)));
+            let zeros = u_ends.iter().filter(|u| inside(u, interval.u));
+            locations.extend(zeros.map(|&u| (t, u)));
         }
         if u_ends.contains(&u) {
             locations.extend([t, interval.t[0], interval.t[1]].map(|t| self.project_onto_a(t, u)));
-            let stops = t_ends.iter().filter(|t| inside(t, interval.t));
-            locations.extend(stops.map(|&t| (t, u)));
+            let zeros = t_ends.iter().filter(|t| inside(t, interval.t));
+            locations.extend(zeros.map(|&t| (t, u)));
         }
         locations
     }
 
-    /// The parameters of the start, the end and the stops of a curve.
+    /// The parameters of the start, the end and the zeros of B′.
     fn ends(&self, curve: usize) -> Scalars {
         self.derivative_zeros[curve]
             .iter()
@@ -193,9 +193,9 @@ impl NormalizedPair {
             )
         });
         // At a zero of the derivative 1/speed is infinite, and `HIDDEN_TURN` is the limit.
-        let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
+        let max_sine = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
-        if directed && a.0.perp_dot(b.0).abs() <= turned {
+        if directed && a.0.perp_dot(b.0).abs() <= max_sine {
             IntersectionKind::Tangent
         } else {
             IntersectionKind::Cross

@@ -73,11 +73,11 @@ pub(super) const NEARLY_PARALLEL: f64 = 1e-7;
 /// directions change by as much.
 pub(super) const HIDDEN_TURN: f64 = 1e-6;
 
-/// The distance, at size 1, of intersections that are one if an end or a stop lies between them: some √σ.
+/// The distance, at size 1, of intersections that are one if an end or a zero of B′ lies between them: some √σ.
 pub(super) const SAME_POINT_DISTANCE: f64 = 1e-8;
 
-/// The largest parameter difference of such intersections: the square root of their distance, because next to a stop the
-/// distance grows with the square of the parameter.
+/// The largest parameter difference of such intersections: the square root of their distance, because next to a zero of
+/// B′ the distance grows with the square of the parameter.
 pub(super) const NEARBY_PARAMETERS: f64 = 1e-4;
 
 /// The difference of a parameter from an end to which it is snapped: ³√σ, because the distance grows with the third power

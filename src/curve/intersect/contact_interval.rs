@@ -49,7 +49,7 @@ impl ContactInterval {
     }
 
     /// Whether an intersection lies in the interval, widened by its width on each side.
-    pub(crate) fn holds(&self, (t, u): (f64, f64)) -> bool {
+    pub(crate) fn contains(&self, (t, u): (f64, f64)) -> bool {
         let within = |[from, to]: [f64; 2], x: f64| {
             let margin = (to - from) + DOUBLE_ROOT;
             x >= from - margin && x <= to + margin

@@ -1,5 +1,5 @@
-//! Final corrections of intersections: makes intersections at ends and stops exact, merges intersections that rounding
-//! separates, and handles pairs of lines.
+//! Final corrections of intersections: makes intersections at ends and zeros of B′ exact, merges intersections that
+//! rounding separates, and handles pairs of lines.
 
 use super::constants::{
     CLEAR_HEIGHT, CONTACT, LARGEST_GAP, MIN_OVERLAP, NEARBY_PARAMETERS, SAME_POINT_DISTANCE,
@@ -83,7 +83,7 @@ impl NormalizedPair {
         }
     }
 
-    /// The intersections with exact parameters at ends and stops, and without duplicates.
+    /// The intersections with exact parameters at ends and zeros of B′, and without duplicates.
     pub(crate) fn snap_and_merge(
         &self,
         mut locations: Vec<ClassifiedContact>,
@@ -100,27 +100,32 @@ impl NormalizedPair {
             }
         }
         for curve in [0, 1] {
-            for &stop in &self.derivative_zeros[curve] {
-                self.merge_at_stop(&mut locations, curve, stop);
+            for &zero in &self.derivative_zeros[curve] {
+                self.merge_at_derivative_zero(&mut locations, curve, zero);
             }
         }
         sort(&mut locations, |p, q| p.times() < q.times());
-        self.one_crossing_each(&mut locations);
+        self.merge_continued_crossings(&mut locations);
         locations
     }
 
-    /// Moves the intersections next to a stop to the stop. Each of them is processed once: the replacement may be too
+    /// Moves the intersections next to a zero of B′ to it. Each of them is processed once: the replacement may be too
     /// far from it on the other curve to remove it.
-    fn merge_at_stop(&self, locations: &mut Vec<ClassifiedContact>, curve: usize, stop: f64) {
+    fn merge_at_derivative_zero(
+        &self,
+        locations: &mut Vec<ClassifiedContact>,
+        curve: usize,
+        zero: f64,
+    ) {
         let near = |location: &&ClassifiedContact| {
-            location.is_point() && self.is_next_to(curve, location, stop)
+            location.is_point() && self.is_next_to(curve, location, zero)
         };
         let all: Vec<ClassifiedContact> = locations.iter().filter(near).copied().collect();
         for location in all {
             let tip = if curve == 0 {
-                self.project_onto_b(stop, location.u)
+                self.project_onto_b(zero, location.u)
             } else {
-                self.project_onto_a(location.t, stop)
+                self.project_onto_a(location.t, zero)
             };
             if locations.contains(&location) && self.coincide(tip) {
                 self.merge(locations, tip, false);
@@ -152,7 +157,7 @@ impl NormalizedPair {
         always: bool,
     ) -> bool {
         let near = |(p, q): (f64, f64)| self.is_near(0, p, t) && self.is_near(1, q, u);
-        let mut ends_piece = false;
+        let mut ends_overlap = false;
         for location in locations.iter_mut() {
             let start = location.times();
             let IntersectionKind::Overlap { t_end, u_end } = &mut location.kind else {
@@ -160,15 +165,15 @@ impl NormalizedPair {
             };
             // An overlap that is shorter than the distance keeps its two ends.
             if near(start) && *t_end > t && *u_end != u {
-                (location.t, location.u, ends_piece) = (t, u, true);
+                (location.t, location.u, ends_overlap) = (t, u, true);
             } else if near((*t_end, *u_end)) && start.0 < t && start.1 != u {
-                (*t_end, *u_end, ends_piece) = (t, u, true);
+                (*t_end, *u_end, ends_overlap) = (t, u, true);
             }
         }
         let before = locations.len();
         locations.retain(|location| !(location.is_point() && near(location.times())));
         let replaced = locations.len() < before;
-        if !ends_piece && (replaced || always) {
+        if !ends_overlap && (replaced || always) {
             let k = locations.partition_point(|location| location.times() < (t, u));
             locations.insert(k, self.with_kind(t, u));
         }
@@ -177,7 +182,7 @@ impl NormalizedPair {
 
     /// Merges consecutive crossings between which the curves are separated only by rounding. The result is a crossing,
     /// or a tangency if the curves are on the same side before and after.
-    fn one_crossing_each(&self, locations: &mut Vec<ClassifiedContact>) {
+    fn merge_continued_crossings(&self, locations: &mut Vec<ClassifiedContact>) {
         let mut k = 1;
         let mut first = 0;
         // The crossings first … k − 1 are one run: each is continued into the next.
@@ -187,7 +192,7 @@ impl NormalizedPair {
                 let run_ends =
                     k + 1 == locations.len() || !self.is_continued(locations[k], locations[k + 1]);
                 if run_ends {
-                    let times = self.between(p, q);
+                    let times = self.intersection_between(p, q);
                     locations[first] = ClassifiedContact::new(times, self.kind_between(p, q));
                     locations.drain(first + 1..=k);
                     // The crossing after the merged one starts a new run.
@@ -206,7 +211,7 @@ impl NormalizedPair {
     /// An intersection between two others, if the curves coincide between them. If the curves have different speeds, as
     /// next to a reversal, the mean parameters may not match; then the nearest point of one curve to the other's is
     /// used.
-    fn between(&self, p: ClassifiedContact, q: ClassifiedContact) -> (f64, f64) {
+    fn intersection_between(&self, p: ClassifiedContact, q: ClassifiedContact) -> (f64, f64) {
         let middle = (0.5 * (p.t + q.t), 0.5 * (p.u + q.u));
         if self.coincide(middle) {
             return middle;

@@ -62,13 +62,13 @@ impl NormalizedPair {
                 self.classify(&interval, &mut locations);
             }
         }
-        tidied(locations)
+        sorted_distinct(locations)
     }
 }
 
 /// The intersections sorted by t, then by u, with parameters that differ by rounding made equal, and without
 /// duplicates.
-fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
+fn sorted_distinct(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
     sort(&mut locations, |p, q| p.t < q.t);
     // If two t differ only by rounding, u decides their order.
     for k in 1..locations.len() {
@@ -84,7 +84,7 @@ fn tidied(mut locations: Vec<ClassifiedContact>) -> Vec<ClassifiedContact> {
             .iter()
             .rev()
             .any(|q| near(location, q.times(), TWO_CROSSINGS) && q.is_point());
-        if !(location.is_point() && (again || ends_piece(location, &locations))) {
+        if !(location.is_point() && (again || is_end_of_overlap(location, &locations))) {
             kept.push(location);
         }
     }
@@ -96,7 +96,7 @@ fn near(p: ClassifiedContact, (t, u): (f64, f64), within: f64) -> bool {
 }
 
 /// Whether an intersection is an end of an overlap.
-fn ends_piece(location: ClassifiedContact, all: &[ClassifiedContact]) -> bool {
+fn is_end_of_overlap(location: ClassifiedContact, all: &[ClassifiedContact]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.kind else {
             return false;

@@ -38,7 +38,7 @@ const MAX_PAIRS: usize = 1536;
 const MAX_STEPS: usize = 16_384;
 
 /// Number of parameters that are sampled if the distance of the curves is nearly constant.
-const ALONG: usize = 64;
+const CONSTANT_DISTANCE_SAMPLES: usize = 64;
 
 /// Maximum relative error of a distance that is found.
 const ACCURACY: f64 = 1e-12;
@@ -74,7 +74,7 @@ impl<P: Point> Curve<P> {
         let [a, b]: [Points<P>; 2] = [self, other].map(|curve| normalized.points(&curve.points));
         // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let mut search = Search::new(&a, &b, ulps * ulp(size * normalized.scale));
+        let mut search = DistanceSearch::new(&a, &b, ulps * ulp(size * normalized.scale));
         search.find_intersection();
         if search.distance > search.rounding {
             search.run();
@@ -94,7 +94,7 @@ impl<P: Point> Curve<P> {
 }
 
 /// The search for the minimum distance of two curves that are scaled to a size of about 1.
-struct Search<'a, P: Point> {
+struct DistanceSearch<'a, P: Point> {
     a: CurveWithDerivatives<'a, P>,
     b: CurveWithDerivatives<'a, P>,
     rounding: f64,
@@ -107,7 +107,7 @@ struct Search<'a, P: Point> {
     within: bool,
 }
 
-impl<'a, P: Point> Search<'a, P> {
+impl<'a, P: Point> DistanceSearch<'a, P> {
     fn new(a: &'a [P], b: &'a [P], rounding: f64) -> Self {
         Self {
             a: CurveWithDerivatives::new(a),
@@ -176,13 +176,13 @@ impl<'a, P: Point> Search<'a, P> {
                 if (p.middle - q.middle).norm() + self.rounding < self.distance {
                     self.descend(p.mid(), q.mid());
                 }
-                let min = p.apart(q);
+                let min = p.distance_bound(q);
                 if self.may_improve(min) {
                     pairs.push(Bounded { min, of: (i, j) });
                 }
             }
         }
-        self.walk_along();
+        self.sample_and_refine();
     }
 
     /// The parameter of the nearest point on a curve.
@@ -199,15 +199,18 @@ impl<'a, P: Point> Search<'a, P> {
 
     /// Fallback for curves with a nearly constant distance: samples the first curve, then refines the best sample by
     /// ternary search.
-    fn walk_along(&mut self) {
-        for k in 1..ALONG {
+    fn sample_and_refine(&mut self) {
+        for k in 1..CONSTANT_DISTANCE_SAMPLES {
             if !self.within {
                 return;
             }
-            self.distance_at(ratio(k, ALONG));
+            self.distance_at(ratio(k, CONSTANT_DISTANCE_SAMPLES));
         }
-        let (mut lo, mut hi) = (self.t - ratio(1, ALONG), self.t + ratio(1, ALONG));
-        for _ in 0..ALONG {
+        let (mut lo, mut hi) = (
+            self.t - ratio(1, CONSTANT_DISTANCE_SAMPLES),
+            self.t + ratio(1, CONSTANT_DISTANCE_SAMPLES),
+        );
+        for _ in 0..CONSTANT_DISTANCE_SAMPLES {
             if !self.within {
                 return;
             }

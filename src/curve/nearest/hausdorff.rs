@@ -13,7 +13,7 @@ use crate::numeric::list::Points;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
-const MAX_LOCATIONS: usize = 600;
+const MAX_NEAREST_POINTS: usize = 600;
 
 /// Maximum total of segments in the searches for nearest points, in each direction.
 const MAX_STEPS: usize = 6000;
@@ -53,8 +53,8 @@ impl<P: Point> Curve<P> {
         let rounding = ulps * ulp(size * scale);
         let (high, wide) = elevated_alike(&a, &b);
         let mut greatest = 0.0;
-        greatest = farthest([&a, &high], [&b, &wide], rounding, greatest);
-        greatest = farthest([&b, &wide], [&a, &high], rounding, greatest);
+        greatest = distance_to_curve([&a, &high], [&b, &wide], rounding, greatest);
+        greatest = distance_to_curve([&b, &wide], [&a, &high], rounding, greatest);
         if greatest <= rounding {
             0.0
         } else {
@@ -105,7 +105,7 @@ fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<
 }
 
 /// A segment of A with the parameters of the points of B that are nearest to its ends.
-struct Segment<P: Point> {
+struct SegmentWithNearest<P: Point> {
     points: Points<P>,
     from: f64,
     to: f64,
@@ -113,14 +113,14 @@ struct Segment<P: Point> {
 
 /// The maximum distance of a point of A from B, if it is above `greatest`. Each curve is given twice: unchanged, and
 /// elevated to the higher degree.
-fn farthest<P: Point>(
+fn distance_to_curve<P: Point>(
     [original, a]: [&Points<P>; 2],
     [b, high]: [&Points<P>; 2],
     rounding: f64,
     mut greatest: f64,
 ) -> f64 {
     let mut work = WorkLimit::new(MAX_STEPS);
-    let mut look = |p: P, greatest: &mut f64| {
+    let mut examine = |p: P, greatest: &mut f64| {
         let (u, steps) = nearest_with_steps(b, p);
         let within = work.spend(steps);
         *greatest = greatest.max((evaluate(b, u) - p).norm());
@@ -128,9 +128,9 @@ fn farthest<P: Point>(
     };
     let b_curve = Curve::from_slice(high);
     let straight = [original.len() == 2, b.len() == 2];
-    let (from, _) = look(a[0], &mut greatest);
-    let (to, _) = look(a[a.len() - 1], &mut greatest);
-    let whole = Segment {
+    let (from, _) = examine(a[0], &mut greatest);
+    let (to, _) = examine(a[a.len() - 1], &mut greatest);
+    let whole = SegmentWithNearest {
         points: a.clone(),
         from,
         to,
@@ -141,7 +141,7 @@ fn farthest<P: Point>(
         min: -whole.max(&b_curve, straight),
         of: whole,
     });
-    for _ in 0..MAX_LOCATIONS {
+    for _ in 0..MAX_NEAREST_POINTS {
         // The segment with the largest upper bound; if it cannot increase the result, none can.
         let Some(Bounded { min, of: segment }) = segments.pop() else {
             break;
@@ -150,17 +150,17 @@ fn farthest<P: Point>(
             break;
         }
         let (left, right) = Curve::from_points(segment.points).halve();
-        let (mid, within) = look(right.points[0], &mut greatest);
+        let (mid, within) = examine(right.points[0], &mut greatest);
         if !within {
             break;
         }
         for half in [
-            Segment {
+            SegmentWithNearest {
                 points: left.points,
                 from: segment.from,
                 to: mid,
             },
-            Segment {
+            SegmentWithNearest {
                 points: right.points,
                 from: mid,
                 to: segment.to,
@@ -175,7 +175,7 @@ fn farthest<P: Point>(
     greatest
 }
 
-impl<P: Point> Segment<P> {
+impl<P: Point> SegmentWithNearest<P> {
     /// An upper bound on the distance of the segment's points from B: the maximum distance at equal parameters from the
     /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
     /// depend on the parametrization.

@@ -9,9 +9,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// The segments of a curve as a binary tree, created on demand.
-pub(crate) struct SegmentTree<P: Point>(pub(crate) Vec<Segment<P>>);
+pub(crate) struct SegmentTree<P: Point>(pub(crate) Vec<TreeSegment<P>>);
 
-pub(crate) struct Segment<P: Point> {
+pub(crate) struct TreeSegment<P: Point> {
     points: Points<P>,
     lo: f64,
     hi: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Segment<P: Point> {
     halves: usize,
 }
 
-impl<P: Point> Segment<P> {
+impl<P: Point> TreeSegment<P> {
     fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
         let start = points[0];
         let size = points.iter().map(|&p| (p - start).max_abs());
@@ -41,33 +41,33 @@ impl<P: Point> Segment<P> {
     }
 
     /// The minimum and the maximum of the control points along a direction.
-    fn along(&self, direction: P) -> (f64, f64) {
+    fn projected_range(&self, direction: P) -> (f64, f64) {
         range(self.points.iter().map(|&p| p.dot(direction)))
     }
 
     /// The component of a vector perpendicular to the chord.
-    fn across(&self, vector: P) -> P {
+    fn perpendicular_component(&self, vector: P) -> P {
         let chord = (self.points[self.points.len() - 1] - self.points[0]).unit();
         vector - chord * vector.dot(chord)
     }
 
     /// A lower bound on the distance of two segments.
-    pub(crate) fn apart(&self, other: &Self) -> f64 {
+    pub(crate) fn distance_bound(&self, other: &Self) -> f64 {
         // The gap between the projections onto any direction is a lower bound, negative if they overlap.
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
             let direction = vector.unit();
-            self.along(direction).0 - other.along(direction).1
+            self.projected_range(direction).0 - other.projected_range(direction).1
         };
         bound(vector)
-            .max(bound(self.across(vector)))
-            .max(bound(other.across(vector)))
+            .max(bound(self.perpendicular_component(vector)))
+            .max(bound(other.perpendicular_component(vector)))
     }
 }
 
 impl<P: Point> SegmentTree<P> {
     pub(crate) fn new(points: &[P]) -> Self {
-        Self(vec![Segment::new(points_of(points), 0.0, 1.0)])
+        Self(vec![TreeSegment::new(points_of(points), 0.0, 1.0)])
     }
 
     pub(crate) fn halves(&mut self, index: usize) -> [usize; 2] {
@@ -76,8 +76,8 @@ impl<P: Point> SegmentTree<P> {
             let (left, right) = Curve::from_slice(&segment.points).halve();
             let (lo, mid, hi) = (segment.lo, segment.mid(), segment.hi);
             self.0[index].halves = self.0.len();
-            self.0.push(Segment::new(left.points, lo, mid));
-            self.0.push(Segment::new(right.points, mid, hi));
+            self.0.push(TreeSegment::new(left.points, lo, mid));
+            self.0.push(TreeSegment::new(right.points, mid, hi));
         }
         let first = self.0[index].halves;
         [first, first + 1]

@@ -1,13 +1,13 @@
 //! The division of the plane by the segments of some paths: vertices, edges and faces.
 
-use super::arcs::Arcs;
 use super::contacts::{Contact, contacts};
 use super::edges::Edges;
 use super::faces::Faces;
-use super::order::Order;
-use super::rescue::Replaced;
+use super::rescue::ReplacedSegments;
 use super::segments::{Role, Segment, Segments};
+use super::sub_segments::SubSegments;
 use super::union_find::UnionFind;
+use super::vertex_stars::VertexStars;
 use super::windings::{Windings, visit_faces};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::box_tree::BoxTree;
@@ -27,19 +27,19 @@ const SMALL_FEATURES: [f64; 3] = [64.0, 4096.0, f64::INFINITY];
 
 /// Different points that are one vertex are a small feature if they are farther apart than this part of epsilon: more than
 /// rounding.
-const MERGED: f64 = 1.0 / 64.0;
+const MIN_SPREAD: f64 = 1.0 / 64.0;
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {
     pub(super) segments: Segments,
-    pub(super) arcs: Arcs,
+    pub(super) sub_segments: SubSegments,
     pub(super) edges: Edges,
     pub(super) faces: Faces,
 }
 
 /// What depends on the tolerance.
 struct Attempt {
-    arcs: Arcs,
+    sub_segments: SubSegments,
     edges: Edges,
     faces: Faces,
 }
@@ -56,7 +56,7 @@ impl Arrangement {
         let mut all_replaced = false;
         loop {
             let failed = match Attempt::consistent(&segments)? {
-                Ok(attempt) => return Ok(attempt.with(segments)),
+                Ok(attempt) => return Ok(attempt.into_arrangement(segments)),
                 Err(failed) => failed,
             };
             if all_replaced {
@@ -64,9 +64,10 @@ impl Arrangement {
                 let what = "attempts to divide the plane";
                 return Err(Error::too_many(what, attempts, attempts + 1));
             }
-            let next = sizes.find_map(|size| failed.next_to_small(&segments, *size));
+            let next = sizes.find_map(|size| failed.at_small_features(&segments, *size));
             all_replaced = next.is_none();
-            segments = segments.on_grid(next.unwrap_or_else(|| Replaced::all(&segments)))?;
+            segments =
+                segments.on_grid(next.unwrap_or_else(|| ReplacedSegments::all(&segments)))?;
         }
     }
 
@@ -108,65 +109,82 @@ impl Attempt {
         Ok(consistent.ok_or(first))
     }
 
-    /// The faces between the arcs; those within twice the tolerance of each other become one edge.
+    /// The faces between the sub-segments; those within twice the tolerance of each other become one edge.
     fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
-        let arcs = Arcs::new(segments, contacts, tolerance);
-        let edges = Edges::new(segments, &arcs, 2.0 * tolerance);
-        let order = Order::new(&arcs, &edges);
-        let faces = Faces::new(segments, tree, &arcs, &edges, &order);
-        Self { arcs, edges, faces }
+        let sub_segments = SubSegments::new(segments, contacts, tolerance);
+        let edges = Edges::new(segments, &sub_segments, 2.0 * tolerance);
+        let stars = VertexStars::new(&sub_segments, &edges);
+        let faces = Faces::new(segments, tree, &sub_segments, &edges, &stars);
+        Self {
+            sub_segments,
+            edges,
+            faces,
+        }
     }
 
     /// At least one edge of each component that contradicts itself: every edge at which winding numbers do, or one edge of
-    /// each component that is not plane.
+    /// each component that is not planar.
     fn contradictory(&self, segments: &Segments) -> Vec<usize> {
         let Self { edges, faces, .. } = self;
-        if !faces.not_plane.is_empty() {
-            return faces.not_plane.clone();
+        if !faces.not_planar.is_empty() {
+            return faces.not_planar.clone();
         }
         visit_faces(segments, edges, faces, FillRule::NonZero, |_, _| ())
     }
 
     /// The segments at vertices with features of at most a size, in components that contradict themselves: at both ends
     /// of an edge that is not longer, and where different points are one vertex. `None` if there are none.
-    fn next_to_small(&self, segments: &Segments, size: f64) -> Option<Replaced> {
-        let Self { arcs, edges, faces } = self;
+    fn at_small_features(&self, segments: &Segments, size: f64) -> Option<ReplacedSegments> {
+        let Self {
+            sub_segments,
+            edges,
+            faces,
+        } = self;
         let mut is_contradictory = vec![false; faces.component_count];
         for e in self.contradictory(segments) {
             is_contradictory[faces.component[e]] = true;
         }
-        let mut is_small = vec![false; arcs.vertices.len()];
+        let mut is_small = vec![false; sub_segments.vertices.len()];
         for (e, edge) in edges.list.iter().enumerate() {
             if is_contradictory[faces.component[e]] {
                 let is_short = length(edges.points(e)) <= size * segments.epsilon;
                 for v in edge.vertices {
-                    is_small[v] |= is_short || arcs.vertices[v].spread > MERGED * segments.epsilon;
+                    is_small[v] |=
+                        is_short || sub_segments.vertices[v].spread > MIN_SPREAD * segments.epsilon;
                 }
             }
         }
-        let mut replaced = Replaced {
+        let mut replaced = ReplacedSegments {
             segments: vec![false; segments.list.len()],
-            joints: arcs.joints.iter().map(|&vertex| is_small[vertex]).collect(),
+            joints: sub_segments
+                .joints
+                .iter()
+                .map(|&vertex| is_small[vertex])
+                .collect(),
         };
         for (e, edge) in edges.list.iter().enumerate() {
             if edge.vertices.iter().any(|&v| is_small[v]) {
                 for member in edges.members(e) {
-                    replaced.segments[member.arc.segment] = true;
+                    replaced.segments[member.sub_segment.segment] = true;
                 }
             }
         }
-        // Segments that are so short that no arc of them is left.
+        // Segments that are so short that no sub-segment of them is left.
         for (segment, is_replaced) in segments.list.iter().zip(&mut replaced.segments) {
             *is_replaced |= segment.ends.iter().any(|&joint| replaced.joints[joint]);
         }
         replaced.segments.contains(&true).then_some(replaced)
     }
 
-    fn with(self, segments: Segments) -> Arrangement {
-        let Self { arcs, edges, faces } = self;
+    fn into_arrangement(self, segments: Segments) -> Arrangement {
+        let Self {
+            sub_segments,
+            edges,
+            faces,
+        } = self;
         Arrangement {
             segments,
-            arcs,
+            sub_segments,
             edges,
             faces,
         }

@@ -16,7 +16,7 @@ use glam::DVec2;
 /// The steps that the search for contacts may take: for each segment and for each contact that is found, and in addition
 /// for any number of them. A step is a comparison of two boxes, about 5 ns.
 pub(super) const STEPS_PER_ITEM: usize = 1 << 13;
-const FURTHER_STEPS: usize = 1 << 30;
+const BASE_STEPS: usize = 1 << 30;
 
 /// The steps of the comparison of two segments whose boxes overlap: whether one is beside the other, the examination of
 /// a pair where neither is, and each pair of pieces of two cubics in their search for intersections.
@@ -31,7 +31,7 @@ const MAX_CONTACTS: usize = 1 << 22;
 const CUTS_PER_PART: usize = 4;
 
 /// Crossings in the same square of this width, in parts of epsilon, are at one point: less than the smallest tolerance.
-const ONE_POINT: f64 = 1e-6;
+const SAME_POINT_WIDTH: f64 = 1e-6;
 
 /// A point where two segments meet.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
     for index in 0..segments.list.len() {
         self_contacts(segments, index, &mut found);
     }
-    let mut work = steps_for(segments.list.len());
+    let mut work = search_limit(segments.list.len());
     tree.pairs_within(&mut work, |a, b, work| {
         let before = found.len();
         let steps = pair_contacts(segments, a.min(b), a.max(b), &mut found);
@@ -76,8 +76,8 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
 }
 
 /// The steps that a search among a number of items may take, without those for what it finds.
-pub(super) fn steps_for(items: usize) -> WorkLimit {
-    let mut work = WorkLimit::new(FURTHER_STEPS);
+pub(super) fn search_limit(items: usize) -> WorkLimit {
+    let mut work = WorkLimit::new(BASE_STEPS);
     work.raise_limit(STEPS_PER_ITEM, items);
     work
 }
@@ -124,7 +124,7 @@ fn near_crossings(segments: &Segments, work: &mut WorkLimit, found: &mut Vec<Con
 /// The indices of the crossings inside both segments, one of those at the same point. Ends of segments are compared
 /// with all others, so they are not among them.
 fn crossings_at_different_points(segments: &Segments, found: &[Contact]) -> Vec<usize> {
-    let width = ONE_POINT * segments.epsilon;
+    let width = SAME_POINT_WIDTH * segments.epsilon;
     let is_inside = |(_, t): (usize, f64)| t != 0.0 && t != 1.0;
     let mut keys: Vec<(DVec2, usize)> = Vec::new();
     for (k, contact) in found.iter().enumerate() {
@@ -142,19 +142,19 @@ fn crossings_at_different_points(segments: &Segments, found: &[Contact]) -> Vec<
 }
 
 /// A part of a segment.
-struct Part {
+struct SegmentRange {
     segment: usize,
     t: [f64; 2],
 }
 
-impl Part {
+impl SegmentRange {
     fn points(&self, segments: &Segments) -> Points<DVec2> {
         segments.part(self.segment, self.t[0], self.t[1])
     }
 }
 
 /// The segments in parts with few cuts, if they are not at one point.
-fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<Part> {
+fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<SegmentRange> {
     let mut cuts: Vec<(usize, f64)> = Vec::with_capacity(2 * found.len());
     cuts.extend(found.iter().flat_map(|contact| contact.places));
     sort_by(&mut cuts, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -168,14 +168,14 @@ fn parts_with_few_cuts(segments: &Segments, found: &[Contact]) -> Vec<Part> {
             let to = group[CUTS_PER_PART - 1].1;
             let end = curve.at(to);
             if to < 1.0 && (end - start).max_abs() > segments.epsilon {
-                parts.push(Part {
+                parts.push(SegmentRange {
                     segment,
                     t: [from, to],
                 });
                 (from, start) = (to, end);
             }
         }
-        parts.push(Part {
+        parts.push(SegmentRange {
             segment,
             t: [from, 1.0],
         });
@@ -227,7 +227,8 @@ fn pair_contacts(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contac
     // Consecutive segments of an outline have a joint in common, which is a vertex without a contact.
     let before = a.ends[1] == b.ends[0];
     let after = b.ends[1] == a.ends[0];
-    if before && !after && runs_on(a, b) || after && !before && runs_on(b, a) {
+    if before && !after && meet_only_at_joint(a, b) || after && !before && meet_only_at_joint(b, a)
+    {
         return BESIDE_STEPS;
     }
     if !after {
@@ -269,7 +270,7 @@ fn is_beside(a: &[DVec2], b: &[DVec2], epsilon: f64) -> bool {
 }
 
 /// Whether two consecutive segments lie on different sides of a line through their joint, and so meet only there.
-fn runs_on(a: &Segment, b: &Segment) -> bool {
+fn meet_only_at_joint(a: &Segment, b: &Segment) -> bool {
     let joint = b.start();
     let before = Point::unit(joint - a.points[a.points.len() - 2]);
     let after = Point::unit(b.points[1] - joint);

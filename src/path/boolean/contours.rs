@@ -1,13 +1,13 @@
 //! The boundaries of regions that consist of faces, as simple contours.
 
 use super::arrangement::Arrangement;
-use super::order::origin;
+use super::vertex_stars::origin;
 use crate::curve::area::area_about;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 
 /// A contour of this width, in parts of epsilon, has the shape of rounding, and is left out unless nothing touches it.
-const THIN: f64 = 0.02;
+const MAX_THIN_WIDTH: f64 = 0.02;
 
 /// A simple closed contour, with its region on the left.
 pub(super) struct Contour {
@@ -22,27 +22,27 @@ pub(super) struct Contour {
 /// The contours of all regions, sorted by region: each outer contour is followed by its holes. `regions` has a label for
 /// each face that belongs to a region.
 pub(super) fn contours(arrangement: &Arrangement, regions: &[Option<usize>]) -> Vec<Contour> {
-    let tracer = Tracer {
+    let tracer = BoundaryTracer {
         arrangement,
         regions,
     };
     let mut all = Vec::new();
     let mut visited = vec![false; arrangement.faces.left.len()];
-    let mut slots = vec![None; arrangement.arcs.vertices.len()];
+    let mut slots = vec![None; arrangement.sub_segments.vertices.len()];
     for h in 0..visited.len() {
         if !visited[h] && tracer.is_boundary(h) {
             tracer.trace(h, &mut visited, &mut slots, &mut all);
         }
     }
-    in_order(all, regions)
+    sorted(all, regions)
 }
 
-struct Tracer<'a> {
+struct BoundaryTracer<'a> {
     arrangement: &'a Arrangement,
     regions: &'a [Option<usize>],
 }
 
-impl Tracer<'_> {
+impl BoundaryTracer<'_> {
     fn region(&self, h: usize) -> Option<usize> {
         self.regions[self.arrangement.faces.left[h]]
     }
@@ -69,19 +69,19 @@ impl Tracer<'_> {
         slots: &mut [Option<usize>],
         all: &mut Vec<Contour>,
     ) {
-        let mut way: Vec<usize> = Vec::new();
+        let mut chain: Vec<usize> = Vec::new();
         let mut h = start;
         while !visited[h] {
             visited[h] = true;
             let vertex = origin(&self.arrangement.edges, h);
             if let Some(first) = slots[vertex] {
-                self.end_contour(way.split_off(first), slots, all);
+                self.end_contour(chain.split_off(first), slots, all);
             }
-            slots[vertex] = Some(way.len());
-            way.push(h);
+            slots[vertex] = Some(chain.len());
+            chain.push(h);
             h = self.next(h);
         }
-        self.end_contour(way, slots, all);
+        self.end_contour(chain, slots, all);
     }
 
     fn end_contour(
@@ -93,7 +93,10 @@ impl Tracer<'_> {
         let Some(region) = self.region(half_edges[0]) else {
             return; // not the boundary of a region
         };
-        let (edges, vertices) = (&self.arrangement.edges, &self.arrangement.arcs.vertices);
+        let (edges, vertices) = (
+            &self.arrangement.edges,
+            &self.arrangement.sub_segments.vertices,
+        );
         let (mut area, mut length, mut first) = (0.0, 0.0, usize::MAX);
         let mut is_untouched = true;
         let centre = edges.points(half_edges[0] / 2)[0];
@@ -108,9 +111,9 @@ impl Tracer<'_> {
                 .windows(2)
                 .map(|p| (p[1] - p[0]).max_abs())
                 .sum::<f64>();
-            first = first.min(edges.members(h / 2)[0].arc.segment);
+            first = first.min(edges.members(h / 2)[0].sub_segment.segment);
         }
-        let is_thin = area.abs() <= THIN * self.arrangement.segments.epsilon * length;
+        let is_thin = area.abs() <= MAX_THIN_WIDTH * self.arrangement.segments.epsilon * length;
         if is_untouched || !is_thin {
             all.push(Contour {
                 region,
@@ -126,7 +129,7 @@ impl Tracer<'_> {
 /// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last. A region
 /// has one outer contour, its largest; others that run counter-clockwise are so thin that rounding decides the direction,
 /// and are left out, as are the contours of a region without an outer one.
-fn in_order(all: Vec<Contour>, regions: &[Option<usize>]) -> Vec<Contour> {
+fn sorted(all: Vec<Contour>, regions: &[Option<usize>]) -> Vec<Contour> {
     let mut outer: Vec<Option<usize>> = vec![None; regions.len()];
     for (k, contour) in all
         .iter()

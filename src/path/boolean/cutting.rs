@@ -2,7 +2,7 @@
 
 use super::arrangement::Arrangement;
 use super::operations::paths_of;
-use super::outline::{Piece, push_subpath};
+use super::outline::{OutlinePiece, push_subpath};
 use super::segments::Role;
 use crate::geometry::error::Error;
 use crate::numeric::sort::sort_by;
@@ -35,7 +35,7 @@ impl Path {
         arrangement.visit_faces(rule, |face, windings| inside[face] = windings.is_inside(0));
         let is_cut = |e: usize| {
             let mut members = arrangement.edges.members(e).iter();
-            members.any(|member| arrangement.segments.list[member.arc.segment].path == 1)
+            members.any(|member| arrangement.segments.list[member.sub_segment.segment].path == 1)
         };
         let regions = arrangement.joined_faces(&inside, |e| !is_cut(e));
         let parts = paths_of(&arrangement, &regions).into_iter();
@@ -65,10 +65,10 @@ impl Path {
         let mut inside = vec![false; arrangement.faces.count];
         arrangement.visit_faces(rule, |face, windings| inside[face] = windings.is_inside(1));
         let mut path = Self::default();
-        let pieces = pieces_along(&arrangement, &inside);
+        let pieces = pieces_of_first_path(&arrangement, &inside);
         let mut rest = &pieces[..];
         while let Some(first) = rest.first() {
-            let same = |next: &&Clipped| next.subpath == first.subpath;
+            let same = |next: &&ClippedPiece| next.subpath == first.subpath;
             let count = rest.iter().take_while(same).count();
             push_inside(&arrangement, &rest[..count], &mut path);
             rest = &rest[count..];
@@ -79,28 +79,28 @@ impl Path {
 
 /// A part of a segment of the path that is clipped.
 #[derive(Clone, Copy)]
-struct Clipped {
+struct ClippedPiece {
     subpath: usize,
-    piece: Piece,
+    piece: OutlinePiece,
     is_inside: bool,
 }
 
 /// All parts of the segments of the first path, in order and without gaps.
-fn pieces_along(arrangement: &Arrangement, inside: &[bool]) -> Vec<Clipped> {
+fn pieces_of_first_path(arrangement: &Arrangement, inside: &[bool]) -> Vec<ClippedPiece> {
     let segments = &arrangement.segments.list;
     let mut subpaths: Vec<usize> = Vec::with_capacity(segments.len());
     for segment in segments {
         let before = subpaths.last().copied().unwrap_or(0);
         subpaths.push(before + usize::from(segment.is_first));
     }
-    let mut all: Vec<Clipped> = Vec::new();
+    let mut all: Vec<ClippedPiece> = Vec::new();
     for e in 0..arrangement.edges.list.len() {
         let sides = [2 * e, 2 * e + 1].map(|h| inside[arrangement.faces.left[h]]);
         for member in arrangement.edges.members(e) {
-            if segments[member.arc.segment].path == 0 {
-                all.push(Clipped {
-                    subpath: subpaths[member.arc.segment],
-                    piece: Piece::along(&member.arc),
+            if segments[member.sub_segment.segment].path == 0 {
+                all.push(ClippedPiece {
+                    subpath: subpaths[member.sub_segment.segment],
+                    piece: OutlinePiece::along(&member.sub_segment),
                     // The boundary belongs to the region, so one side is sufficient.
                     is_inside: sides[0] || sides[1],
                 });
@@ -115,8 +115,8 @@ fn pieces_along(arrangement: &Arrangement, inside: &[bool]) -> Vec<Clipped> {
     all
 }
 
-/// Extends the parts over arcs that were removed because they are shorter than ε.
-fn close_gaps(all: &mut [Clipped]) {
+/// Extends the parts over sub-segments that were removed because they are shorter than ε.
+fn close_gaps(all: &mut [ClippedPiece]) {
     for own in all.chunk_by_mut(|a, b| a.piece.segment == b.piece.segment) {
         let mut end = 0.0;
         for clipped in own.iter_mut() {
@@ -130,15 +130,20 @@ fn close_gaps(all: &mut [Clipped]) {
 }
 
 /// Appends the parts of one subpath that are inside.
-fn push_inside(arrangement: &Arrangement, own: &[Clipped], path: &mut Path) {
+fn push_inside(arrangement: &Arrangement, own: &[ClippedPiece], path: &mut Path) {
     let segments = &arrangement.segments.list;
     let (first, last) = (own[0].piece, own[own.len() - 1].piece);
     let is_closed = !segments[last.segment].is_last;
-    let pieces = |run: &[Clipped]| run.iter().map(|clipped| clipped.piece).collect();
+    let pieces = |run: &[ClippedPiece]| run.iter().map(|clipped| clipped.piece).collect();
     if is_closed && own.iter().all(|clipped| clipped.is_inside) {
-        return push_subpath(arrangement, &Piece::joined(pieces(own), true), true, path);
+        return push_subpath(
+            arrangement,
+            &OutlinePiece::joined(pieces(own), true),
+            true,
+            path,
+        );
     }
-    let mut runs: Vec<Vec<Piece>> = own
+    let mut runs: Vec<Vec<OutlinePiece>> = own
         .chunk_by(|a, b| a.is_inside == b.is_inside)
         .filter(|run| run[0].is_inside)
         .map(pieces)
@@ -152,6 +157,6 @@ fn push_inside(arrangement: &Arrangement, own: &[Clipped], path: &mut Path) {
         }
     }
     for run in runs {
-        push_subpath(arrangement, &Piece::joined(run, false), false, path);
+        push_subpath(arrangement, &OutlinePiece::joined(run, false), false, path);
     }
 }

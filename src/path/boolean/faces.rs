@@ -1,11 +1,11 @@
 //! The faces between the edges: the cycles of half-edges around them, and which face contains a connected component. This
 //! is found by a ray from a point where the component extends farthest.
 
-use super::arcs::Arcs;
 use super::edges::Edges;
-use super::order::Order;
 use super::segments::Segments;
+use super::sub_segments::SubSegments;
 use super::union_find::UnionFind;
+use super::vertex_stars::VertexStars;
 use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
 use crate::bernstein::roots::roots_inside;
 use crate::curve::area::area_about;
@@ -35,23 +35,23 @@ pub(super) struct Faces {
     /// The connected component of each edge, and the number of components.
     pub(super) component: Vec<usize>,
     pub(super) component_count: usize,
-    /// An edge of each component in which the order of the edges is not that of a plane figure, by Euler's formula.
-    pub(super) not_plane: Vec<usize>,
+    /// An edge of each component in which the order of the edges is not planar, by Euler's formula.
+    pub(super) not_planar: Vec<usize>,
 }
 
 impl Faces {
     pub(super) fn new(
         segments: &Segments,
         tree: &BoxTree,
-        arcs: &Arcs,
+        sub_segments: &SubSegments,
         edges: &Edges,
-        order: &Order,
+        stars: &VertexStars,
     ) -> Self {
-        let next = next_half_edges(edges, order);
+        let next = next_half_edges(edges, stars);
         let (cycle, cycle_count) = cycles(&next);
-        let (component, component_count) = components(arcs, edges);
+        let (component, component_count) = components(sub_segments, edges);
         let outer = outer_cycles(edges, &cycle, cycle_count, &component, component_count);
-        let not_plane = not_plane(edges, order, &cycle, &component, component_count);
+        let not_planar = not_planar(edges, stars, &cycle, &component, component_count);
         // One more number for the unbounded face, which joins the outer cycles that nothing contains.
         let mut sets = UnionFind::new(cycle_count + 1);
         let is_outer = |h: usize| outer[component[h / 2]] == cycle[h];
@@ -61,7 +61,7 @@ impl Faces {
             let around = hit.map_or(cycle_count, |h| cycle[h]);
             sets.join(*outer, around);
         }
-        let (numbers, count) = numbered(sets, cycle_count + 1);
+        let (numbers, count) = numbers_of_sets(sets, cycle_count + 1);
         Self {
             left: cycle.iter().map(|&c| numbers[c]).collect(),
             next,
@@ -69,13 +69,13 @@ impl Faces {
             outside: numbers[cycle_count],
             component,
             component_count,
-            not_plane,
+            not_planar,
         }
     }
 }
 
 /// The numbers of the sets in which numbers up to a limit are, and of the sets.
-fn numbered(mut sets: UnionFind, limit: usize) -> (Vec<usize>, usize) {
+fn numbers_of_sets(mut sets: UnionFind, limit: usize) -> (Vec<usize>, usize) {
     let mut numbers = vec![usize::MAX; limit];
     let mut count = 0;
     for c in 0..limit {
@@ -90,10 +90,10 @@ fn numbered(mut sets: UnionFind, limit: usize) -> (Vec<usize>, usize) {
 }
 
 /// For each half-edge, the next one around the face to its left: at its end, the next clockwise of the way back.
-fn next_half_edges(edges: &Edges, order: &Order) -> Vec<usize> {
+fn next_half_edges(edges: &Edges, stars: &VertexStars) -> Vec<usize> {
     let mut next = vec![0; 2 * edges.list.len()];
-    for ends in order.starts.windows(2) {
-        let around = &order.around[ends[0]..ends[1]];
+    for ends in stars.starts.windows(2) {
+        let around = &stars.half_edges[ends[0]..ends[1]];
         for (k, &h) in around.iter().enumerate() {
             let clockwise = around[(k + around.len() - 1) % around.len()];
             next[h ^ 1] = clockwise;
@@ -121,12 +121,12 @@ fn cycles(next: &[usize]) -> (Vec<usize>, usize) {
 }
 
 /// The number of the connected component of each edge, and the number of components.
-fn components(arcs: &Arcs, edges: &Edges) -> (Vec<usize>, usize) {
-    let mut sets = UnionFind::new(arcs.vertices.len());
+fn components(sub_segments: &SubSegments, edges: &Edges) -> (Vec<usize>, usize) {
+    let mut sets = UnionFind::new(sub_segments.vertices.len());
     for edge in &edges.list {
         sets.join(edge.vertices[0], edge.vertices[1]);
     }
-    let mut numbers = vec![usize::MAX; arcs.vertices.len()];
+    let mut numbers = vec![usize::MAX; sub_segments.vertices.len()];
     let mut count = 0;
     let component = edges.list.iter().map(|edge| {
         let root = sets.find(edge.vertices[0]);
@@ -171,9 +171,9 @@ fn outer_cycles(
 }
 
 /// An edge of each component that does not satisfy Euler's formula V − E + F = 2, where F counts its cycles.
-fn not_plane(
+fn not_planar(
     edges: &Edges,
-    order: &Order,
+    stars: &VertexStars,
     cycle: &[usize],
     component: &[usize],
     component_count: usize,
@@ -181,8 +181,8 @@ fn not_plane(
     // E + 2 − V − F; each vertex is counted at its first half-edge, and each cycle too.
     let mut excess = vec![2_isize; component_count];
     component.iter().for_each(|&c| excess[c] += 1);
-    let vertices = order.starts.windows(2).filter(|ends| ends[0] < ends[1]);
-    vertices.for_each(|ends| excess[component[order.around[ends[0]] / 2]] -= 1);
+    let vertices = stars.starts.windows(2).filter(|ends| ends[0] < ends[1]);
+    vertices.for_each(|ends| excess[component[stars.half_edges[ends[0]] / 2]] -= 1);
     let mut cycles = 0;
     for (h, &c) in cycle.iter().enumerate() {
         if c == cycles {
@@ -196,12 +196,12 @@ fn not_plane(
 
 /// The point of a component that is farthest in the direction of the ray.
 #[derive(Clone, Copy)]
-struct Extreme {
+struct ExtremePoint {
     point: DVec2,
     along: f64,
 }
 
-impl Extreme {
+impl ExtremePoint {
     fn of_components(edges: &Edges, component: &[usize], count: usize) -> Vec<Self> {
         let start = Self {
             point: DVec2::ZERO,
@@ -234,7 +234,7 @@ impl Extreme {
 
 /// A part of a segment and its half-edge.
 #[derive(Clone, Copy)]
-struct Place {
+struct HalfEdgeStart {
     segment: usize,
     from: f64,
     half_edge: usize,
@@ -246,7 +246,7 @@ struct Rays<'a> {
     tree: &'a BoxTree,
     component: &'a [usize],
     /// Sorted by segment and parameter.
-    places: Vec<Place>,
+    starts: Vec<HalfEdgeStart>,
 }
 
 /// For each component, the half-edge that the ray from its extreme point meets first, on the side of the point.
@@ -260,25 +260,26 @@ fn containing_half_edges(
     if count < 2 {
         return vec![None; count];
     }
-    let mut places = Vec::with_capacity(segments.list.len());
+    let mut starts = Vec::with_capacity(segments.list.len());
     for e in 0..edges.list.len() {
-        places.extend(edges.members(e).iter().map(|member| Place {
-            segment: member.arc.segment,
-            from: member.arc.t[0],
+        starts.extend(edges.members(e).iter().map(|member| HalfEdgeStart {
+            segment: member.sub_segment.segment,
+            from: member.sub_segment.t[0],
             half_edge: 2 * e + usize::from(!member.forward),
         }));
     }
-    sort_by(&mut places, |a, b| {
+    sort_by(&mut starts, |a, b| {
         a.segment.cmp(&b.segment).then(a.from.total_cmp(&b.from))
     });
     let rays = Rays {
         segments,
         tree,
         component,
-        places,
+        starts,
     };
-    let extremes = Extreme::of_components(edges, component, count);
-    let first = |(own, extreme): (usize, &Extreme)| rays.first_hit(own, extreme.point, &is_outer);
+    let extremes = ExtremePoint::of_components(edges, component, count);
+    let first =
+        |(own, extreme): (usize, &ExtremePoint)| rays.first_hit(own, extreme.point, &is_outer);
     extremes.iter().enumerate().map(first).collect()
 }
 
@@ -324,9 +325,9 @@ impl Rays<'_> {
     /// The half-edge along a segment at t.
     fn half_edge_at(&self, segment: usize, t: f64) -> Option<usize> {
         let after = self
-            .places
-            .partition_point(|place| (place.segment, place.from) <= (segment, t));
-        let place = self.places.get(after.checked_sub(1)?)?;
-        (place.segment == segment).then_some(place.half_edge)
+            .starts
+            .partition_point(|start| (start.segment, start.from) <= (segment, t));
+        let start = self.starts.get(after.checked_sub(1)?)?;
+        (start.segment == segment).then_some(start.half_edge)
     }
 }

@@ -1,10 +1,10 @@
-//! Contours as paths: arcs of one segment are joined again, and what is whole keeps its bits. Where arcs coincide, a result
-//! follows the same outline as long as it can.
+//! Contours as paths: sub-segments of one segment are joined again, and what is whole keeps its bits. Where sub-segments
+//! coincide, a result follows the same outline as long as it can.
 
-use super::arcs::Arc;
 use super::arrangement::Arrangement;
 use super::contours::Contour;
-use super::edges::Member;
+use super::edges::MergedSubSegment;
+use super::sub_segments::SubSegment;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use crate::path::Path;
@@ -12,17 +12,17 @@ use glam::DVec2;
 
 /// A part of a segment, in the direction of its outline: from t₀ to t₁, where t₀ > t₁ means backwards.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct OutlinePiece {
     pub(super) segment: usize,
     pub(super) t: [f64; 2],
     /// The vertices at its start and at its end.
     vertices: [usize; 2],
 }
 
-impl Piece {
-    /// An arc of an edge, along the edge or against it.
-    pub(super) fn new(member: &Member, forward: bool) -> Self {
-        let mut piece = Self::along(&member.arc);
+impl OutlinePiece {
+    /// A sub-segment of an edge, along the edge or against it.
+    pub(super) fn new(member: &MergedSubSegment, forward: bool) -> Self {
+        let mut piece = Self::along(&member.sub_segment);
         if member.forward != forward {
             piece.t.reverse();
             piece.vertices.reverse();
@@ -30,12 +30,12 @@ impl Piece {
         piece
     }
 
-    /// A whole arc, in its direction.
-    pub(super) fn along(arc: &Arc) -> Self {
+    /// A whole sub-segment, in its direction.
+    pub(super) fn along(sub_segment: &SubSegment) -> Self {
         Self {
-            segment: arc.segment,
-            t: arc.t,
-            vertices: arc.vertices,
+            segment: sub_segment.segment,
+            t: sub_segment.t,
+            vertices: sub_segment.vertices,
         }
     }
 
@@ -44,25 +44,25 @@ impl Piece {
     }
 
     /// Whether the next piece goes on along the same segment.
-    fn goes_on(&self, next: &Self) -> bool {
+    fn continues_segment(&self, next: &Self) -> bool {
         self.segment == next.segment
             && self.t[1] == next.t[0]
             && self.is_forward() == next.is_forward()
     }
 
     /// Whether the next piece goes on along the same subpath of the input.
-    pub(super) fn continues(&self, arrangement: &Arrangement, next: &Self) -> bool {
+    pub(super) fn continues_subpath(&self, arrangement: &Arrangement, next: &Self) -> bool {
         let end = joint(arrangement, self.segment, self.t[1]);
         let start = joint(arrangement, next.segment, next.t[0]);
         let is_next = end.is_some() && end == start && self.is_forward() == next.is_forward();
-        is_next || self.goes_on(next)
+        is_next || self.continues_segment(next)
     }
 
     /// Joins consecutive pieces of one segment; in a closed outline also the last with the first.
     pub(super) fn joined(pieces: Vec<Self>, closed: bool) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::with_capacity(pieces.len());
         for piece in pieces {
-            match all.last_mut().filter(|last| last.goes_on(&piece)) {
+            match all.last_mut().filter(|last| last.continues_segment(&piece)) {
                 Some(last) => {
                     last.t[1] = piece.t[1];
                     last.vertices[1] = piece.vertices[1];
@@ -72,7 +72,7 @@ impl Piece {
         }
         if let [first, .., last] = all[..]
             && closed
-            && last.goes_on(&first)
+            && last.continues_segment(&first)
         {
             all.pop();
             all[0] = Self {
@@ -105,11 +105,11 @@ pub(super) fn push_contours(arrangement: &Arrangement, contours: &[Contour], pat
         if contour.is_hole && left_out == Some(contour.region) {
             continue;
         }
-        let pieces = Piece::joined(chosen_pieces(arrangement, &contour.half_edges), true);
+        let pieces = OutlinePiece::joined(chosen_pieces(arrangement, &contour.half_edges), true);
         let mut single = Path::default();
         push_subpath(
             arrangement,
-            &started(arrangement, pieces),
+            &rotated_to_start(arrangement, pieces),
             true,
             &mut single,
         );
@@ -126,8 +126,8 @@ pub(super) fn push_contours(arrangement: &Arrangement, contours: &[Contour], pat
 
 /// The pieces of a closed outline from the start of a subpath of the input if it has one, otherwise from the start of
 /// the piece with the smallest index.
-fn started(arrangement: &Arrangement, mut pieces: Vec<Piece>) -> Vec<Piece> {
-    let is_first = |piece: &Piece| arrangement.segments.list[piece.segment].is_first;
+fn rotated_to_start(arrangement: &Arrangement, mut pieces: Vec<OutlinePiece>) -> Vec<OutlinePiece> {
+    let is_first = |piece: &OutlinePiece| arrangement.segments.list[piece.segment].is_first;
     let starts = (0..pieces.len()).filter_map(|k| {
         let before = &pieces[(k + pieces.len() - 1) % pieces.len()];
         let here = &pieces[k];
@@ -149,7 +149,7 @@ fn started(arrangement: &Arrangement, mut pieces: Vec<Piece>) -> Vec<Piece> {
 /// Appends a subpath of pieces.
 pub(super) fn push_subpath(
     arrangement: &Arrangement,
-    pieces: &[Piece],
+    pieces: &[OutlinePiece],
     closed: bool,
     path: &mut Path,
 ) {
@@ -186,7 +186,11 @@ pub(super) fn push_subpath(
 }
 
 /// The point where one or two consecutive pieces of an outline end: a joint of the input where there is one.
-fn junction(arrangement: &Arrangement, before: Option<&Piece>, after: Option<&Piece>) -> DVec2 {
+fn junction(
+    arrangement: &Arrangement,
+    before: Option<&OutlinePiece>,
+    after: Option<&OutlinePiece>,
+) -> DVec2 {
     let end = before.map(|piece| (piece.segment, piece.t[1], piece.vertices[1]));
     let start = after.map(|piece| (piece.segment, piece.t[0], piece.vertices[0]));
     let ends = || [end, start].into_iter().flatten();
@@ -194,7 +198,7 @@ fn junction(arrangement: &Arrangement, before: Option<&Piece>, after: Option<&Pi
     let vertex = ends().map(|(_, _, vertex)| vertex).min().unwrap_or(0);
     match joints.min() {
         Some(joint) => arrangement.segments.joints[joint],
-        None => arrangement.arcs.vertices[vertex].point,
+        None => arrangement.sub_segments.vertices[vertex].point,
     }
 }
 
@@ -210,23 +214,23 @@ fn move_start(points: &mut Points<DVec2>, to: DVec2) {
 /// How many edges ahead the choice looks.
 const LOOK_AHEAD: usize = 64;
 
-/// The arcs along some half-edges, one after the other.
+/// The sub-segments along some half-edges, one after the other.
 struct Choices<'a> {
     arrangement: &'a Arrangement,
     half_edges: &'a [usize],
 }
 
-/// For each half-edge of a contour one of its arcs: preferably the one that continues what comes before, or else the
-/// one that goes on longest.
-fn chosen_pieces(arrangement: &Arrangement, half_edges: &[usize]) -> Vec<Piece> {
+/// For each half-edge of a contour one of its sub-segments: preferably the one that continues what comes before, or else
+/// the one that goes on longest.
+fn chosen_pieces(arrangement: &Arrangement, half_edges: &[usize]) -> Vec<OutlinePiece> {
     let choices = Choices {
         arrangement,
         half_edges,
     };
     let count = half_edges.len();
-    // Starts at an edge of one arc, where there is nothing to choose.
+    // Starts at an edge of one sub-segment, where there is nothing to choose.
     let single = (0..count).find(|&k| choices.at(k).len() == 1).unwrap_or(0);
-    let mut pieces: Vec<Piece> = Vec::with_capacity(count);
+    let mut pieces: Vec<OutlinePiece> = Vec::with_capacity(count);
     for k in single..single + count {
         let continued = pieces.last().and_then(|last| choices.continuing(last, k));
         pieces.extend(continued.or_else(|| choices.longest(k)));
@@ -236,35 +240,36 @@ fn chosen_pieces(arrangement: &Arrangement, half_edges: &[usize]) -> Vec<Piece> 
 
 impl Choices<'_> {
     /// The pieces for half-edge k of the closed contour.
-    fn at(&self, k: usize) -> impl ExactSizeIterator<Item = Piece> + '_ {
+    fn at(&self, k: usize) -> impl ExactSizeIterator<Item = OutlinePiece> + '_ {
         let h = self.half_edges[k % self.half_edges.len()];
         let edges = &self.arrangement.edges;
         let members = edges.members(h / 2).iter();
-        members.map(move |member| Piece::new(member, h.is_multiple_of(2)))
+        members.map(move |member| OutlinePiece::new(member, h.is_multiple_of(2)))
     }
 
-    fn continuing(&self, last: &Piece, k: usize) -> Option<Piece> {
+    fn continuing(&self, last: &OutlinePiece, k: usize) -> Option<OutlinePiece> {
         self.at(k)
-            .find(|piece| last.continues(self.arrangement, piece))
+            .find(|piece| last.continues_subpath(self.arrangement, piece))
     }
 
     /// The piece for half-edge k whose outline runs along most of the next half-edges.
-    fn longest(&self, k: usize) -> Option<Piece> {
+    fn longest(&self, k: usize) -> Option<OutlinePiece> {
         // The first and the latest piece of each outline that still goes on.
-        let mut alive: Vec<(Piece, Piece)> = self.at(k).map(|piece| (piece, piece)).collect();
+        let mut candidates: Vec<(OutlinePiece, OutlinePiece)> =
+            self.at(k).map(|piece| (piece, piece)).collect();
         for ahead in k + 1..k + 1 + LOOK_AHEAD.min(self.half_edges.len()) {
-            if alive.len() == 1 {
+            if candidates.len() == 1 {
                 break;
             }
-            let longer: Vec<(Piece, Piece)> = alive
+            let longer: Vec<(OutlinePiece, OutlinePiece)> = candidates
                 .iter()
                 .filter_map(|(first, last)| Some((*first, self.continuing(last, ahead)?)))
                 .collect();
             if longer.is_empty() {
                 break;
             }
-            alive = longer;
+            candidates = longer;
         }
-        alive.first().map(|&(first, _)| first)
+        candidates.first().map(|&(first, _)| first)
     }
 }

@@ -5,14 +5,14 @@
 //! of the pairs of tests/path_boolean, but by 1,045 of 162,000 generated calls: 1 % of those that have features of all sizes
 //! down to 10⁻¹² of the drawing, and 0.3 % of the others, whose segments often touch or coincide.
 //!
-//! The segments are flattened and the corners rounded to the centres of the cells of a grid. Then every line is led
-//! through the centres of all cells that it passes and in which another line ends or crosses a line. Such lines do not
-//! cross: they meet in common corners only. In units of the grid all differences of coordinates are integers of at most
-//! 25 bits, so the side of a line on which a point lies is exact. Sources: Hobby, "Practical segment intersection with
-//! finite precision output", Computational Geometry 13 (1999), §2; Guibas and Marimont, "Rounding arrangements
-//! dynamically", SoCG 1995.
+//! This is snap rounding. The segments are flattened and the corners rounded to the centres of the cells of a grid. Then
+//! every line is led through the centres of all cells that it passes and in which another line ends or crosses a line.
+//! Such lines do not cross: they meet in common corners only. In units of the grid all differences of coordinates are
+//! integers of at most 25 bits, so the side of a line on which a point lies is exact. Sources: Hobby, "Practical segment
+//! intersection with finite precision output", Computational Geometry 13 (1999), §2; Guibas and Marimont, "Rounding
+//! arrangements dynamically", SoCG 1995.
 
-use super::contacts::{STEPS_PER_ITEM, steps_for};
+use super::contacts::{STEPS_PER_ITEM, search_limit};
 use super::segments::{Segment, Segments};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::bounds::Bounds;
@@ -39,13 +39,13 @@ const MANY_CHORDS: f64 = 2048.0;
 const MAX_LINES: usize = 1 << 22;
 
 /// What lines on the grid replace.
-pub(super) struct Replaced {
+pub(super) struct ReplacedSegments {
     pub(super) segments: Vec<bool>,
     /// The joints that are rounded to the grid; all segments that end there are replaced. Other ends keep their bits.
     pub(super) joints: Vec<bool>,
 }
 
-impl Replaced {
+impl ReplacedSegments {
     pub(super) fn all(segments: &Segments) -> Self {
         Self {
             segments: vec![true; segments.list.len()],
@@ -56,7 +56,7 @@ impl Replaced {
 
 /// A line from corner to corner, in units of the grid, and the segment that it is a part of.
 #[derive(Clone, Copy)]
-struct Line {
+struct GridLine {
     ends: [DVec2; 2],
     segment: usize,
 }
@@ -66,7 +66,7 @@ impl Segments {
     ///
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² lines or corners, or too many pairs of lines that may cross.
-    pub(super) fn on_grid(&self, mut replaced: Replaced) -> Result<Self, Error> {
+    pub(super) fn on_grid(&self, mut replaced: ReplacedSegments) -> Result<Self, Error> {
         #[cfg(feature = "count-work")]
         total::count(replaced.segments.iter().filter(|&&is| is).count());
         self.replace_noded(&mut replaced);
@@ -131,7 +131,7 @@ impl Segments {
     }
 
     /// Adds the lines of an earlier division, which have to meet the new ones in common corners too.
-    fn replace_noded(&self, replaced: &mut Replaced) {
+    fn replace_noded(&self, replaced: &mut ReplacedSegments) {
         let mut joins_noded = vec![true; self.joints.len()];
         let others = self.list.iter().filter(|segment| !segment.is_noded);
         for joint in others.flat_map(|segment| segment.ends) {
@@ -150,10 +150,10 @@ impl Segments {
     /// 1984).
     fn chords(
         &self,
-        replaced: &Replaced,
+        replaced: &ReplacedSegments,
         all: Bounds<DVec2>,
         cells: f64,
-    ) -> Result<Vec<Line>, Error> {
+    ) -> Result<Vec<GridLine>, Error> {
         let curves = || {
             let all = self.list.iter().enumerate();
             all.filter(|&(segment, _)| replaced.segments[segment])
@@ -172,7 +172,7 @@ impl Segments {
             for k in 1..=steps {
                 let to = corner(k);
                 if to != from {
-                    lines.push(Line {
+                    lines.push(GridLine {
                         ends: [from, to],
                         segment,
                     });
@@ -211,24 +211,24 @@ fn check_count(what: &'static str, count: usize) -> Result<(), Error> {
 }
 
 /// The lines, led through the cells in which lines end or cross, so that they meet in common corners only.
-fn noded(lines: Vec<Line>) -> Result<Vec<Line>, Error> {
-    let mut work = steps_for(lines.len());
+fn noded(lines: Vec<GridLine>) -> Result<Vec<GridLine>, Error> {
+    let mut work = search_limit(lines.len());
     let corners = corners(&lines, &mut work)?;
     let boxes: Vec<_> = corners.iter().map(|&p| Bounds::from_points(&[p])).collect();
     let tree = BoxTree::new(&boxes);
-    let led = cut(&lines, (&corners, &tree), passes_cell, &mut work)?;
+    let through_cells = cut_at_corners(&lines, (&corners, &tree), passes_cell, &mut work)?;
     // A line that was moved may run exactly through the centre of a cell that it did not pass before.
-    cut(&led, (&corners, &tree), passes_centre, &mut work)
+    cut_at_corners(&through_cells, (&corners, &tree), passes_centre, &mut work)
 }
 
-fn tree_of(lines: &[Line]) -> BoxTree {
-    let bounds = |line: &Line| Bounds::from_points(&line.ends);
+fn tree_of(lines: &[GridLine]) -> BoxTree {
+    let bounds = |line: &GridLine| Bounds::from_points(&line.ends);
     let boxes: Vec<_> = lines.iter().map(bounds).collect();
     BoxTree::new(&boxes)
 }
 
 /// The cells in which lines end or cross, each once.
-fn corners(lines: &[Line], work: &mut WorkLimit) -> Result<Vec<DVec2>, Error> {
+fn corners(lines: &[GridLine], work: &mut WorkLimit) -> Result<Vec<DVec2>, Error> {
     let mut corners: Vec<DVec2> = lines.iter().flat_map(|line| line.ends).collect();
     keep_different(&mut corners);
     tree_of(lines).pairs_within(work, |i, j, work| {
@@ -263,8 +263,9 @@ fn crossing(a: [DVec2; 2], b: [DVec2; 2]) -> Option<DVec2> {
     let [from, to] = heights(b, a);
     // The lines cross at a₀ + (a₁ − a₀) · from / (from − to).
     let steps = (a[1] - a[0]).to_array();
-    (crosses([from, to]) && crosses(heights(a, b)))
-        .then(|| a[0] + DVec2::from_array(steps.map(|step| rounded(step, from, from - to))))
+    (crosses([from, to]) && crosses(heights(a, b))).then(|| {
+        a[0] + DVec2::from_array(steps.map(|step| rounded_quotient(step, from, from - to)))
+    })
 }
 
 /// The product a b / c of integers of up to 2²⁵, 2⁵¹ and 2⁵² rounded to the nearest integer, exactly; one in the middle is
@@ -273,7 +274,7 @@ fn crossing(a: [DVec2; 2], b: [DVec2; 2]) -> Option<DVec2> {
     clippy::cast_possible_truncation,
     reason = "integers of at most 53 bits"
 )]
-fn rounded(a: f64, b: f64, c: f64) -> f64 {
+fn rounded_quotient(a: f64, b: f64, c: f64) -> f64 {
     let (b, c) = (b * c.signum(), c.abs());
     let whole = |x: f64| i128::from(x as i64);
     let twice = 2 * whole(a) * whole(b);
@@ -307,12 +308,12 @@ fn passes_centre([from, to]: [DVec2; 2], p: DVec2) -> bool {
 }
 
 /// The lines with further corners where they pass one.
-fn cut(
-    lines: &[Line],
+fn cut_at_corners(
+    lines: &[GridLine],
     (corners, tree): (&[DVec2], &BoxTree),
     passes: impl Fn([DVec2; 2], DVec2) -> bool,
     work: &mut WorkLimit,
-) -> Result<Vec<Line>, Error> {
+) -> Result<Vec<GridLine>, Error> {
     let mut cuts: Vec<(usize, DVec2)> = Vec::new();
     let mut needed = lines.len();
     tree_of(lines).pairs_with(tree, work, |line, corner| {
@@ -339,7 +340,7 @@ fn cut(
         let [mut from, end] = line.ends;
         let own = std::iter::from_fn(|| rest.next_if(|cut| cut.0 == k));
         for to in own.map(|cut| cut.1).chain([end]) {
-            parts.push(Line {
+            parts.push(GridLine {
                 ends: [from, to],
                 ..*line
             });
@@ -384,7 +385,7 @@ mod tests {
         let path: Path = text.parse().expect("path data");
         let segments = Segments::new(&[(&path, Role::Region)]).expect("few segments");
         let polygons = segments
-            .on_grid(Replaced::all(&segments))
+            .on_grid(ReplacedSegments::all(&segments))
             .expect("few chords");
         let size = segments.bounds().expect("segments");
         let cells = CELLS * unit_scale((size.max - size.min).max_element());
@@ -450,12 +451,12 @@ mod tests {
     fn quotients_are_rounded_exactly() {
         let largest = (1_i64 << 51) as f64;
         // In the middle of two integers, and next to it by one part in 2⁵¹.
-        assert_eq!(rounded(1.0, 1.0, 2.0), 1.0);
-        assert_eq!(rounded(-1.0, 1.0, 2.0), 0.0);
-        assert_eq!(rounded(3.0, largest - 1.0, 2.0 * largest), 1.0);
-        assert_eq!(rounded(3.0, -largest - 1.0, 2.0 * largest), -2.0);
+        assert_eq!(rounded_quotient(1.0, 1.0, 2.0), 1.0);
+        assert_eq!(rounded_quotient(-1.0, 1.0, 2.0), 0.0);
+        assert_eq!(rounded_quotient(3.0, largest - 1.0, 2.0 * largest), 1.0);
+        assert_eq!(rounded_quotient(3.0, -largest - 1.0, 2.0 * largest), -2.0);
         assert_eq!(
-            rounded(33_554_431.0, largest - 1.0, 2.0 * largest),
+            rounded_quotient(33_554_431.0, largest - 1.0, 2.0 * largest),
             16_777_215.0
         );
     }

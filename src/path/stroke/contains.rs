@@ -18,13 +18,13 @@ use crate::spline::{Join, Spline};
 use glam::DVec2;
 
 /// A vector whose component along a unit tangent is at most this part of the size is perpendicular to it.
-const PERPENDICULAR: f64 = 1e-7;
+const MAX_FOOT_DEVIATION: f64 = 1e-7;
 
 /// The same for an end, whose tangent is exact.
 const BESIDE_END: f64 = 1e-12;
 
 /// The step in t before a cusp at which its direction is taken.
-const BEFORE_CUSP: f64 = 1e-6;
+const CUSP_PROBE_STEP: f64 = 1e-6;
 
 impl Path {
     /// Whether a point is in the stroke of the path, as [`stroke`](Self::stroke) describes it.
@@ -158,7 +158,7 @@ fn sweeps(curve: &Curve<DVec2>, p: DVec2, radius: f64) -> bool {
     };
     let is_foot = |t: f64| {
         let along = (curve.eval(t) - p).dot(curve.tangent(t));
-        near(t) && along.abs() <= PERPENDICULAR * size
+        near(t) && along.abs() <= MAX_FOOT_DEVIATION * size
     };
     beside_end(curve.start(), curve.start_tangent())
         || beside_end(curve.end(), curve.end_tangent())
@@ -180,10 +180,10 @@ fn is_beside_nearest(points: &[DVec2], p: DVec2, radius: f64, clear: f64) -> boo
 
 /// The zeros of (B − p)·B′ inside (0, 1), where p is on the normal of B.
 fn feet(points: &[DVec2], p: DVec2) -> Vec<f64> {
-    let about: Points<DVec2> = Normalized::around(p, points).points(points);
-    let steps: Points<DVec2> = about.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let relative: Points<DVec2> = Normalized::around(p, points).points(points);
+    let steps: Points<DVec2> = relative.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let n = points.len() - 1;
-    let product = product_of(n, n - 1, |i, j| about[i].dot(steps[j]));
+    let product = product_of(n, n - 1, |i, j| relative[i].dot(steps[j]));
     roots_inside(&product).to_vec()
 }
 
@@ -192,12 +192,14 @@ fn reversals(curve: &Curve<DVec2>) -> Vec<(f64, DVec2)> {
     match curve.straight_direction() {
         Some(direction) => {
             let turns = curve.turns_along(direction);
-            let before = |t: f64| direction * curve.sign_along(direction, t - BEFORE_CUSP);
+            let before = |t: f64| direction * curve.sign_along(direction, t - CUSP_PROBE_STEP);
             turns.into_iter().map(|t| (t, before(t))).collect()
         }
         None => {
             let cusps = curve.cusps().into_iter();
-            cusps.map(|t| (t, curve.tangent(t - BEFORE_CUSP))).collect()
+            cusps
+                .map(|t| (t, curve.tangent(t - CUSP_PROBE_STEP)))
+                .collect()
         }
     }
 }

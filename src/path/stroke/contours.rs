@@ -27,7 +27,7 @@ pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen
         slope: 0.0,
         speed: 0.0,
     }
-    .across();
+    .cap_disc();
     match pen.cap {
         StrokeCap::Butt => {}
         StrokeCap::Square => {
@@ -60,7 +60,7 @@ pub(super) fn push_disk(path: &mut Path, center: DVec2, pen: &Pen) {
 /// The mean thickness of a contour is 2 A/L for an area A and a length L, and no more than the diameter of the largest disc
 /// in it. A contour with a small mean can still be thick somewhere: then a disc is searched.
 pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
-    let mut work = WorkLimit::new(FURTHER_STEPS);
+    let mut work = WorkLimit::new(BASE_STEPS);
     work.raise_limit(STEPS_PER_SEGMENT, region.segment_count());
     let keeps = |contour: &Spline<DVec2>| {
         let area = contour.area();
@@ -81,7 +81,7 @@ const DISC_SLACK: f64 = 0.125;
 /// The steps of the searches in all contours: for each segment, and in addition for any number of them. A step is a
 /// comparison with a box, about 10 ns. A contour that is longer than some 10⁴ radii takes about as many.
 const STEPS_PER_SEGMENT: usize = 1 << 8;
-const FURTHER_STEPS: usize = 1 << 20;
+const BASE_STEPS: usize = 1 << 20;
 
 /// Whether there is a disc in a contour with an area: true if there is one of a radius that is larger by `DISC_SLACK`,
 /// false if there is none of the radius. If there are no steps left, the answer is true.

@@ -32,14 +32,14 @@ const MAX_ITERATIONS: usize = 12;
 const MAX_WORK: usize = 1 << 11;
 
 /// A system is solved if both centres are this close, relative to the size and the radius.
-const SOLVED: f64 = 4e-15;
-const SOLVED_WITH_ROUNDING: f64 = 1e-12;
+const MAX_GAP: f64 = 4e-15;
+const MAX_GAP_WITH_ROUNDING: f64 = 1e-12;
 
 /// The cosine of the largest turn of a tangent in one step (37°).
 const MAX_TURN_COSINE: f64 = 0.8;
 
 /// Parameters this close to a limit, relative to it, are at the limit.
-const AT_LIMIT: f64 = 1e-12;
+const LIMIT_TOLERANCE: f64 = 1e-12;
 
 /// An arc that replaces a corner.
 #[derive(Clone, Copy)]
@@ -73,8 +73,8 @@ pub(super) fn corner_arc(
     let tangents = [-sides[0][0].start_tangent(), sides[1][0].start_tangent()];
     let (scaled, unit) = scaled(sides, corner);
     let sign = 1.0_f64.copysign(tangents[0].perp_dot(tangents[1]));
-    let side = |k: usize, sign: f64| Side {
-        pieces: scaled[k]
+    let side = |k: usize, sign: f64| CornerSide {
+        segments: scaled[k]
             .iter()
             .map(|points| CurveWithDerivatives::new(points))
             .collect(),
@@ -82,29 +82,32 @@ pub(super) fn corner_arc(
         sign,
         limit: limits[k],
     };
-    let mut fitted = Corner {
+    let mut fitted = CornerFit {
         sides: [side(0, -sign), side(1, sign)],
         tangents,
         sign,
     };
-    let contact = fitted.fit((radius / unit).min(MAX_RADIUS));
-    if contact[RADIUS] < MIN_RADIUS {
+    let tangency = fitted.fit((radius / unit).min(MAX_RADIUS));
+    if tangency[RADIUS] < MIN_RADIUS {
         return None;
     }
-    let between_lines = fitted.starts_with_lines() && contact[0].max(contact[1]) <= 1.0;
-    let distance = contact[RADIUS] * fitted.tangent_of_half_turn() * unit;
+    let between_lines = fitted.starts_with_lines() && tangency[0].max(tangency[1]) <= 1.0;
+    let distance = tangency[RADIUS] * fitted.tangent_of_half_turn() * unit;
     let end = |k: usize, outward: DVec2| {
-        if between_lines && contact[k] < 1.0 && contact[k] != limits[k] {
+        if between_lines && tangency[k] < 1.0 && tangency[k] != limits[k] {
             corner + outward * distance
         } else {
-            eval(&sides[k], contact[k])
+            eval(&sides[k], tangency[k])
         }
     };
     Some(CornerArc {
-        from_corner: [contact[0], contact[1]],
+        from_corner: [tangency[0], tangency[1]],
         ends: [end(0, -tangents[0]), end(1, tangents[1])],
-        tangents: [-fitted.outward(&contact, 0)?, fitted.outward(&contact, 1)?],
-        radius: sign * contact[RADIUS],
+        tangents: [
+            -fitted.outward(&tangency, 0)?,
+            fitted.outward(&tangency, 1)?,
+        ],
+        radius: sign * tangency[RADIUS],
         unit,
     })
 }
@@ -133,8 +136,8 @@ fn eval(curves: &[Curve<DVec2>], x: f64) -> DVec2 {
 }
 
 /// A corner with its two segments, which are scaled to a size of about 1, start at the corner, and lead away from it.
-struct Corner<'a> {
-    sides: [Side<'a>; 2],
+struct CornerFit<'a> {
+    sides: [CornerSide<'a>; 2],
     /// The tangents at the corner, along the path.
     tangents: [DVec2; 2],
     /// 1 for a left turn, −1 for a right turn.
@@ -142,8 +145,8 @@ struct Corner<'a> {
 }
 
 /// Segments that follow each other smoothly; parameters are those of a spline.
-struct Side<'a> {
-    pieces: Vec<CurveWithDerivatives<'a, DVec2>>,
+struct CornerSide<'a> {
+    segments: Vec<CurveWithDerivatives<'a, DVec2>>,
     /// The index of the segment with the point of tangency.
     current: usize,
     /// The normal towards the circle is this multiple of the left one.
@@ -153,7 +156,7 @@ struct Side<'a> {
 }
 
 /// What a side is like at a parameter.
-struct Local {
+struct SidePoint {
     point: DVec2,
     velocity: DVec2,
     tangent: DVec2,
@@ -163,18 +166,18 @@ struct Local {
 }
 
 /// The parameters of both points of tangency, and the radius.
-type Contact = [f64; 3];
+type Tangency = [f64; 3];
 const RADIUS: usize = 2;
 
-impl Side<'_> {
+impl CornerSide<'_> {
     /// `None` where the derivative vanishes.
-    fn at(&self, x: f64) -> Option<Local> {
-        let (curve, x) = (&self.pieces[self.current], x - self.current as f64);
+    fn at(&self, x: f64) -> Option<SidePoint> {
+        let (curve, x) = (&self.segments[self.current], x - self.current as f64);
         let [velocity, second] = curve.derivatives(x);
         let speed = Point::norm(velocity);
         let tangent = velocity / speed;
         let curvature = self.sign * tangent.perp_dot(second) / (speed * speed);
-        (speed > 0.0 && curvature.is_finite()).then(|| Local {
+        (speed > 0.0 && curvature.is_finite()).then(|| SidePoint {
             point: curve.at(x),
             velocity,
             tangent,
@@ -190,7 +193,7 @@ impl Side<'_> {
 
     /// The largest distance of a control point of the first segment from the corner.
     fn reach(&self) -> f64 {
-        let distances = self.pieces[0].points.iter().map(|&p| Point::norm(p));
+        let distances = self.segments[0].points.iter().map(|&p| Point::norm(p));
         distances.fold(0.0, f64::max)
     }
 
@@ -199,7 +202,7 @@ impl Side<'_> {
         let (mut low, mut high) = (0.0, self.end());
         for _ in 0..24 {
             let middle = 0.5 * (low + high);
-            if Point::norm(self.pieces[0].at(middle)) < distance {
+            if Point::norm(self.segments[0].at(middle)) < distance {
                 low = middle;
             } else {
                 high = middle;
@@ -209,14 +212,14 @@ impl Side<'_> {
     }
 }
 
-impl Corner<'_> {
+impl CornerFit<'_> {
     /// The distance of the points of tangency of straight segments, as a multiple of the radius.
     fn tangent_of_half_turn(&self) -> f64 {
         let [before, after] = self.tangents;
         before.perp_dot(after).abs() / (1.0 + before.dot(after))
     }
 
-    fn between_lines(&self, goal: f64) -> Contact {
+    fn between_lines(&self, goal: f64) -> Tangency {
         let tangent = self.tangent_of_half_turn();
         let lengths = self.sides.each_ref().map(|side| side.reach());
         let room = (self.sides[0].end() * lengths[0]).min(self.sides[1].end() * lengths[1]);
@@ -232,41 +235,41 @@ impl Corner<'_> {
     fn starts_with_lines(&self) -> bool {
         self.sides
             .iter()
-            .all(|side| side.pieces[0].points.len() == 2)
+            .all(|side| side.segments[0].points.len() == 2)
     }
 
-    /// The contact of the largest radius up to a goal.
-    fn fit(&mut self, goal: f64) -> Contact {
-        let mut contact = [0.0; 3];
+    /// The tangency of the largest radius up to a goal.
+    fn fit(&mut self, goal: f64) -> Tangency {
+        let mut tangency = [0.0; 3];
         let reach = self.sides[0].reach().min(self.sides[1].reach());
         if reach == 0.0 {
-            return contact; // One side is so much smaller than the other that it vanishes in the scaled coordinates.
+            return tangency; // One side is so much smaller than the other that it vanishes in the scaled coordinates.
         }
         if self.starts_with_lines() {
-            contact = self.between_lines(goal);
+            tangency = self.between_lines(goal);
         }
         let mut work = WorkLimit::new(MAX_WORK);
         let mut step = FIRST_STEP * reach / self.tangent_of_half_turn();
-        while self.enter_segments(&mut contact) && contact[RADIUS] < goal && !work.is_exceeded() {
-            let radius = (contact[RADIUS] + step).min(goal);
-            if let Some(next) = self.next(&contact, radius, &mut work) {
-                contact = next;
+        while self.enter_segments(&mut tangency) && tangency[RADIUS] < goal && !work.is_exceeded() {
+            let radius = (tangency[RADIUS] + step).min(goal);
+            if let Some(next) = self.advance_to(&tangency, radius, &mut work) {
+                tangency = next;
                 step *= 2.0;
-            } else if step < RADIUS_PRECISION * contact[RADIUS].max(MIN_RADIUS) {
+            } else if step < RADIUS_PRECISION * tangency[RADIUS].max(MIN_RADIUS) {
                 break;
             } else {
                 step *= 0.5;
             }
         }
-        contact
+        tangency
     }
 
     /// Moves points of tangency at the end of a segment to the next one; false at the limit of a side.
-    fn enter_segments(&mut self, contact: &mut Contact) -> bool {
+    fn enter_segments(&mut self, tangency: &mut Tangency) -> bool {
         let mut is_free = true;
-        for (x, side) in contact.iter_mut().zip(&mut self.sides) {
+        for (x, side) in tangency.iter_mut().zip(&mut self.sides) {
             let end = side.end();
-            if *x >= end * (1.0 - AT_LIMIT) {
+            if *x >= end * (1.0 - LIMIT_TOLERANCE) {
                 *x = end;
                 if end < side.limit {
                     side.current += 1;
@@ -278,8 +281,8 @@ impl Corner<'_> {
         is_free
     }
 
-    /// The contact for a larger radius, or where a side reaches its limit before.
-    fn next(&self, from: &Contact, radius: f64, work: &mut WorkLimit) -> Option<Contact> {
+    /// The tangency for a larger radius, or where a side reaches its limit before.
+    fn advance_to(&self, from: &Tangency, radius: f64, work: &mut WorkLimit) -> Option<Tangency> {
         let mut start = [from[0], from[1], radius];
         // At the corner: the distance of the points of tangency between lines is a first guess.
         if from[RADIUS] == 0.0 {
@@ -291,7 +294,7 @@ impl Corner<'_> {
         if let Some(found) = self.solve(start, RADIUS, work) {
             let within = (0..2).all(|k| found[k] <= self.sides[k].end());
             if within {
-                return self.follows(from, &found).then_some(found);
+                return self.is_continuation(from, &found).then_some(found);
             }
             start = found;
         }
@@ -300,12 +303,12 @@ impl Corner<'_> {
             let mut clamped = [0, 1].map(|k| start[k].clamp(from[k], self.sides[k].end()));
             clamped[k] = self.sides[k].end();
             let found = self.solve([clamped[0], clamped[1], radius], k, work)?;
-            (found[RADIUS] <= radius && self.follows(from, &found)).then_some(found)
+            (found[RADIUS] <= radius && self.is_continuation(from, &found)).then_some(found)
         })
     }
 
     /// Newton's method for two of the unknowns; the fixed one keeps its value.
-    fn solve(&self, mut z: Contact, fixed: usize, work: &mut WorkLimit) -> Option<Contact> {
+    fn solve(&self, mut z: Tangency, fixed: usize, work: &mut WorkLimit) -> Option<Tangency> {
         let free = [[1, 2], [0, 2], [0, 1]][fixed];
         let mut rest = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
@@ -317,7 +320,7 @@ impl Corner<'_> {
             // The centres as seen from both sides, B + r N, have to be the same point.
             let gap = before.point - after.point + normals * z[RADIUS];
             rest = Point::norm(gap) / (1.0 + z[RADIUS]);
-            if rest <= SOLVED {
+            if rest <= MAX_GAP {
                 break;
             }
             // The derivatives of the gap: (B + r N)′ = B′ (1 − r κ), because N′ = −κ B′.
@@ -335,12 +338,12 @@ impl Corner<'_> {
                 return None;
             }
         }
-        (rest <= SOLVED_WITH_ROUNDING).then_some(z)
+        (rest <= MAX_GAP_WITH_ROUNDING).then_some(z)
     }
 
-    /// Whether a contact continues another one: the points move away from the corner within their limits, no tangent
+    /// Whether a tangency continues another one: the points move away from the corner within their limits, no tangent
     /// turns far, neither segment bends towards the circle more than the circle does, and the turn keeps its side.
-    fn follows(&self, from: &Contact, to: &Contact) -> bool {
+    fn is_continuation(&self, from: &Tangency, to: &Tangency) -> bool {
         let on_side = |k: usize| {
             let side = &self.sides[k];
             let (Some(local), Some(old)) = (side.at(to[k]), self.outward(from, k)) else {
@@ -350,24 +353,24 @@ impl Corner<'_> {
                 && to[RADIUS] * local.curvature < 1.0
                 && local.tangent.dot(old) >= MAX_TURN_COSINE
         };
-        to[RADIUS] > from[RADIUS] && on_side(0) && on_side(1) && self.turns(to)
+        to[RADIUS] > from[RADIUS] && on_side(0) && on_side(1) && self.turns_to_corner_side(to)
     }
 
-    /// The direction away from the corner at a contact.
-    fn outward(&self, contact: &Contact, k: usize) -> Option<DVec2> {
-        if contact[RADIUS] == 0.0 {
+    /// The direction away from the corner at a tangency.
+    fn outward(&self, tangency: &Tangency, k: usize) -> Option<DVec2> {
+        if tangency[RADIUS] == 0.0 {
             return Some(if k == 0 {
                 -self.tangents[0]
             } else {
                 self.tangents[1]
             });
         }
-        self.sides[k].at(contact[k]).map(|local| local.tangent)
+        self.sides[k].at(tangency[k]).map(|local| local.tangent)
     }
 
-    /// Whether the path turns at a contact to the side of the corner, by less than 180°.
-    fn turns(&self, contact: &Contact) -> bool {
-        match [0, 1].map(|k| self.outward(contact, k)) {
+    /// Whether the path turns at a tangency to the side of the corner, by less than 180°.
+    fn turns_to_corner_side(&self, tangency: &Tangency) -> bool {
+        match [0, 1].map(|k| self.outward(tangency, k)) {
             [Some(before), Some(after)] => self.sign * after.perp_dot(before) > 0.0,
             _ => false,
         }

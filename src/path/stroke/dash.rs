@@ -8,10 +8,10 @@ use crate::spline::Spline;
 use glam::DVec2;
 
 /// The largest number of pieces.
-const MAX_PIECES: usize = 1 << 22;
+const MAX_DASHES: usize = 1 << 22;
 
 /// An end of a dash this close to a joint, as a part of the length of the subpath, is moved to the joint.
-const AT_JOINT: f64 = 1e-13;
+const JOINT_TOLERANCE: f64 = 1e-13;
 
 /// One dash.
 pub(super) struct Dash {
@@ -151,10 +151,10 @@ impl Pattern {
         count: &mut usize,
     ) -> Result<Vec<Dash>, Error> {
         let lengths = spline.segment_lengths();
-        let whole = lengths.whole();
+        let whole = lengths.total();
         let needed = (whole / self.period).ceil() * (self.ends.len() / 2) as f64 + *count as f64;
-        if needed.is_nan() || needed > MAX_PIECES as f64 {
-            return Err(Error::too_many("dashes", MAX_PIECES, MAX_PIECES + 1));
+        if needed.is_nan() || needed > MAX_DASHES as f64 {
+            return Err(Error::too_many("dashes", MAX_DASHES, MAX_DASHES + 1));
         }
         if whole == 0.0 {
             let starts_on = self.ends.iter().position(|&end| end > self.offset);
@@ -201,7 +201,7 @@ struct DashSplitter<'a> {
 
 impl DashSplitter<'_> {
     fn split(&mut self, intervals: &[[f64; 2]]) -> Vec<Dash> {
-        let whole = self.lengths.whole();
+        let whole = self.lengths.total();
         let mut dashes: Vec<Dash> = Vec::with_capacity(intervals.len());
         // Whether the last dash goes on in the first one, across the start of a closed subpath.
         let around = match intervals {
@@ -214,7 +214,7 @@ impl DashSplitter<'_> {
             return vec![Dash::whole(self.spline.clone())];
         }
         for &[from, to] in intervals {
-            let ts = [from, to].map(|s| self.time(s));
+            let ts = [from, to].map(|s| self.parameter_at(s));
             dashes.push(Dash {
                 spline: self.spline.part(ts[0], ts[1]),
                 tangent: if from == to {
@@ -240,8 +240,8 @@ impl DashSplitter<'_> {
     }
 
     /// The parameter at an arc length.
-    fn time(&mut self, s: f64) -> f64 {
-        let near = AT_JOINT * self.lengths.whole();
+    fn parameter_at(&mut self, s: f64) -> f64 {
+        let near = JOINT_TOLERANCE * self.lengths.total();
         let curve = &|k| self.spline.curve(k);
         let (k, t) = self.lengths.position(s, near, None, curve);
         as_f64(k) + t

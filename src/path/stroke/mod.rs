@@ -255,7 +255,7 @@ fn check_width(what: &'static str, width: f64) -> Result<(), Error> {
 /// The largest number of segments of outlines whose union a stroke computes: for each part of a curve that is stroked,
 /// and in addition for any number of them. More mean that the tolerance is tiny compared with the turns of the outline.
 const SEGMENTS_PER_CURVE: usize = 64;
-const FURTHER_SEGMENTS: usize = 1 << 9;
+const BASE_SEGMENTS: usize = 1 << 9;
 
 /// The parts of a stroke.
 #[derive(Default)]
@@ -290,7 +290,7 @@ impl Strokes {
     /// The region as simple contours.
     fn region(self, pen: &Pen) -> Result<Path, Error> {
         let needed = self.outlines.segment_count() + self.folds.segment_count();
-        let limit = FURTHER_SEGMENTS + SEGMENTS_PER_CURVE * self.curve_count;
+        let limit = BASE_SEGMENTS + SEGMENTS_PER_CURVE * self.curve_count;
         if needed > limit {
             return Err(Error::too_many("segments", limit, needed));
         }

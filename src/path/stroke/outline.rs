@@ -12,7 +12,7 @@
 //! (1997).
 
 use super::options::{Pen, StrokeCap};
-use super::section::{Disc, LEFT, RIGHT, Run, RunKind, Section, SectionEvaluator};
+use super::section::{Disc, LEFT, RIGHT, Section, SectionEvaluator, SideInterval, SideKind};
 use super::side::Side;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -35,7 +35,7 @@ pub(super) struct Outline<'a> {
     /// out of the stroke.
     blunt_ends: Vec<Disc>,
     /// The intervals of sections in which a side runs backwards.
-    backward: Vec<(Section<'a>, f64, Run)>,
+    backward: Vec<(Section<'a>, f64, SideInterval)>,
 }
 
 impl<'a> Outline<'a> {
@@ -87,13 +87,13 @@ impl<'a> Outline<'a> {
                     side,
                     tolerance,
                 };
-                for run in evaluator.runs(&samples, side, discs) {
-                    match run.kind {
-                        RunKind::Forward => of_side.add(&run, 1.0, chain)?,
-                        RunKind::Inside => chain.connect_to(run.ends[1].point(side)),
-                        RunKind::Backward => {
-                            of_side.add_midway(&run, chain);
-                            backward.push((side, run));
+                for interval in evaluator.side_intervals(&samples, side, discs) {
+                    match interval.kind {
+                        SideKind::Forward => of_side.add(&interval, 1.0, chain)?,
+                        SideKind::Inside => chain.connect_to(interval.ends[1].point(side)),
+                        SideKind::Backward => {
+                            of_side.add_midway(&interval, chain);
+                            backward.push((side, interval));
                         }
                     }
                 }
@@ -103,8 +103,8 @@ impl<'a> Outline<'a> {
             Some([_, last]) => *last = to,
             None => self.ends = Some([from, to]),
         }
-        for (side, run) in backward {
-            self.backward.push((section.clone(), side, run));
+        for (side, interval) in backward {
+            self.backward.push((section.clone(), side, interval));
         }
         Ok(())
     }
@@ -215,14 +215,14 @@ impl<'a> Outline<'a> {
         } = self;
         let is_sided = pen.sides.is_some();
         if is_sided || !blunt_ends.is_empty() {
-            for (section, side, run) in &backward {
+            for (section, side, interval) in &backward {
                 let side = Side {
                     evaluator: &SectionEvaluator::new(section),
                     side: *side,
                     tolerance,
                 };
-                if is_sided || surrounds || side.is_near(run.span, &blunt_ends) {
-                    contours.folds.push(side.fold(run)?);
+                if is_sided || surrounds || side.is_near_blunt_end(interval.span, &blunt_ends) {
+                    contours.folds.push(side.fold(interval)?);
                 }
             }
         }
@@ -290,7 +290,7 @@ fn push_arc(
 /// Appends a cap to a chain that ends on one side of a disc: around the front if `sign` is 1, around the rear if it is −1.
 pub(super) fn add_cap(chain: &mut SplineBuilder, end: Disc, sign: f64, cap: StrokeCap, pen: &Pen) {
     let (from, to) = (-sign, sign);
-    let disc = end.across();
+    let disc = end.cap_disc();
     match cap {
         StrokeCap::Round => {
             let normals = [end.normal(from), end.normal(to)];

@@ -18,7 +18,7 @@ const ARC_TOLERANCE: f64 = 1e-9;
 const RADIUS_RANGE: &str = "a finite number, at least 0";
 
 /// Two arcs meet if at most this part of the parameters of a segment is between them.
-const MEETS: f64 = 1e-12;
+const MEETING_TOLERANCE: f64 = 1e-12;
 
 /// The largest number of segments on each side of a corner that an arc can replace.
 const MAX_RUN: usize = 64;
@@ -170,7 +170,7 @@ struct RoundedSubpath<'a> {
     part: Subpath<'a>,
     /// The segments that are not points, and their indices in the subpath.
     curves: Vec<Curve<DVec2>>,
-    places: Vec<usize>,
+    indices: Vec<usize>,
     /// Whether there is a corner at the end of each of these segments.
     corners: Vec<bool>,
     /// Its radius; 0 where it stays, and where there is none.
@@ -179,12 +179,12 @@ struct RoundedSubpath<'a> {
     reversals: Vec<bool>,
     arcs: Vec<Option<CornerArc>>,
     /// The arcs that replace the start and the end of each of these segments.
-    cuts: Vec<[Option<Cut>; 2]>,
+    replaced: Vec<[Option<ReplacedPart>; 2]>,
 }
 
 /// The part of a segment, as an interval of its parameter at one of its ends, that an arc replaces.
 #[derive(Clone, Copy)]
-struct Cut {
+struct ReplacedPart {
     corner: usize,
     part: f64,
 }
@@ -193,7 +193,7 @@ impl<'a> RoundedSubpath<'a> {
     /// All radii are 0 at first.
     fn new(part: Subpath<'a>) -> Self {
         let segments = part.segments().map(Curve::from_slice).enumerate();
-        let (places, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
+        let (indices, curves): (Vec<usize>, Vec<Curve<DVec2>>) =
             segments.filter(|(_, curve)| curve.has_size()).unzip();
         let count = curves.len();
         let tangents = |k: usize| {
@@ -211,9 +211,9 @@ impl<'a> RoundedSubpath<'a> {
             corners: (0..count).map(is_corner_after).collect(),
             reversals: (0..count).map(turns_back_after).collect(),
             arcs: vec![None; count],
-            cuts: vec![[None; 2]; count],
+            replaced: vec![[None; 2]; count],
             curves,
-            places,
+            indices,
         }
     }
 
@@ -226,7 +226,7 @@ impl<'a> RoundedSubpath<'a> {
 
     /// The joint at the start of the segment after segment k.
     fn joint_after(&self, k: usize) -> f64 {
-        as_f64(self.places[(k + 1) % self.curves.len()])
+        as_f64(self.indices[(k + 1) % self.curves.len()])
     }
 
     /// The radius of the corner at the end of segment k: the largest one for a chosen joint there, otherwise 0.
@@ -235,8 +235,8 @@ impl<'a> RoundedSubpath<'a> {
     /// their ends are those of the corner.
     fn chosen_radius(&self, k: usize, chosen: &[(PathTime, f64)]) -> f64 {
         let total = self.part.segment_count();
-        let next = self.places[(k + 1) % self.curves.len()];
-        let first = self.places[k] + 1;
+        let next = self.indices[(k + 1) % self.curves.len()];
+        let first = self.indices[k] + 1;
         let last = if next >= first { next } else { next + total };
         // In this round of a closed subpath or in the next one.
         let rounds = [0.0, as_f64(total)].map(|turn| {
@@ -254,7 +254,7 @@ impl<'a> RoundedSubpath<'a> {
     fn fit_arcs(&mut self) {
         let count = self.curves.len();
         let runs: Vec<[usize; 2]> = (0..count)
-            .map(|k| [0, 1].map(|side| self.run(k, side)))
+            .map(|k| [0, 1].map(|side| self.smooth_run(k, side)))
             .collect();
         let mut limits: Vec<[f64; 2]> = runs
             .iter()
@@ -263,10 +263,10 @@ impl<'a> RoundedSubpath<'a> {
         for (k, &limit) in limits.iter().enumerate() {
             self.arcs[k] = self.arc(k, limit);
         }
-        self.cut();
+        self.mark_replaced_parts();
         let mut overlapping = Vec::new();
-        for k in (0..count).filter(|&k| self.used(k) > 1.0 + MEETS) {
-            if let [Some(start), Some(end)] = self.cuts[k] {
+        for k in (0..count).filter(|&k| self.replaced_fraction(k) > 1.0 + MEETING_TOLERANCE) {
+            if let [Some(start), Some(end)] = self.replaced[k] {
                 // Each arc may use what the other one leaves, and at least half of the segments between both corners.
                 let room = runs[start.corner][1] as f64;
                 let rest = |corner: usize, side: usize| {
@@ -281,7 +281,7 @@ impl<'a> RoundedSubpath<'a> {
         for &k in &overlapping {
             self.arcs[k] = self.arc(k, limits[k]);
         }
-        self.cut();
+        self.mark_replaced_parts();
     }
 
     /// The index of the segment before segment k.
@@ -290,7 +290,7 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// Segment k of those that lead away from the corner at the end of a segment, backwards (0) or forwards (1).
-    fn leading(&self, corner: usize, side: usize, k: usize) -> usize {
+    fn segment_from_corner(&self, corner: usize, side: usize, k: usize) -> usize {
         let count = self.curves.len();
         if side == 0 {
             (corner + count - k) % count
@@ -300,13 +300,13 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// The number of segments that lead smoothly away from a corner, up to twice the largest number of a side.
-    fn run(&self, corner: usize, side: usize) -> usize {
+    fn smooth_run(&self, corner: usize, side: usize) -> usize {
         if !self.corners[corner] {
             return 0;
         }
         let count = self.curves.len();
         let ends = |k: usize| {
-            let segment = self.leading(corner, side, k);
+            let segment = self.segment_from_corner(corner, side, k);
             let joint = if side == 0 {
                 self.before(segment)
             } else {
@@ -325,8 +325,8 @@ impl<'a> RoundedSubpath<'a> {
             return None;
         }
         let side = |side: usize| -> Vec<Curve<DVec2>> {
-            let count = self.run(k, side).min(MAX_RUN);
-            let curves = (0..count).map(|i| &self.curves[self.leading(k, side, i)]);
+            let count = self.smooth_run(k, side).min(MAX_RUN);
+            let curves = (0..count).map(|i| &self.curves[self.segment_from_corner(k, side, i)]);
             curves
                 .map(|curve| {
                     if side == 0 {
@@ -341,8 +341,8 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// Finds the segments that the arcs replace.
-    fn cut(&mut self) {
-        self.cuts.fill([None; 2]);
+    fn mark_replaced_parts(&mut self) {
+        self.replaced.fill([None; 2]);
         for corner in 0..self.curves.len() {
             let Some(arc) = self.arcs[corner] else {
                 continue;
@@ -350,9 +350,9 @@ impl<'a> RoundedSubpath<'a> {
             for (side, &from_corner) in arc.from_corner.iter().enumerate() {
                 let (mut rest, mut k) = (from_corner, 0);
                 while rest > 0.0 {
-                    let segment = self.leading(corner, side, k);
+                    let segment = self.segment_from_corner(corner, side, k);
                     let part = rest.min(1.0);
-                    self.cuts[segment][1 - side] = Some(Cut { corner, part });
+                    self.replaced[segment][1 - side] = Some(ReplacedPart { corner, part });
                     (rest, k) = (rest - 1.0, k + 1);
                 }
             }
@@ -360,18 +360,22 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// The part of segment k that arcs replace.
-    fn used(&self, k: usize) -> f64 {
-        self.cuts[k].iter().flatten().map(|cut| cut.part).sum()
+    fn replaced_fraction(&self, k: usize) -> f64 {
+        self.replaced[k]
+            .iter()
+            .flatten()
+            .map(|replaced| replaced.part)
+            .sum()
     }
 
     /// An end of an arc.
-    fn end(&self, cut: Cut, side: usize) -> Option<DVec2> {
-        self.arcs[cut.corner].map(|arc| arc.ends[side])
+    fn end(&self, part: ReplacedPart, side: usize) -> Option<DVec2> {
+        self.arcs[part.corner].map(|arc| arc.ends[side])
     }
 
     /// The start of the subpath.
     fn start(&self) -> DVec2 {
-        let moved = match self.cuts[0] {
+        let moved = match self.replaced[0] {
             [Some(start), _] => self.end(start, 1),
             [None, Some(end)] if end.part >= 1.0 => self.end(end, 0),
             _ => None,
@@ -385,7 +389,7 @@ impl<'a> RoundedSubpath<'a> {
             let points = &self.part.points[..count];
             return path.push(points, self.part.degrees(), self.part.closed);
         }
-        let mut out = Pieces {
+        let mut out = SubpathBuilder {
             points: vec![self.start()],
             degrees: Vec::new(),
         };
@@ -407,15 +411,15 @@ impl<'a> RoundedSubpath<'a> {
 
     /// Whether no arc replaces the joint before segment k.
     fn keeps_point(&self, k: usize) -> bool {
-        let before = self.cuts[self.before(k)][1];
-        let after = self.cuts[k % self.curves.len()][0];
+        let before = self.replaced[self.before(k)][1];
+        let after = self.replaced[k % self.curves.len()][0];
         before.is_none() && after.is_none()
     }
 
     /// Appends what is left of segment k, and the arc after it.
-    fn push_segment(&self, k: usize, out: &mut Pieces, tolerance: Option<f64>) {
-        if self.used(k) < 1.0 - MEETS {
-            out.add(&self.rest(k));
+    fn push_segment(&self, k: usize, out: &mut SubpathBuilder, tolerance: Option<f64>) {
+        if self.replaced_fraction(k) < 1.0 - MEETING_TOLERANCE {
+            out.add(&self.remaining_part(k));
         }
         if let Some(arc) = self.arcs[k] {
             out.add_arc(&arc, tolerance);
@@ -423,19 +427,20 @@ impl<'a> RoundedSubpath<'a> {
     }
 
     /// The control points of what is left of segment k.
-    fn rest(&self, k: usize) -> Vec<DVec2> {
+    fn remaining_part(&self, k: usize) -> Vec<DVec2> {
         let curve = &self.curves[k];
-        let [start, end] = self.cuts[k];
+        let [start, end] = self.replaced[k];
         if start.is_none() && end.is_none() {
             return curve.control_points().to_vec();
         }
-        let [from, to] = [start, end].map(|cut| cut.map_or(0.0, |cut| cut.part));
+        let [from, to] =
+            [start, end].map(|replaced| replaced.map_or(0.0, |replaced| replaced.part));
         let mut rest = curve.part(from, 1.0 - to).control_points().to_vec();
         let last = rest.len() - 1;
-        if let Some(p) = start.and_then(|cut| self.end(cut, 1)) {
+        if let Some(p) = start.and_then(|part| self.end(part, 1)) {
             rest[0] = p;
         }
-        if let Some(p) = end.and_then(|cut| self.end(cut, 0)) {
+        if let Some(p) = end.and_then(|part| self.end(part, 0)) {
             rest[last] = p;
         }
         rest
@@ -443,12 +448,12 @@ impl<'a> RoundedSubpath<'a> {
 }
 
 /// A subpath under construction.
-struct Pieces {
+struct SubpathBuilder {
     points: Vec<DVec2>,
     degrees: Vec<usize>,
 }
 
-impl Pieces {
+impl SubpathBuilder {
     /// Appends a segment that starts at the last point.
     fn add(&mut self, points: &[DVec2]) {
         self.points.extend(&points[1..]);

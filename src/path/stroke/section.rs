@@ -31,7 +31,7 @@ pub(super) const CHEBYSHEV_NODES: Compared<f64> = [0.0170, 0.1464, 0.3706, 0.629
 const SAMPLES_PER_DEGREE: usize = 8;
 
 /// Parameters next to the slowest one approach it by this factor.
-const APPROACH: f64 = 0.25;
+const APPROACH_FACTOR: f64 = 0.25;
 
 /// Steps towards a parameter of smallest speed.
 const NEWTON_STEPS: usize = 4;
@@ -39,12 +39,12 @@ const NEWTON_STEPS: usize = 4;
 /// Values below this are rounding errors, at size 1.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// The bound of the sum of what turns a side backwards, below which it does not; it would at 1.
-const GENTLE: f64 = 1.0 - 1e-9;
+/// A side runs forward if the terms that slow it down, r′² + |r r″| + |rκ|, are below this; it stops at 1.
+const MAX_REGULAR_SUM: f64 = 1.0 - 1e-9;
 
 /// An interval that runs backwards is extended by this part of itself, so that nothing beside it runs backwards because
 /// of rounding. The side moves there by the square of this.
-const BESIDE: f64 = 1e-6;
+const BACKWARD_MARGIN: f64 = 1e-6;
 
 /// Parameters at which a curve is divided.
 pub(super) type Breaks = Scalars;
@@ -73,7 +73,7 @@ impl Disc {
     }
 
     /// The disc whose diameter is the line between both sides, for caps.
-    pub(super) fn across(&self) -> Self {
+    pub(super) fn cap_disc(&self) -> Self {
         let [left, right] = self.radii;
         if left == right {
             return *self;
@@ -363,14 +363,14 @@ impl Section<'_> {
 
 /// An interval of a section in which a side has one kind.
 #[derive(Clone, Copy)]
-pub(super) struct Run {
+pub(super) struct SideInterval {
     pub(super) span: [f64; 2],
     pub(super) ends: [Disc; 2],
-    pub(super) kind: RunKind,
+    pub(super) kind: SideKind,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum RunKind {
+pub(super) enum SideKind {
     Forward,
     Backward,
     /// One disc contains the others.
@@ -399,7 +399,7 @@ impl Rates {
     }
 
     #[inline]
-    fn advance(&self) -> [f64; 3] {
+    fn side_speeds(&self) -> [f64; 3] {
         let square = 1.0 - self.slope * self.slope;
         let [left, right] = self.radii;
         let root = larger(square, 0.0).sqrt();
@@ -435,7 +435,7 @@ impl<'a> SectionEvaluator<'a> {
         }
         let (slope, change) = (slope * section.rate, change * section.rate * section.rate);
         // The curvature κ at which 1 − r′² − r r″ − rκ would be 0; the factor √(1 − r′²) of rκ is at most 1.
-        let limit = (GENTLE - slope * slope - radius * change) / radius;
+        let limit = (MAX_REGULAR_SUM - slope * slope - radius * change) / radius;
         limit > 0.0 && is_less_curved(&self.with.first, limit)
     }
 
@@ -455,31 +455,33 @@ impl<'a> SectionEvaluator<'a> {
         self.section.disc(t, jet[0], &rates)
     }
 
-    /// 1 − r′² and 1 − r′² − r r″ ∓ rκ √(1 − r′²), which are negative where the left or the right side runs backwards.
-    pub(super) fn advance(&self, t: f64) -> [f64; 3] {
+    /// 1 − r′², which is negative where one disc contains the others, and the speeds of the left and the right side by arc
+    /// length of the curve, times √(1 − r′²): 1 − r′² − r r″ ∓ rκ √(1 − r′²). These are negative where the side runs
+    /// backwards.
+    pub(super) fn side_speeds(&self, t: f64) -> [f64; 3] {
         let [first, second] = self.with.derivatives(t);
-        self.section.rates(t, first, second).advance()
+        self.section.rates(t, first, second).side_speeds()
     }
 
-    /// The disc together with [`advance`](Self::advance).
+    /// The disc together with [`side_speeds`](Self::side_speeds).
     pub(super) fn evaluate(&self, t: f64) -> (Disc, [f64; 3]) {
         let [center, first, second] = self.with.jet(t);
         let rates = self.section.rates(t, first, second);
-        (self.section.disc(t, center, &rates), rates.advance())
+        (self.section.disc(t, center, &rates), rates.side_speeds())
     }
 
-    /// The [`advance`](Self::advance) at regular parameters, at those where the curve is slowest, next to tight turns, and at
-    /// parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds show that no value
-    /// changes its sign.
-    pub(super) fn samples(&self) -> AdvanceSamples {
+    /// The [`side_speeds`](Self::side_speeds) at regular parameters, at those where the curve is slowest, next to tight
+    /// turns, and at parameters that approach these: r′ and the curvature change there within |B′|/|B″|. Empty if bounds
+    /// show that no value changes its sign.
+    pub(super) fn samples(&self) -> SideSpeedSamples {
         if self.is_proved_regular() {
-            return AdvanceSamples(Vec::new());
+            return SideSpeedSamples(Vec::new());
         }
         let count = SAMPLES_PER_DEGREE * self.section.curve.degree();
         let at = |k: usize| as_f64(k) / as_f64(count);
         let mut samples = Vec::with_capacity(2 * count);
         let mut insert = |t: f64, [first, second]: [DVec2; 2]| {
-            let values = self.section.rates(t, first, second).advance();
+            let values = self.section.rates(t, first, second).side_speeds();
             if values.iter().all(|value| value.is_finite()) {
                 let after = samples.partition_point(|&(other, _)| other < t);
                 samples.insert(after, (t, values));
@@ -508,88 +510,91 @@ impl<'a> SectionEvaluator<'a> {
             if !is_cusp && !is_tight_turn {
                 continue;
             }
-            let least = (APPROACH * speed / Point::norm(second)).max(ROUNDING);
-            let mut step = APPROACH * at(1);
+            let least = (APPROACH_FACTOR * speed / Point::norm(second)).max(ROUNDING);
+            let mut step = APPROACH_FACTOR * at(1);
             while step > least {
                 for t in [slowest - step, slowest + step] {
                     if (0.0..=1.0).contains(&t) {
                         insert(t, self.with.derivatives(t));
                     }
                 }
-                step *= APPROACH;
+                step *= APPROACH_FACTOR;
             }
         }
-        AdvanceSamples(samples)
+        SideSpeedSamples(samples)
     }
 
     /// The intervals of one side, in order; `ends` are the discs at the ends of the section.
-    pub(super) fn runs(
+    pub(super) fn side_intervals(
         &self,
-        samples: &AdvanceSamples,
+        samples: &SideSpeedSamples,
         side: f64,
         ends: [Disc; 2],
-    ) -> List<Run, 1> {
-        let mut runs: List<Run, 1> = List::new();
+    ) -> List<SideInterval, 1> {
+        let mut intervals: List<SideInterval, 1> = List::new();
         let mut push = |span: [f64; 2]| {
             let kind = self.kind(span, samples, side);
-            match runs.last_mut() {
+            match intervals.last_mut() {
                 Some(last) if last.kind == kind => last.span[1] = span[1],
-                _ => runs.push(Run { span, ends, kind }),
+                _ => intervals.push(SideInterval { span, ends, kind }),
             }
         };
         if samples.0.is_empty() {
             push([0.0, 1.0]);
-            return runs;
+            return intervals;
         }
         let mut breaks = Breaks::new();
         if !self.section.radius.is_constant() {
             self.push_zeros(samples, 0, &mut breaks);
         }
-        self.push_zeros(samples, index_of(side), &mut breaks);
-        between_ends(&mut breaks);
+        self.push_zeros(samples, speed_index(side), &mut breaks);
+        sort_with_ends(&mut breaks);
         for pair in breaks.windows(2) {
             push([pair[0], pair[1]]);
         }
-        extend_backward(&mut runs);
-        for k in 1..runs.len() {
-            let mut disc = self.at(runs[k].span[0]);
+        extend_backward(&mut intervals);
+        for k in 1..intervals.len() {
+            let mut disc = self.at(intervals[k].span[0]);
             // Beside discs that one contains, both sides are at the same point: r′ is exactly 1 or −1.
-            if [k - 1, k].iter().any(|&k| runs[k].kind == RunKind::Inside) {
+            if [k - 1, k]
+                .iter()
+                .any(|&k| intervals[k].kind == SideKind::Inside)
+            {
                 disc.slope = disc.slope.signum();
             }
-            runs[k - 1].ends[1] = disc;
-            runs[k].ends[0] = disc;
+            intervals[k - 1].ends[1] = disc;
+            intervals[k].ends[0] = disc;
         }
-        runs
+        intervals
     }
 
     /// What a side does in most of an interval between two zeros that were found: there may be others between samples, where
     /// a value is almost 0.
-    fn kind(&self, span: [f64; 2], samples: &AdvanceSamples, side: f64) -> RunKind {
+    fn kind(&self, span: [f64; 2], samples: &SideSpeedSamples, side: f64) -> SideKind {
         if self.section.radius.is_zero() {
-            return RunKind::Inside;
+            return SideKind::Inside;
         }
         if samples.0.is_empty() {
-            return RunKind::Forward;
+            return SideKind::Forward;
         }
         let is_mostly_up_to = |which: usize, limit: f64| {
             samples
                 .is_mostly_up_to(span, which, limit)
-                .unwrap_or_else(|| self.advance(0.5 * (span[0] + span[1]))[which] <= limit)
+                .unwrap_or_else(|| self.side_speeds(0.5 * (span[0] + span[1]))[which] <= limit)
         };
         if !self.section.radius.is_constant() && is_mostly_up_to(0, 0.0) {
-            RunKind::Inside
-        } else if is_mostly_up_to(index_of(side), -ROUNDING) {
-            RunKind::Backward
+            SideKind::Inside
+        } else if is_mostly_up_to(speed_index(side), -ROUNDING) {
+            SideKind::Backward
         } else {
-            RunKind::Forward
+            SideKind::Forward
         }
     }
 
-    /// Appends the parameters at which one of the [`advance`](Self::advance) changes its sign.
-    fn push_zeros(&self, samples: &AdvanceSamples, which: usize, breaks: &mut Breaks) {
+    /// Appends the parameters at which one of the [`side_speeds`](Self::side_speeds) changes its sign.
+    fn push_zeros(&self, samples: &SideSpeedSamples, which: usize, breaks: &mut Breaks) {
         // The speed may be 0 at an end.
-        let value = |t: f64| self.advance(t)[which];
+        let value = |t: f64| self.side_speeds(t)[which];
         let mut last: Option<(f64, f64)> = None;
         for &(t, ref values) in &samples.0 {
             let found = values[which];
@@ -609,10 +614,10 @@ impl<'a> SectionEvaluator<'a> {
     }
 }
 
-/// Parameters with their [`advance`](SectionEvaluator::advance), which is finite.
-pub(super) struct AdvanceSamples(Vec<(f64, [f64; 3])>);
+/// Parameters with their [`side_speeds`](SectionEvaluator::side_speeds), which is finite.
+pub(super) struct SideSpeedSamples(Vec<(f64, [f64; 3])>);
 
-impl AdvanceSamples {
+impl SideSpeedSamples {
     /// Whether a value is at most a limit in most of an interval; `None` without samples inside.
     fn is_mostly_up_to(&self, [from, to]: [f64; 2], which: usize, limit: f64) -> Option<bool> {
         let first = self.0.partition_point(|&(t, _)| t <= from);
@@ -636,29 +641,29 @@ impl AdvanceSamples {
     }
 }
 
-/// Which of the [`advance`](SectionEvaluator::advance) is negative where a side runs backwards.
-pub(super) fn index_of(side: f64) -> usize {
+/// Which of the [`side_speeds`](SectionEvaluator::side_speeds) is negative where a side runs backwards.
+pub(super) fn speed_index(side: f64) -> usize {
     if side == LEFT { 1 } else { 2 }
 }
 
 /// Moves the ends of intervals that run backwards into those that run forward next to them.
-fn extend_backward(runs: &mut List<Run, 1>) {
-    for k in 1..runs.len() {
-        let [before, after] = [runs[k - 1], runs[k]];
+fn extend_backward(intervals: &mut List<SideInterval, 1>) {
+    for k in 1..intervals.len() {
+        let [before, after] = [intervals[k - 1], intervals[k]];
         let end = before.span[1];
         let moved = match (before.kind, after.kind) {
-            (RunKind::Forward, RunKind::Backward) => {
-                (end - BESIDE * (after.span[1] - end)).max(before.span[0])
+            (SideKind::Forward, SideKind::Backward) => {
+                (end - BACKWARD_MARGIN * (after.span[1] - end)).max(before.span[0])
             }
-            (RunKind::Backward, RunKind::Forward) => {
-                (end + BESIDE * (end - before.span[0])).min(after.span[1])
+            (SideKind::Backward, SideKind::Forward) => {
+                (end + BACKWARD_MARGIN * (end - before.span[0])).min(after.span[1])
             }
             _ => end,
         };
-        runs[k - 1].span[1] = moved;
-        runs[k].span[0] = moved;
+        intervals[k - 1].span[1] = moved;
+        intervals[k].span[0] = moved;
     }
-    runs.retain(|run| run.span[0] < run.span[1]);
+    intervals.retain(|interval| interval.span[0] < interval.span[1]);
 }
 
 /// The parameter of the smallest speed near another one.
@@ -676,7 +681,7 @@ fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64
 }
 
 /// Sorts parameters, removes those that are equal to others or to an end, and adds both ends.
-pub(super) fn between_ends(ts: &mut Breaks) {
+pub(super) fn sort_with_ends(ts: &mut Breaks) {
     if ts.is_empty() {
         return ts.extend([0.0, 1.0]);
     }

@@ -15,7 +15,7 @@
 //! f is nowhere above 0. With different widths on both sides, some minima or maxima belong to normals that are too short,
 //! so all folds are added.
 
-use super::section::{Disc, RIGHT, Run, SectionEvaluator, index_of};
+use super::section::{Disc, RIGHT, SectionEvaluator, SideInterval, speed_index};
 use super::side_fit::SideFit;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
@@ -53,21 +53,26 @@ pub(super) struct Side<'a> {
 impl Side<'_> {
     /// Appends an interval that runs forward, or all of it backwards if the sign is −1, to a chain that ends at its start.
     /// The section is not straight.
-    pub(super) fn add(&self, run: &Run, sign: f64, chain: &mut SplineBuilder) -> Result<(), Error> {
+    pub(super) fn add(
+        &self,
+        interval: &SideInterval,
+        sign: f64,
+        chain: &mut SplineBuilder,
+    ) -> Result<(), Error> {
         let section = self.evaluator.section;
         if section.radius.is_constant() {
-            let distance = self.side * run.ends[0].radius_of(self.side);
+            let distance = self.side * interval.ends[0].radius_of(self.side);
             if distance == 0.0 {
                 chain.points.extend(&section.curve.control_points()[1..]);
                 chain.degrees.push(section.curve.degree());
                 return Ok(());
             }
-            if run.span == [0.0, 1.0] {
+            if interval.span == [0.0, 1.0] {
                 return chain.add_smooth_offset(&section.curve, distance, self.tolerance);
             }
-            let part = section.curve.part(run.span[0], run.span[1]);
+            let part = section.curve.part(interval.span[0], interval.span[1]);
             if !part.has_size() || part.straight_direction().is_some() {
-                chain.connect_to(run.ends[1].point(self.side));
+                chain.connect_to(interval.ends[1].point(self.side));
                 return Ok(());
             }
             return chain.add_smooth_offset(&part, distance, self.tolerance);
@@ -78,14 +83,14 @@ impl Side<'_> {
             tolerance: self.tolerance,
             sign,
         };
-        fit.add(run, chain)
+        fit.add(interval, chain)
     }
 
     /// The pivot of the chord at t, and its end on this side.
     fn chord(&self, t: f64) -> [DVec2; 2] {
-        let (disc, advance) = self.evaluator.evaluate(t);
+        let (disc, side_speeds) = self.evaluator.evaluate(t);
         let [own, other] = [self.side, -self.side].map(|side| disc.point(side));
-        let [ahead, beyond] = [self.side, -self.side].map(|side| advance[index_of(side)]);
+        let [ahead, beyond] = [self.side, -self.side].map(|side| side_speeds[speed_index(side)]);
         let part = if beyond <= 0.0 {
             1.0 // the whole chord moves backwards
         } else {
@@ -108,12 +113,12 @@ impl Side<'_> {
     }
 
     /// Appends lines along an interval that runs backwards; the chain may be empty.
-    pub(super) fn add_midway(&self, run: &Run, chain: &mut SplineBuilder) {
-        let points = run.ends.map(|disc| disc.point(self.side));
+    pub(super) fn add_midway(&self, interval: &SideInterval, chain: &mut SplineBuilder) {
+        let points = interval.ends.map(|disc| disc.point(self.side));
         chain.start(points[0]);
         // At an end of the section the lines begin or end between the pivot and the side, elsewhere on the side.
         let ends = [0, 1].map(|k| {
-            let t = run.span[k];
+            let t = interval.span[k];
             if t == 0.0 || t == 1.0 {
                 self.midway(t)
             } else {
@@ -121,10 +126,10 @@ impl Side<'_> {
             }
         });
         // In the middle of a section the chain already ends at this point, up to rounding.
-        if run.span[0] == 0.0 {
+        if interval.span[0] == 0.0 {
             chain.connect_to(ends[0]);
         }
-        self.add_midway_lines(run.span, ends, MAX_MIDWAY_HALVINGS, chain);
+        self.add_midway_lines(interval.span, ends, MAX_MIDWAY_HALVINGS, chain);
         chain.connect_to(points[1]);
     }
 
@@ -151,7 +156,7 @@ impl Side<'_> {
     }
 
     /// Whether a point of an interval that runs backwards may lie ahead of a blunt end, and within its disc.
-    pub(super) fn is_near(&self, [from, to]: [f64; 2], blunt_ends: &[Disc]) -> bool {
+    pub(super) fn is_near_blunt_end(&self, [from, to]: [f64; 2], blunt_ends: &[Disc]) -> bool {
         if blunt_ends.len() > MAX_COMPARED_ENDS {
             return true;
         }
@@ -173,17 +178,17 @@ impl Side<'_> {
     }
 
     /// The contour of what is swept backwards: the side forwards and the pivots backwards.
-    pub(super) fn fold(&self, run: &Run) -> Result<SplineBuilder, Error> {
+    pub(super) fn fold(&self, interval: &SideInterval) -> Result<SplineBuilder, Error> {
         let mut fold = SplineBuilder::default();
-        let [a, b] = run.span;
-        let start = run.ends[0].point(self.side);
+        let [a, b] = interval.span;
+        let start = interval.ends[0].point(self.side);
         fold.start(start);
-        self.add(run, -1.0, &mut fold)?;
+        self.add(interval, -1.0, &mut fold)?;
         let pivot = |t: f64| self.chord(t)[0];
         fold.connect_to(pivot(b));
         let thirds = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|part| pivot(b + (a - b) * part));
         let tolerance = 0.5 * self.tolerance;
-        push_curve(
+        push_interpolated(
             &pivot,
             [b, a],
             thirds,
@@ -212,7 +217,7 @@ fn distance_to_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 ///
 /// Both what is swept forwards and what is swept backwards cover the convex side of the pivots, so an error moves the
 /// boundary of the stroke by no more than itself.
-fn push_curve(
+fn push_interpolated(
     curve: &impl Fn(f64) -> DVec2,
     [from, to]: [f64; 2],
     [a, p, q, d]: [DVec2; 4],
@@ -239,6 +244,6 @@ fn push_curve(
         ([middle, to], [midway[1], q, midway[2], d]),
     ];
     for (interval, thirds) in halves {
-        push_curve(curve, interval, thirds, tolerance, halvings - 1, out);
+        push_interpolated(curve, interval, thirds, tolerance, halvings - 1, out);
     }
 }

@@ -36,7 +36,7 @@ pub(super) struct SideBound<'a> {
 
 impl SideBound<'_> {
     /// Whether the cubic is proved to be within the tolerance of the side between the first and the last pair.
-    pub(super) fn holds(&self, pairs: &[Pair]) -> bool {
+    pub(super) fn is_proved(&self, pairs: &[Pair]) -> bool {
         let mut work = WorkLimit::new(MAX_BOUNDS);
         pairs
             .windows(2)

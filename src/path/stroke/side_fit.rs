@@ -4,7 +4,7 @@
 //! from some points of the side; then the distance of both curves is bounded, and where the bound is too large the interval
 //! is halved.
 
-use super::section::{CHEBYSHEV_NODES, Compared, Disc, Run, SectionEvaluator};
+use super::section::{CHEBYSHEV_NODES, Compared, Disc, SectionEvaluator, SideInterval};
 use super::side_bound::{Pair, SideBound, foot_step};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -42,7 +42,7 @@ pub(super) struct SideFit<'a> {
 
 impl SideFit<'_> {
     /// Appends cubics along an interval to a chain that ends at its start.
-    pub(super) fn add(&self, run: &Run, chain: &mut SplineBuilder) -> Result<(), Error> {
+    pub(super) fn add(&self, run: &SideInterval, chain: &mut SplineBuilder) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
         self.add_between(run.span, run.ends, MAX_DEPTH, chain, &mut work);
         Error::unless_within("steps of a stroke", &work)
@@ -88,7 +88,7 @@ impl SideFit<'_> {
                 tolerance: self.tolerance,
                 cubic: [start, b, c, end],
             };
-            bound.holds(&pairs(us))
+            bound.is_proved(&pairs(us))
         };
         if let Some(us) = self.along_chord(start, end, inside)
             && holds([1.0, 2.0].map(|k| start + (end - start) * (k / 3.0)), us)

@@ -8,7 +8,7 @@ use super::dash::{Dash, Pattern};
 use super::options::{Pen, StrokeCap};
 use super::outline::{Outline, push_closed};
 use super::profile::{Radii, WidthPosition, WidthProfile};
-use super::section::{Breaks, PositionedCurve, between_ends};
+use super::section::{Breaks, PositionedCurve, sort_with_ends};
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -21,7 +21,7 @@ use crate::spline::spline_builder::SplineBuilder;
 use glam::DVec2;
 
 /// A subpath in a scale of about 1.
-struct Subpath {
+struct ScaledSubpath {
     radii: Radii,
     scale: f64,
     /// The number of its segments, and its scaled length if the width varies.
@@ -31,7 +31,7 @@ struct Subpath {
     pen: Pen,
 }
 
-impl Subpath {
+impl ScaledSubpath {
     /// The length is asked for if the width varies.
     fn new(
         spline: &Spline<DVec2>,
@@ -98,7 +98,7 @@ impl Subpath {
 
 impl Strokes {
     /// Adds the stroke of a subpath or of one of its dashes; `whole` is the subpath.
-    fn add(&mut self, dash: &Dash, whole: &Subpath) -> Result<(), Error> {
+    fn add(&mut self, dash: &Dash, whole: &ScaledSubpath) -> Result<(), Error> {
         let (radii, pen, unit) = (&whole.radii, &whole.pen, 1.0 / whole.scale);
         let curves = whole.curves(dash);
         if curves.is_empty() {
@@ -136,17 +136,17 @@ impl Strokes {
                 }
             }
         }
-        let surrounds = closed && pen.sides.is_none() && is_within(&dash.spline, from * unit);
+        let surrounds = closed && pen.sides.is_none() && fits_in_disc(&dash.spline, from * unit);
         let contours = outline.finish(closed, cap, surrounds)?;
-        let back = |mut contour: SplineBuilder| {
+        let unscaled = |mut contour: SplineBuilder| {
             contour.points.iter_mut().for_each(|p| *p *= unit);
             contour
         };
         for contour in contours.outlines {
-            push_closed(&mut self.outlines, back(contour));
+            push_closed(&mut self.outlines, unscaled(contour));
         }
         for fold in contours.folds {
-            push_closed(&mut self.folds, back(fold));
+            push_closed(&mut self.folds, unscaled(fold));
         }
         if contours.surrounds && from > 0.0 {
             let first = Pen {
@@ -167,7 +167,7 @@ impl Strokes {
         profile: &WidthProfile,
         pen: &Pen,
     ) -> Result<Self, Error> {
-        let whole = Subpath::new(&part, || length, profile, pen);
+        let whole = ScaledSubpath::new(&part, || length, profile, pen);
         let mut strokes = Self::default();
         strokes.add(&Dash::from_length(part, from), &whole)?;
         Ok(strokes)
@@ -185,7 +185,7 @@ impl Path {
         let mut strokes = Strokes::default();
         let mut count = 0;
         for spline in self.subpaths() {
-            let whole = Subpath::new(&spline, || spline.length(), profile, pen);
+            let whole = ScaledSubpath::new(&spline, || spline.length(), profile, pen);
             let [from, to] = whole.radii.ends();
             let Some(pattern) = pattern else {
                 strokes.add(&Dash::whole(spline), &whole)?;
@@ -214,12 +214,12 @@ fn breaks_of(curve: &PositionedCurve, radii: &Radii) -> Breaks {
             breaks.push(curve.time(1.0));
         }
     }
-    between_ends(&mut breaks);
+    sort_with_ends(&mut breaks);
     breaks
 }
 
 /// Whether a disc of the radius may contain a spline.
-fn is_within(spline: &Spline<DVec2>, radius: f64) -> bool {
+fn fits_in_disc(spline: &Spline<DVec2>, radius: f64) -> bool {
     let bounds = spline.bounds();
     Point::max_abs(bounds.max - bounds.min) <= 2.0 * radius
 }

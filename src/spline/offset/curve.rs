@@ -37,7 +37,7 @@ const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
 
 /// Larger distances, in sizes of the curve, are clamped to this one: beyond it the curve is far smaller than an ulp of
 /// the offset.
-const FARTHEST: f64 = 1e30;
+const MAX_DISTANCE: f64 = 1e30;
 
 impl Curve<DVec2> {
     /// The offset curve at a distance along the normal, as a spline of lines and cubics.
@@ -119,7 +119,7 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) -> Result<(), Error> {
-        let reach = farthest(curve);
+        let reach = max_difference(curve);
         if distance == 0.0 || reach == 0.0 {
             self.start(curve.start());
             self.points.extend(&curve.control_points()[1..]);
@@ -183,7 +183,7 @@ impl SplineBuilder {
     /// goes around the outside.
     pub(crate) fn add_arc_about(
         &mut self,
-        about: DVec2,
+        center: DVec2,
         from: DVec2,
         to: DVec2,
         distance: f64,
@@ -199,7 +199,7 @@ impl SplineBuilder {
         };
         let before = self.points.len();
         add_arc(
-            [about; 2],
+            [center; 2],
             [from, to],
             angle,
             distance,
@@ -221,7 +221,7 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) -> Result<(), Error> {
-        NormalizedCurve::new(curve, farthest(curve), distance, tolerance).add_to(self, false)
+        NormalizedCurve::new(curve, max_difference(curve), distance, tolerance).add_to(self, false)
     }
 }
 
@@ -255,9 +255,9 @@ impl<'a> NormalizedCurve<'a> {
         let scale = unit_scale(reach);
         let points: crate::numeric::list::Points<DVec2> =
             curve.control_points().iter().map(|&p| p * scale).collect();
-        let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
+        let scaled = (distance * scale).clamp(-MAX_DISTANCE, MAX_DISTANCE);
         // For a clamped distance, the unit maps the clamped distance to the given one.
-        let unit = if scaled.abs() < FARTHEST {
+        let unit = if scaled.abs() < MAX_DISTANCE {
             1.0 / scale
         } else {
             (distance / scaled).abs()
@@ -283,10 +283,10 @@ impl<'a> NormalizedCurve<'a> {
         let cusps = may_have_cusps.then(|| self.source.cusps());
         for cusp in cusps.into_iter().flatten() {
             let (before, after) = self.source.cusp_tangents(cusp);
-            let about = self.curve.eval(cusp);
-            let ends = ((t, cusp), [tangent, before], about);
+            let center = self.curve.eval(cusp);
+            let ends = ((t, cusp), [tangent, before], center);
             self.add_run(builder, ends, may_have_cusps, &mut work);
-            builder.add_arc_about(about, before, after, self.distance, self.tolerance);
+            builder.add_arc_about(center, before, after, self.distance, self.tolerance);
             (t, tangent) = (cusp, after);
         }
         let ends = ((t, 1.0), [tangent, last], self.curve.end());
@@ -329,7 +329,7 @@ impl<'a> NormalizedCurve<'a> {
 }
 
 /// The largest difference of a coordinate from that of the start.
-fn farthest(curve: &Curve<DVec2>) -> f64 {
+fn max_difference(curve: &Curve<DVec2>) -> f64 {
     // The difference of two coordinates may overflow, that of their halves does not.
     let start = curve.start() * 0.5;
     let half = curve

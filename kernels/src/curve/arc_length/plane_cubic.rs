@@ -93,8 +93,8 @@ impl PlaneCubicInverse {
         }
         let part = s / self.length;
         let s = part * self.whole;
-        let guess = self.guess(s, part);
-        newton_in_bracket([0.0, 1.0], guess, self.slack, |t| {
+        let first_guess = self.first_guess(s, part);
+        newton_in_bracket([0.0, 1.0], first_guess, self.slack, |t| {
             let (z, [at, before]) = (2.0 * t - 1.0, self.last);
             let between = self.speed.integral(&self.roots, at.min(z), at.max(z), 0);
             self.last = [z, before + between.copysign(z - at)];
@@ -105,7 +105,7 @@ impl PlaneCubicInverse {
 
     /// A first guess of the t at the length s: near the last parameter with the speed there, otherwise the cubic Hermite
     /// interpolant of t with its derivatives at both ends.
-    fn guess(&self, s: f64, part: f64) -> f64 {
+    fn first_guess(&self, s: f64, part: f64) -> f64 {
         let [z, before] = self.last;
         let near = 0.5 * (1.0 + z + (s - before) / self.speed.at(z));
         if (s - before).abs() < NEAR * self.whole && near > 0.0 && near < 1.0 {
@@ -113,9 +113,9 @@ impl PlaneCubicInverse {
         }
         // The derivatives of t, minus 1. The mean speed over z is half of the whole, because z runs from −1 to 1.
         let [first, second] = [-1.0, 1.0].map(|z| 0.5 * self.whole / self.speed.at(z) - 1.0);
-        let guess = part + part * (1.0 - part) * (first * (1.0 - part) - second * part);
-        if guess > 0.0 && guess < 1.0 {
-            guess
+        let first_guess = part + part * (1.0 - part) * (first * (1.0 - part) - second * part);
+        if first_guess > 0.0 && first_guess < 1.0 {
+            first_guess
         } else {
             part
         }

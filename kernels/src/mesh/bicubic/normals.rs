@@ -25,15 +25,15 @@ const MOSTLY_CANCELLED: f32 = 1.0 / 16.0;
 type Net = [[[f64x2; 3]; 3]; 6];
 /// One row Nₖ of the net as f32, or the curve of N at one v: Nₖ + N₅₋ₖ for k = 0, 1, 2, then Nₖ − N₅₋ₖ, in the order
 /// that `Lanes` expects; then the length of its longest vector, or an upper bound of it.
-type Row = [f32x4; 5];
+type NormalRow = [f32x4; 5];
 
-/// The index of this length in a [`Row`].
+/// The index of this length in a [`NormalRow`].
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
 struct BicubicNormalNet {
     net: Net,
-    rows: [Row; 6],
+    rows: [NormalRow; 6],
     /// The first and the last row and column that are not zero.
     used_rows: [usize; 2],
     used_columns: [usize; 2],
@@ -68,7 +68,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 
 /// Fills one line; normals that are not accurate enough are set to zero. Returns true if all normals are accurate enough.
 #[inline(always)]
-fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
+fn fill_line(lanes: &[Lanes], curve: NormalRow, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let mut numbers = [0.0; 20];
     for (four, lanes) in numbers.as_chunks_mut::<4>().0.iter_mut().zip(curve) {
         *four = lanes.to_array();
@@ -178,7 +178,7 @@ impl BicubicNormalNet {
 
     /// The curve of N at one v.
     #[inline(always)]
-    fn curve(&self, weights: &[f32; 6]) -> Row {
+    fn curve(&self, weights: &[f32; 6]) -> NormalRow {
         let w = weights.map(f32x4::splat);
         let rows = &self.rows;
         std::array::from_fn(|i| {

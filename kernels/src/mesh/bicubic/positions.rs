@@ -5,7 +5,7 @@ use super::lanes::{LANES, round, store};
 use crate::numeric::lanes::{f32x4, f64x2};
 
 /// The numbers of one row of the net.
-type Row = [f64x2; 6];
+type NetRow = [f64x2; 6];
 
 /// Fills all positions, line by line.
 #[inline(never)]
@@ -14,7 +14,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     let (first, rest) = out.split_at_mut(columns.min(out.len()));
     let (inner, last) = rest.split_at_mut(rest.len().saturating_sub(columns));
     let numbers = net.as_flattened();
-    let rows: [Row; 4] = std::array::from_fn(|j| {
+    let rows: [NetRow; 4] = std::array::from_fn(|j| {
         std::array::from_fn(|k| f64x2::new([0, 1].map(|i| numbers[12 * j + 2 * k + i])))
     });
     for (line, &weights) in inner.chunks_exact_mut(columns).zip(&grid.v[1..]) {
@@ -25,9 +25,9 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 
 /// The control points of the curve in u at one v.
 #[inline(always)]
-fn blend_rows(rows: &[Row; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
+fn blend_rows(rows: &[NetRow; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
     let weights = weights.map(f64x2::splat);
-    let pairs: Row = std::array::from_fn(|k| blend(weights, rows.map(|row| row[k])));
+    let pairs: NetRow = std::array::from_fn(|k| blend(weights, rows.map(|row| row[k])));
     let numbers = pairs.map(f64x2::to_array);
     let numbers = numbers.as_flattened();
     std::array::from_fn(|i| std::array::from_fn(|axis| numbers[3 * i + axis]))

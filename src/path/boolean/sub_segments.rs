@@ -1,4 +1,4 @@
-//! Cuts the segments at their contacts: vertices, and the arcs between them.
+//! Cuts the segments at their contacts: vertices, and the sub-segments between them.
 
 use super::contacts::Contact;
 use super::segments::Segments;
@@ -10,28 +10,28 @@ use glam::DVec2;
 
 /// The part of a segment between two vertices, with no contact inside.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arc {
+pub(super) struct SubSegment {
     pub(super) segment: usize,
     pub(super) t: [f64; 2],
     pub(super) vertices: [usize; 2],
 }
 
-/// A point where arcs end.
+/// A point where sub-segments end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertex {
     pub(super) point: DVec2,
-    /// The largest distance of the end of an arc from the point.
+    /// The largest distance of the end of a sub-segment from the point.
     pub(super) spread: f64,
     /// The number of joints and cuts in it.
     pub(super) count: usize,
 }
 
 /// All segments, cut.
-pub(super) struct Arcs {
+pub(super) struct SubSegments {
     pub(super) vertices: Vec<Vertex>,
     /// The vertex of each joint.
     pub(super) joints: Vec<usize>,
-    pub(super) list: Vec<Arc>,
+    pub(super) list: Vec<SubSegment>,
 }
 
 /// A contact on one segment.
@@ -42,24 +42,24 @@ struct Cut {
     node: usize,
 }
 
-impl Arcs {
+impl SubSegments {
     /// Cuts the segments at all contacts with a gap of at most `tolerance`. Cuts closer together than this on a segment
     /// become one.
     pub(super) fn new(segments: &Segments, contacts: &[Contact], tolerance: f64) -> Self {
         let mut nodes = UnionFind::new(segments.joints.len());
         let mut points = segments.joints.clone();
-        let cuts = cut(segments, contacts, tolerance, &mut nodes, &mut points);
-        let mut arcs = Vec::with_capacity(segments.list.len() + cuts.len());
+        let cuts = cut_segments(segments, contacts, tolerance, &mut nodes, &mut points);
+        let mut sub_segments = Vec::with_capacity(segments.list.len() + cuts.len());
         let mut rest = &cuts[..];
         for (index, segment) in segments.list.iter().enumerate() {
             let count = rest.iter().take_while(|cut| cut.segment == index).count();
             let (own, others) = rest.split_at(count);
             rest = others;
             let (mut t, mut node) = (0.0, segment.ends[0]);
-            let mut push = |arc_t: [f64; 2], ends: [usize; 2]| {
-                arcs.push(Arc {
+            let mut push = |range: [f64; 2], ends: [usize; 2]| {
+                sub_segments.push(SubSegment {
                     segment: index,
-                    t: arc_t,
+                    t: range,
                     vertices: ends,
                 });
             };
@@ -71,13 +71,13 @@ impl Arcs {
             }
             push([t, 1.0], [node, segment.ends[1]]);
         }
-        Self::with_vertices(segments, arcs, nodes, &points, tolerance)
+        Self::with_vertices(segments, sub_segments, nodes, &points, tolerance)
     }
 
-    /// Numbers the vertices, and removes arcs that are not longer than the distance that counts as one point.
+    /// Numbers the vertices, and removes sub-segments that are not longer than the distance that counts as one point.
     fn with_vertices(
         segments: &Segments,
-        mut arcs: Vec<Arc>,
+        mut sub_segments: Vec<SubSegment>,
         mut nodes: UnionFind,
         points: &[DVec2],
         tolerance: f64,
@@ -101,30 +101,30 @@ impl Arcs {
                 vertex.count += 1;
             }
         }
-        arcs.retain_mut(|arc| {
-            arc.vertices = arc.vertices.map(|node| numbers[node]);
-            let [from, to] = arc.vertices;
+        sub_segments.retain_mut(|sub_segment| {
+            sub_segment.vertices = sub_segment.vertices.map(|node| numbers[node]);
+            let [from, to] = sub_segment.vertices;
             // From a vertex to itself: a whole closed segment, a loop, or the rest of a segment between cuts that are
             // one point.
-            from != to || vertices[from].count == 1 || !is_short(segments, *arc, tolerance)
+            from != to || vertices[from].count == 1 || !is_short(segments, *sub_segment, tolerance)
         });
         numbers.truncate(segments.joints.len());
         Self {
             vertices,
             joints: numbers,
-            list: arcs,
+            list: sub_segments,
         }
     }
 }
 
-fn is_short(segments: &Segments, arc: Arc, tolerance: f64) -> bool {
-    let points = segments.part(arc.segment, arc.t[0], arc.t[1]);
+fn is_short(segments: &Segments, sub_segment: SubSegment, tolerance: f64) -> bool {
+    let points = segments.part(sub_segment.segment, sub_segment.t[0], sub_segment.t[1]);
     let all = Bounds::from_points(&points);
     (all.max - all.min).max_element() <= 4.0 * tolerance
 }
 
 /// The cuts inside segments, sorted by segment and parameter; cuts at one point have one node.
-fn cut(
+fn cut_segments(
     segments: &Segments,
     contacts: &[Contact],
     tolerance: f64,
@@ -158,7 +158,7 @@ fn cut(
     sort_by(&mut cuts, |a, b| {
         a.segment.cmp(&b.segment).then(a.t.total_cmp(&b.t))
     });
-    join_close(segments, &cuts, tolerance, nodes, points);
+    join_close_cuts(segments, &cuts, tolerance, nodes, points);
     cuts
 }
 
@@ -174,7 +174,7 @@ fn contact_point(segments: &Segments, contact: &Contact) -> DVec2 {
 }
 
 /// Joins cuts that are closer together on their segment than the tolerance, and those next to an end with the end.
-fn join_close(
+fn join_close_cuts(
     segments: &Segments,
     cuts: &[Cut],
     tolerance: f64,

@@ -1,10 +1,10 @@
 //! The order of the edges around each vertex.
 //!
-//! Edges leave a vertex in directions that may be equal, as at a tangency. Arcs do not cross between vertices, so two
+//! Edges leave a vertex in directions that may be equal, as at a tangency. They do not cross between vertices, so two
 //! of them are in the same order at every distance from the vertex; they are compared where they are farthest apart.
 
-use super::arcs::{Arcs, Vertex};
 use super::edges::Edges;
+use super::sub_segments::{SubSegments, Vertex};
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
 use crate::curve::area::area_about;
@@ -15,58 +15,58 @@ use crate::numeric::sort::sort_by;
 use casteljau_kernels::numeric::zero::regula_falsi;
 use glam::DVec2;
 
-/// An arc's direction is taken where it is this many times farther from the vertex than arcs end from each other.
+/// An edge's direction is taken where it is this many times farther from the vertex than edges end from each other.
 const CLEAR_OF_SPREAD: f64 = 64.0;
 
-/// The distance of the start of an arc from its vertex due to rounding; coordinates are up to 2.
+/// The distance of the start of an edge from its vertex due to rounding; coordinates are up to 2.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The distance at which directions are taken is at least this part of the size of the arc.
+/// The distance at which directions are taken is at least this part of the size of the edge.
 const MIN_PROBE: f64 = 1e-6;
 
 /// Directions closer than this are compared at several distances.
-const SIMILAR: f64 = 1e-3;
+const SIMILAR_DIRECTIONS: f64 = 1e-3;
 
-/// The end of the part of an arc that leads away from its start is searched in steps: the first 16 double the parameter
+/// The end of the part of an edge that leads away from its start is searched in steps: the first 16 double the parameter
 /// up to 1/16, the others add 1/16.
-const WALK_STEPS: usize = 31;
+const MAX_STEPS: usize = 31;
 
-/// The number of distances at which two arcs are compared; each is half of the previous one.
+/// The number of distances at which two edges are compared; each is half of the previous one.
 const COMPARISONS: usize = 8;
 
 /// The largest number of passes through the edges of a vertex that exchange neighbours.
 const MAX_PASSES: usize = 64;
 
 /// The half-edges around every vertex. Half-edge 2e runs along edge e, half-edge 2e + 1 against it.
-pub(super) struct Order {
-    /// The half-edges that start at vertex v, counter-clockwise, are those from `starts[v]` to `starts[v + 1]`.
+pub(super) struct VertexStars {
+    /// The half-edges that start at vertex v, counter-clockwise, are `half_edges[starts[v]..starts[v + 1]]`.
     pub(super) starts: Vec<usize>,
-    pub(super) around: Vec<usize>,
+    pub(super) half_edges: Vec<usize>,
 }
 
-impl Order {
-    pub(super) fn new(arcs: &Arcs, edges: &Edges) -> Self {
-        let mut starts = vec![0; arcs.vertices.len() + 1];
-        let half_edges = || (0..2 * edges.list.len()).map(|h| (h, origin(edges, h)));
-        for (_, v) in half_edges() {
+impl VertexStars {
+    pub(super) fn new(sub_segments: &SubSegments, edges: &Edges) -> Self {
+        let mut starts = vec![0; sub_segments.vertices.len() + 1];
+        let origins = || (0..2 * edges.list.len()).map(|h| (h, origin(edges, h)));
+        for (_, v) in origins() {
             starts[v + 1] += 1;
         }
-        for v in 0..arcs.vertices.len() {
+        for v in 0..sub_segments.vertices.len() {
             starts[v + 1] += starts[v];
         }
-        let mut around = vec![0; 2 * edges.list.len()];
+        let mut half_edges = vec![0; 2 * edges.list.len()];
         let mut next = starts.clone();
-        for (h, v) in half_edges() {
-            around[next[v]] = h;
+        for (h, v) in origins() {
+            half_edges[next[v]] = h;
             next[v] += 1;
         }
         for (v, ends) in starts.windows(2).enumerate() {
-            let own = &mut around[ends[0]..ends[1]];
+            let own = &mut half_edges[ends[0]..ends[1]];
             if own.len() > 2 {
-                sort_around(&arcs.vertices[v], edges, own);
+                sort_around(&sub_segments.vertices[v], edges, own);
             }
         }
-        Self { starts, around }
+        Self { starts, half_edges }
     }
 }
 
@@ -85,18 +85,18 @@ fn half_edge_points(edges: &Edges, h: usize) -> Points<DVec2> {
 }
 
 /// A half-edge as seen from the vertex at which it starts.
-struct Spoke {
+struct OutgoingHalfEdge {
     half_edge: usize,
     /// The control points relative to the vertex.
     points: Points<DVec2>,
     direction: DVec2,
-    /// The error of the direction: the start of the arc is not exactly at the vertex, and the arc bends.
+    /// The error of the direction: the start of the edge is not exactly at the vertex, and the edge bends.
     error: f64,
-    /// The distance from the vertex beyond which the start of an arc cannot be.
+    /// The distance from the vertex beyond which the start of an edge cannot be.
     clear: f64,
 }
 
-impl Spoke {
+impl OutgoingHalfEdge {
     fn new(vertex: &Vertex, half_edge: usize, mut points: Points<DVec2>) -> Self {
         points.iter_mut().for_each(|p| *p -= vertex.point);
         let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
@@ -110,7 +110,7 @@ impl Spoke {
         }
         let probe = evaluate(&points, s);
         let direction = Point::unit(probe);
-        // Where the curvature of the arc is almost constant, the chord to s is off from the tangent at its start by
+        // Where the curvature of the edge is almost constant, the chord to s is off from the tangent at its start by
         // twice the angle between the chords to s and to s/2.
         let half_way = Point::unit(evaluate(&points, 0.5 * s));
         let uncertain = spread / Point::norm(probe).max(f64::MIN_POSITIVE);
@@ -123,12 +123,12 @@ impl Spoke {
         }
     }
 
-    /// The largest distances from the vertex up to each step along the arc, as long as it leads away without turning
+    /// The largest distances from the vertex up to each step along the edge, as long as it leads away without turning
     /// far. Where its start can be, it has no direction yet.
-    fn walk(&self) -> Vec<f64> {
+    fn distances(&self) -> Vec<f64> {
         let mut reach = 0.0_f64;
         let step = |k| {
-            let p = evaluate(&self.points, walk_parameter(k));
+            let p = evaluate(&self.points, step_parameter(k));
             let distance = Point::norm(p);
             let turns_back = reach > self.clear && distance < reach;
             let turns_far = distance > self.clear && p.dot(self.direction) < 0.5 * distance;
@@ -138,13 +138,13 @@ impl Spoke {
             reach = reach.max(distance);
             Some(reach)
         };
-        (1..=WALK_STEPS).map_while(step).collect()
+        (1..=MAX_STEPS).map_while(step).collect()
     }
 
-    /// For an arc that ends where it starts, in a similar direction: positive if its end is counter-clockwise of its
+    /// For an edge that ends where it starts, in a similar direction: positive if its end is counter-clockwise of its
     /// start. The sector between them is inside the loop if the loop leaves the vertex outside, and outside the loop if
     /// it runs around the vertex, and so crosses the ray in the opposite direction.
-    fn turn_of_loop(&self) -> f64 {
+    fn loop_orientation(&self) -> f64 {
         let across: Scalars = self
             .points
             .iter()
@@ -162,19 +162,19 @@ impl Spoke {
         }
     }
 
-    /// The first point of the arc at a distance from the vertex of at most the last one of its walk.
-    fn at_distance(&self, r: f64, walk: &[f64]) -> DVec2 {
-        let k = walk.partition_point(|&distance| distance < r);
+    /// The first point of the edge at a distance from the vertex of at most the last of its distances.
+    fn at_distance(&self, r: f64, distances: &[f64]) -> DVec2 {
+        let k = distances.partition_point(|&distance| distance < r);
         let (from, nearer) = match k.checked_sub(1) {
-            Some(last) => (walk_parameter(k), walk[last]),
+            Some(last) => (step_parameter(k), distances[last]),
             None => (0.0, 0.0),
         };
-        let Some(&farther) = walk.get(k) else {
+        let Some(&farther) = distances.get(k) else {
             return evaluate(&self.points, from);
         };
         let missing = |t: f64| r - Point::norm(evaluate(&self.points, t));
         let t = regula_falsi(
-            [from, walk_parameter(k + 1)],
+            [from, step_parameter(k + 1)],
             [r - nearer, r - farther],
             f64::EPSILON,
             missing,
@@ -183,8 +183,8 @@ impl Spoke {
     }
 }
 
-/// The parameter after k steps along an arc.
-fn walk_parameter(k: usize) -> f64 {
+/// The parameter after k steps along an edge.
+fn step_parameter(k: usize) -> f64 {
     match k.checked_sub(16) {
         Some(more) if more > 0 => ratio(more + 1, 16),
         _ => ratio(1 << k, 1 << 20),
@@ -193,17 +193,17 @@ fn walk_parameter(k: usize) -> f64 {
 
 /// Sorts the half-edges that start at a vertex counter-clockwise.
 fn sort_around(vertex: &Vertex, edges: &Edges, own: &mut [usize]) {
-    let spokes: Vec<Spoke> = own
+    let outgoing: Vec<OutgoingHalfEdge> = own
         .iter()
-        .map(|&h| Spoke::new(vertex, h, half_edge_points(edges, h)))
+        .map(|&h| OutgoingHalfEdge::new(vertex, h, half_edge_points(edges, h)))
         .collect();
-    let angles: Vec<f64> = spokes.iter().map(|s| pseudo_angle(s.direction)).collect();
-    let mut order: Vec<usize> = (0..spokes.len()).collect();
+    let angles: Vec<f64> = outgoing.iter().map(|s| pseudo_angle(s.direction)).collect();
+    let mut order: Vec<usize> = (0..outgoing.len()).collect();
     sort_by(&mut order, |&a, &b| angles[a].total_cmp(&angles[b]));
-    cut_at_largest_gap(&mut order, &angles);
-    exchange_neighbours(&spokes, &mut order);
+    start_after_largest_gap(&mut order, &angles);
+    exchange_neighbours(&outgoing, &mut order);
     for (slot, &k) in own.iter_mut().zip(&order) {
-        *slot = spokes[k].half_edge;
+        *slot = outgoing[k].half_edge;
     }
 }
 
@@ -219,7 +219,7 @@ fn pseudo_angle(d: DVec2) -> f64 {
 
 /// Rotates the order so that the largest angle without a half-edge is between the last and the first one. These two
 /// are then not compared as neighbours, even if all half-edges have similar directions.
-fn cut_at_largest_gap(order: &mut [usize], angles: &[f64]) {
+fn start_after_largest_gap(order: &mut [usize], angles: &[f64]) {
     // A whole turn of pseudo-angles is 4.
     let mut largest = (0, 4.0 + angles[order[0]] - angles[order[order.len() - 1]]);
     for k in 1..order.len() {
@@ -232,17 +232,18 @@ fn cut_at_largest_gap(order: &mut [usize], angles: &[f64]) {
 }
 
 /// Exchanges neighbours with similar directions that are in the wrong order, until none is left.
-fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
+fn exchange_neighbours(outgoing: &[OutgoingHalfEdge], order: &mut [usize]) {
     for _ in 0..MAX_PASSES {
         let mut changed = false;
         for k in 1..order.len() {
-            let (a, b) = (&spokes[order[k - 1]], &spokes[order[k]]);
+            let (a, b) = (&outgoing[order[k - 1]], &outgoing[order[k]]);
             let similar = a.direction.dot(b.direction) > 0.0
-                && a.direction.perp_dot(b.direction).abs() <= SIMILAR + 2.0 * (a.error + b.error);
+                && a.direction.perp_dot(b.direction).abs()
+                    <= SIMILAR_DIRECTIONS + 2.0 * (a.error + b.error);
             // Both half-edges of one edge start here if it is a loop.
             let side = || match a.half_edge ^ 1 == b.half_edge {
-                true => a.turn_of_loop(),
-                false => turn(a, b),
+                true => a.loop_orientation(),
+                false => orientation(a, b),
             };
             if similar && side() < 0.0 {
                 order.swap(k - 1, k);
@@ -255,23 +256,27 @@ fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
     }
 }
 
-/// The distance up to which an arc leads away from the vertex. In the last step of its walk it may have turned back.
-fn reach(walk: &[f64]) -> Option<f64> {
-    walk.get(walk.len().saturating_sub(2)).copied()
+/// The distance up to which an edge leads away from the vertex. In the last step it may have turned back.
+fn reach(distances: &[f64]) -> Option<f64> {
+    distances.get(distances.len().saturating_sub(2)).copied()
 }
 
-/// Positive if arc `b` is counter-clockwise of arc `a`, negative if it is clockwise: where they are farthest apart.
+/// Positive if edge `b` is counter-clockwise of edge `a`, negative if it is clockwise: where they are farthest apart.
 ///
-/// Arcs start within the spread of the vertex, not at it; if one does not lead away from it, their starts are compared.
-fn turn(a: &Spoke, b: &Spoke) -> f64 {
-    let walks = [a.walk(), b.walk()];
-    let [Some(reach_a), Some(reach_b)] = walks.each_ref().map(|walk| reach(walk)) else {
+/// Edges start within the spread of the vertex, not at it; if one does not lead away from it, the starts are compared.
+fn orientation(a: &OutgoingHalfEdge, b: &OutgoingHalfEdge) -> f64 {
+    let distances = [a.distances(), b.distances()];
+    let [Some(reach_a), Some(reach_b)] = distances.each_ref().map(|distances| reach(distances))
+    else {
         return a.points[0].perp_dot(b.points[0]);
     };
     let mut largest = 0.0_f64;
     let mut r = reach_a.min(reach_b);
     for _ in 0..COMPARISONS {
-        let points = [a.at_distance(r, &walks[0]), b.at_distance(r, &walks[1])];
+        let points = [
+            a.at_distance(r, &distances[0]),
+            b.at_distance(r, &distances[1]),
+        ];
         let side = points[0].perp_dot(points[1]) / r;
         if side.abs() > largest.abs() {
             largest = side;
