@@ -242,8 +242,8 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
     let count = coefficients.len();
     let mut pieces = coefficients.to_vec();
     let mut spans = vec![(0.0, 1.0)];
-    // For each sign change at most one interval is halved at each of 53 widths.
-    let mut work = WorkLimit::new(2 * 53 * count);
+    // For each sign change at most one interval is halved at each width down to an ulp of 1.
+    let mut work = WorkLimit::new(2 * f64::MANTISSA_DIGITS as usize * count);
     while let Some((lo, hi)) = spans.pop() {
         let from = pieces.len() - count;
         let piece = &pieces[from..];
