@@ -97,7 +97,7 @@ impl<P: Point> Spline<P> {
     ///
     /// Every point lies within the tolerance of the spline. The spline passes the points in order, except for noise: each
     /// point lies at most three tolerances from the part of the spline that follows the previous points. Between two points
-    /// at a distance L, where the spline does not step back, it lies within the tolerance plus L/6 of their edge (the height
+    /// at a distance L, if the spline steps back at neither, it lies within the tolerance plus L/6 of their edge (the height
     /// of an arc that turns by 74°), or plus a quarter of the tolerance if that is more. The handles are at most 1.5 times as
     /// long as the chord length of their points.
     ///
