@@ -44,6 +44,7 @@ pub struct FitOptions {
     pub effort: FitEffort,
 }
 
+/// Methods that set one option, for chaining.
 impl FitOptions {
     /// The options with a tolerance and otherwise the defaults.
     pub const fn new(tolerance: f64) -> Self {
@@ -55,7 +56,7 @@ impl FitOptions {
         }
     }
 
-    /// The options with another corner angle.
+    /// Sets the smallest turn that is kept as a corner, in radians.
     #[must_use]
     pub const fn corner_angle(self, corner_angle: f64) -> Self {
         Self {
@@ -64,13 +65,13 @@ impl FitOptions {
         }
     }
 
-    /// The options for a closed spline or an open one.
+    /// Sets whether the spline is closed.
     #[must_use]
     pub const fn closed(self, closed: bool) -> Self {
         Self { closed, ..self }
     }
 
-    /// The options with another effort.
+    /// Sets how much is computed.
     #[must_use]
     pub const fn effort(self, effort: FitEffort) -> Self {
         Self { effort, ..self }
