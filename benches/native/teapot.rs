@@ -8,7 +8,7 @@ use std::hint::black_box;
 const TOLERANCE: f64 = 1e-6;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     for segments in [16, 64] {
         let grid = Grid::from(segments);
         let mut mesh = teapot.grid(grid, false).expect("a small grid");

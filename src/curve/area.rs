@@ -1,4 +1,7 @@
 //! Signed area swept by a curve.
+//!
+//! Without inlining, areas of cubics take 7 % longer, of quadratics 6 to 37 %; without link-time optimisation, those of
+//! paths and splines 34 and 9 %.
 
 use super::Curve;
 use crate::geometry::point::Point;

@@ -30,6 +30,7 @@ impl<P: Point> Curve<P> {
             let mut include = |x: f64| {
                 bounds = bounds.including(bounds.min.with_coordinate(axis, x));
             };
+            // The general code takes 2.3 to 2.6 times as long.
             if let [a, b, c, d] = *self.points
                 && cfg!(feature = "fast")
             {

@@ -32,7 +32,6 @@ fn curvature_numerator_of_any_degree(v: &[DVec2], rounding: f64) -> (Scalars, f6
 }
 
 /// [`curvature_numerator`] for degree 2, as for the derivative of a cubic.
-#[cfg_attr(feature = "fast", inline)]
 pub(crate) fn curvature_numerator_of_quadratic(
     [a, b, c]: [DVec2; 3],
     rounding: f64,

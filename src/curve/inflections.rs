@@ -103,6 +103,7 @@ impl<P: Point> Curve<P> {
 
 /// See [`Curve::inflections`]; of the projection along z. `rounding` is the error bound of a coordinate.
 pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
+    // The general code below takes 1.7 to 2 times as long.
     if let [a, b, c, d] = *points
         && cfg!(feature = "fast")
     {

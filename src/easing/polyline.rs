@@ -10,7 +10,7 @@
 
 use super::piecewise::Stop;
 
-/// Halvings of the tolerance in the search for the smallest error.
+/// Halvings of the tolerance in the search for the smallest error, which is found to 2⁻¹² of the tolerance.
 const ROUNDS: usize = 12;
 /// The sign of each boundary: index 0 is the lower one, which sets a minimum slope; index 1 is the upper one, which sets a
 /// maximum slope.

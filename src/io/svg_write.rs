@@ -23,8 +23,13 @@ const MORE_DIGITS: u8 = 3;
 /// From this value on, numbers have no digits after the decimal point, and JavaScript writes them with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
 
-/// Options of SVG path data.
+/// Options of [`Path::to_svg_with`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, rename_all = "camelCase")
+)]
 #[non_exhaustive]
 pub struct SvgOptions {
     /// The number of digits after the decimal point (100 at most; ties are rounded away from zero). With it the text has
@@ -40,39 +45,43 @@ pub struct SvgOptions {
 
 impl Default for SvgOptions {
     fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Methods that set one option, for chaining.
+impl SvgOptions {
+    /// The default options.
+    pub const fn new() -> Self {
         Self {
             precision: None,
             tolerance: None,
             arcs: true,
         }
     }
-}
-
-impl SvgOptions {
-    /// The default options.
-    pub fn new() -> Self {
-        Self::default()
-    }
 
     /// Sets the number of digits after the decimal point.
     #[must_use]
-    pub fn precision(mut self, digits: u8) -> Self {
-        self.precision = Some(digits);
-        self
+    pub const fn precision(self, precision: u8) -> Self {
+        Self {
+            precision: Some(precision),
+            ..self
+        }
     }
 
     /// Sets the largest distance of the cubics that replace segments above degree 3.
     #[must_use]
-    pub fn tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = Some(tolerance);
-        self
+    pub const fn tolerance(self, tolerance: f64) -> Self {
+        Self {
+            tolerance: Some(tolerance),
+            ..self
+        }
     }
 
     /// Sets whether cubics that are arcs are written as arcs.
     #[must_use]
-    pub fn arcs(mut self, arcs: bool) -> Self {
-        self.arcs = arcs;
-        self
+    pub const fn arcs(self, arcs: bool) -> Self {
+        Self { arcs, ..self }
     }
 }
 

@@ -56,7 +56,7 @@ impl Surface {
     /// use casteljau::mesh::TessellationOptions;
     /// use casteljau::{Surface, TeapotOptions};
     ///
-    /// let teapot = Surface::teapot(TeapotOptions::default());
+    /// let teapot = Surface::teapot(&TeapotOptions::default());
     /// let mesh = teapot.tessellate(&TessellationOptions::tolerance(0.01))?;
     /// assert!(mesh.triangle_count() < 10_000);
     /// # Ok::<(), casteljau::Error>(())

@@ -5,7 +5,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-/// Options of a tessellation: the level of detail, and which vertices are joined.
+/// Options of [`Surface::tessellate`](crate::Surface::tessellate): the level of detail, and which vertices are joined.
 ///
 /// ```
 /// use casteljau::mesh::{TessellationOptions, Weld};
@@ -83,6 +83,7 @@ pub struct View {
 /// would have to be infinitely fine.
 const NEAR_RATIO: f64 = 1e-2;
 
+/// The options with a level of detail, and a method that sets the other option.
 impl TessellationOptions {
     /// This number of segments along u and v of every patch: a [`Grid`], or one number for both.
     pub fn segments(grid: impl Into<Grid>) -> Self {
@@ -99,9 +100,9 @@ impl TessellationOptions {
         Detail::Pixels(view).into()
     }
 
-    /// The same options with another welding rule.
+    /// Sets which corners become one vertex.
     #[must_use]
-    pub fn weld(self, weld: Weld) -> Self {
+    pub const fn weld(self, weld: Weld) -> Self {
         Self { weld, ..self }
     }
 }

@@ -1,6 +1,6 @@
 //! Options of wireframe meshes.
 
-/// The options of [`Surface::wireframe`](crate::Surface::wireframe).
+/// Options of [`Surface::wireframe`](crate::Surface::wireframe).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -9,9 +9,9 @@
 )]
 #[non_exhaustive]
 pub struct WireframeOptions {
-    /// The number of strips per patch in each direction, at least 1.
+    /// The number of strips per patch in each direction, at least 1: 4 by default.
     pub lines: usize,
-    /// The shape of the lines.
+    /// The shape of the lines: tubes with eight sides and the radius 0.01 by default.
     pub wire: Wire,
 }
 
@@ -38,8 +38,15 @@ pub enum Wire {
 }
 
 impl Default for WireframeOptions {
-    /// Four strips, and tubes with eight sides and the radius 0.01.
     fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Methods that set one option, for chaining.
+impl WireframeOptions {
+    /// The default options.
+    pub const fn new() -> Self {
         Self {
             lines: 4,
             wire: Wire::Tube {
@@ -48,11 +55,16 @@ impl Default for WireframeOptions {
             },
         }
     }
-}
 
-impl WireframeOptions {
-    /// This number of strips per patch in each direction, with lines of this shape.
-    pub const fn new(lines: usize, wire: Wire) -> Self {
-        Self { lines, wire }
+    /// Sets the number of strips per patch in each direction.
+    #[must_use]
+    pub const fn lines(self, lines: usize) -> Self {
+        Self { lines, ..self }
+    }
+
+    /// Sets the shape of the lines.
+    #[must_use]
+    pub const fn wire(self, wire: Wire) -> Self {
+        Self { wire, ..self }
     }
 }

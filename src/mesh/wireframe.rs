@@ -30,9 +30,9 @@ impl Surface {
     /// use casteljau::mesh::{Wire, WireframeOptions};
     /// use casteljau::{Surface, TeapotOptions};
     ///
-    /// let teapot = Surface::teapot(TeapotOptions::default());
+    /// let teapot = Surface::teapot(&TeapotOptions::default());
     /// let wire = Wire::Ribbon { width: 0.05 };
-    /// let mesh = teapot.wireframe(&WireframeOptions::new(4, wire))?;
+    /// let mesh = teapot.wireframe(&WireframeOptions::new().wire(wire))?;
     /// assert!(mesh.triangle_count() > 2 * 260);
     /// # Ok::<(), casteljau::Error>(())
     /// ```

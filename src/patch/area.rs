@@ -19,7 +19,8 @@ const NO_AREA: f64 = 32.0 * f64::EPSILON;
 /// high degree with many bends, need this many.
 const MAX_STEPS: usize = 1 << 22;
 
-/// The maximum number of times that a tile is halved in u and v.
+/// The maximum number of times that a tile is halved in u and v: it then has 2⁻⁸⁰ of the parameters, which is below the
+/// rounding of the sum.
 const MAX_ROUNDS: usize = 40;
 
 /// A rectangle of parameters and its area.

@@ -18,7 +18,8 @@ const MAX_ARCS: usize = 1 << 22;
 const STEP_HALVINGS: u32 = f64::MANTISSA_DIGITS - 1;
 /// Bisections of the search for the longest part that two arcs approximate, between a length and its double.
 const REFINEMENTS: usize = 8;
-/// Halvings of a polynomial whose coefficients do not decide yet whether it keeps a bound.
+/// Halvings of a polynomial whose coefficients do not decide yet whether it keeps a bound. The distance of the coefficients
+/// from the polynomial falls by 4 with each, to 2⁻¹²; a bound that is not decided then counts as not kept.
 const MAX_DEPTH: usize = 6;
 /// The part of the tolerance that joining arcs of nearly the same circle may take.
 const JOIN_SHARE: f64 = 0.05;

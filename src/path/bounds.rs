@@ -92,11 +92,8 @@ fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {
     Bounds { min: a, max: a }.including(b)
 }
 
-/// The tight box of one segment; without the feature `fast` it is computed in space, which reuses the code of all curves.
+/// The tight box of one segment, computed in space, which reuses the code of all curves and takes no longer.
 fn exact(points: &[DVec2]) -> Bounds<DVec2> {
-    if cfg!(feature = "fast") {
-        return Curve::from_slice(points).bounds();
-    }
     let points = points.iter().map(|p| p.to_3d()).collect();
     let Bounds { min, max } = Curve::<DVec3>::from_points(points).bounds();
     Bounds {

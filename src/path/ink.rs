@@ -68,7 +68,7 @@ pub enum InkPressure {
 /// let pen = InkOptions::new(12.0).thinning(0.7).taper(40.0, 60.0);
 /// assert_eq!(pen.smoothing, 0.5);
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -106,6 +106,7 @@ const fn half() -> f64 {
     0.5
 }
 
+/// Methods that set one option, for chaining.
 impl InkOptions {
     /// The options with a size and otherwise the defaults.
     pub const fn new(size: f64) -> Self {
@@ -122,13 +123,13 @@ impl InkOptions {
 
     /// Sets how much the width follows the pressure.
     #[must_use]
-    pub fn thinning(self, thinning: f64) -> Self {
+    pub const fn thinning(self, thinning: f64) -> Self {
         Self { thinning, ..self }
     }
 
     /// Sets the lengths of the tapers.
     #[must_use]
-    pub fn taper(self, start: f64, end: f64) -> Self {
+    pub const fn taper(self, start: f64, end: f64) -> Self {
         Self {
             taper: [start, end],
             ..self
@@ -137,19 +138,19 @@ impl InkOptions {
 
     /// Sets the length over which samples are averaged.
     #[must_use]
-    pub fn smoothing(self, smoothing: f64) -> Self {
+    pub const fn smoothing(self, smoothing: f64) -> Self {
         Self { smoothing, ..self }
     }
 
     /// Sets how far positions stay behind.
     #[must_use]
-    pub fn streamline(self, streamline: f64) -> Self {
+    pub const fn streamline(self, streamline: f64) -> Self {
         Self { streamline, ..self }
     }
 
-    /// Sets the tolerance.
+    /// Sets the largest distance of the curve from the smoothed samples.
     #[must_use]
-    pub fn tolerance(self, tolerance: f64) -> Self {
+    pub const fn tolerance(self, tolerance: f64) -> Self {
         Self {
             tolerance: Some(tolerance),
             ..self
@@ -158,7 +159,7 @@ impl InkOptions {
 
     /// Sets where the pressure comes from.
     #[must_use]
-    pub fn pressure(self, pressure: InkPressure) -> Self {
+    pub const fn pressure(self, pressure: InkPressure) -> Self {
         Self { pressure, ..self }
     }
 
@@ -455,7 +456,7 @@ impl InkStroke {
     pub fn new(options: &InkOptions) -> Result<Self, Error> {
         Ok(Self {
             tolerance: options.checked_tolerance()?,
-            options: options.clone(),
+            options: *options,
             last_sample: None,
             samples: Vec::new(),
             averaged: 0,

@@ -44,6 +44,7 @@ pub struct FitOptions {
     pub effort: FitEffort,
 }
 
+/// Methods that set one option, for chaining.
 impl FitOptions {
     /// The options with a tolerance and otherwise the defaults.
     pub const fn new(tolerance: f64) -> Self {
@@ -55,7 +56,7 @@ impl FitOptions {
         }
     }
 
-    /// The options with another corner angle.
+    /// Sets the smallest turn that is kept as a corner, in radians.
     #[must_use]
     pub const fn corner_angle(self, corner_angle: f64) -> Self {
         Self {
@@ -64,13 +65,13 @@ impl FitOptions {
         }
     }
 
-    /// The options for a closed spline or an open one.
+    /// Sets whether the spline is closed.
     #[must_use]
     pub const fn closed(self, closed: bool) -> Self {
         Self { closed, ..self }
     }
 
-    /// The options with another effort.
+    /// Sets how much is computed.
     #[must_use]
     pub const fn effort(self, effort: FitEffort) -> Self {
         Self { effort, ..self }
@@ -97,7 +98,7 @@ impl<P: Point> Spline<P> {
     ///
     /// Every point lies within the tolerance of the spline. The spline passes the points in order, except for noise: each
     /// point lies at most three tolerances from the part of the spline that follows the previous points. Between two points
-    /// at a distance L, where the spline does not step back, it lies within the tolerance plus L/6 of their edge (the height
+    /// at a distance L, if the spline steps back at neither, it lies within the tolerance plus L/6 of their edge (the height
     /// of an arc that turns by 74°), or plus a quarter of the tolerance if that is more. The handles are at most 1.5 times as
     /// long as the chord length of their points.
     ///

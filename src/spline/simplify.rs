@@ -53,6 +53,7 @@ pub struct SimplifyOptions {
     pub effort: FitEffort,
 }
 
+/// Methods that set one option, for chaining.
 impl SimplifyOptions {
     /// The options with a tolerance and otherwise the defaults.
     pub const fn new(tolerance: f64) -> Self {
@@ -65,7 +66,7 @@ impl SimplifyOptions {
         }
     }
 
-    /// The options with another corner angle.
+    /// Sets the smallest turn that is kept as a corner, in radians.
     #[must_use]
     pub const fn corner_angle(self, corner_angle: f64) -> Self {
         Self {
@@ -74,22 +75,22 @@ impl SimplifyOptions {
         }
     }
 
-    /// The options with or without joints at the extrema of each coordinate.
+    /// Sets whether the extrema of each coordinate become joints.
     #[must_use]
     pub const fn extrema(self, extrema: bool) -> Self {
         Self { extrema, ..self }
     }
 
-    /// The options with a number of decimals.
+    /// Sets the number of decimals of all control points.
     #[must_use]
-    pub const fn precision(self, decimals: u8) -> Self {
+    pub const fn precision(self, precision: u8) -> Self {
         Self {
-            precision: Some(decimals),
+            precision: Some(precision),
             ..self
         }
     }
 
-    /// The options with another effort.
+    /// Sets how much is computed.
     #[must_use]
     pub const fn effort(self, effort: FitEffort) -> Self {
         Self { effort, ..self }

@@ -17,7 +17,7 @@ use glam::{DAffine3, DVec3};
 /// ```
 /// use casteljau::{Grid, Surface, TeapotOptions};
 ///
-/// let teapot = Surface::teapot(TeapotOptions::default());
+/// let teapot = Surface::teapot(&TeapotOptions::default());
 /// assert_eq!(teapot.patch_count(), 32);
 /// let mesh = teapot.grid(Grid::from(16), false)?;
 /// assert_eq!(mesh.vertex_count(), 9_248);

@@ -14,7 +14,7 @@ use casteljau_kernels::numeric::work_limit::WorkLimit;
 
 /// More halvings than the parameters allow in both directions: each has 53 bits, and a few more until the step becomes
 /// 0.
-const MAX_ROUNDS: usize = 128;
+const MAX_ROUNDS: usize = 2 * (f64::MANTISSA_DIGITS as usize + 11);
 
 /// The maximum number of coefficients in all pieces of one round: 4 MB.
 const MAX_COEFFICIENTS: usize = 1 << 19;

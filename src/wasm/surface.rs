@@ -32,7 +32,7 @@ pub fn points_joined(count: usize) -> usize {
 #[wasm_bindgen]
 pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     let part = |bit: u32| parts >> bit & 1 == 1;
-    let teapot = Surface::teapot(TeapotOptions {
+    let teapot = Surface::teapot(&TeapotOptions {
         rim: part(0),
         body: part(1),
         handle: part(2),

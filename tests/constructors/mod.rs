@@ -217,27 +217,26 @@ fn any_degree_and_any_number_of_points() {
 /// Which parts a number selects.
 fn teapot_options(bits: u32) -> TeapotOptions {
     let has = |part: u32| bits >> part & 1 == 1;
-    TeapotOptions {
-        rim: has(0),
-        body: has(1),
-        handle: has(2),
-        spout: has(3),
-        lid: has(4),
-        bottom: has(5),
-        height: if has(6) {
-            Height::Original
-        } else {
-            Height::Squashed
-        },
-        up: if has(7) { Up::Y } else { Up::Z },
-    }
+    let height = if has(6) {
+        Height::Original
+    } else {
+        Height::Squashed
+    };
+    (TeapotOptions::new().height(height))
+        .up(if has(7) { Up::Y } else { Up::Z })
+        .rim(has(0))
+        .body(has(1))
+        .handle(has(2))
+        .spout(has(3))
+        .lid(has(4))
+        .bottom(has(5))
 }
 
 #[test]
 fn teapots_of_all_parts_and_of_none() {
     for bits in 0..1 << 8 {
         let options = teapot_options(bits);
-        let surface = Surface::teapot(options);
+        let surface = Surface::teapot(&options);
         assert_eq!(surface.patch_count() == 0, bits & 63 == 0);
         check("teapot", true, Ok(surface.vertices()));
     }
@@ -254,7 +253,7 @@ fn meshes_with_extreme_options() {
         view_projection: DMat4::from_cols_array(&[matrix; 16]),
         viewport: DVec2::new(width, 100.0),
     };
-    let no_surface = Surface::teapot(teapot_options(0));
+    let no_surface = Surface::teapot(&teapot_options(0));
     let mut details: Vec<Detail> = Vec::new();
     for value in VALUES {
         let views = [
@@ -290,7 +289,7 @@ fn meshes_with_extreme_options() {
                 Wire::Ribbon { width: value },
             ];
             for wire in wires {
-                let _ = no_surface.wireframe(&WireframeOptions::new(lines, wire));
+                let _ = no_surface.wireframe(&WireframeOptions::new().lines(lines).wire(wire));
             }
         }
     }

@@ -168,7 +168,7 @@ pub(crate) fn wireframe(
         },
         _ => Wire::Ribbon { width },
     };
-    let options = WireframeOptions::new(lines, wire);
+    let options = WireframeOptions::new().lines(lines).wire(wire);
     let allowed = "lines|sides|radius|width|too many|vertices";
     is_mesh(&answer!(surface.wireframe(&options), allowed))
 }

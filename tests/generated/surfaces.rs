@@ -43,17 +43,14 @@ pub(crate) fn one_patch(surface: Surface, k: usize) -> Checked {
 
 pub(crate) fn teapot(parts: Vec<&'static str>, height: Height, up: Up) -> Checked {
     let has = |part: &str| parts.contains(&part);
-    let options = TeapotOptions {
-        rim: has("rim"),
-        body: has("body"),
-        handle: has("handle"),
-        spout: has("spout"),
-        lid: has("lid"),
-        bottom: has("bottom"),
-        height,
-        up,
-    };
-    let surface = call(|| Surface::teapot(options))?;
+    let options = (TeapotOptions::new().height(height).up(up))
+        .rim(has("rim"))
+        .body(has("body"))
+        .handle(has("handle"))
+        .spout(has("spout"))
+        .lid(has("lid"))
+        .bottom(has("bottom"));
+    let surface = call(|| Surface::teapot(&options))?;
     let large = |part: &&str| ["body", "lid"].contains(part);
     let expected = 4 * (parts.len() + parts.iter().copied().filter(large).count());
     same(surface.patch_count(), expected, "the patches")

@@ -33,6 +33,12 @@ fn the_tolerance_is_kept() {
             -43.64697232990304,
             0.00020517047360263214,
         ),
+        // Both ends are one point within the tolerance and B′ is 0 there, but the middle is 5.5 away.
+        (
+            "0 0, 0 0, 0 0, 10 0, 10 0.0001, 0 0.0001, 0 0.0001, 0 0.0001",
+            -5.0,
+            0.01,
+        ),
     ] {
         let found = error(&bezier(points), distance, tolerance);
         assert!(found <= 1.0, "{found} tolerances: {points}");

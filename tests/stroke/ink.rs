@@ -268,10 +268,7 @@ fn points_and_short_strokes_are_defined() {
         assert!(outline.contains(p, FillRule::NonZero));
     }
     assert_eq!(dot.spline().unwrap().length(), 0.0);
-    let line = ink(
-        &options.clone().taper(0.0, 0.0).thinning(0.0),
-        &[p, p + 20.0],
-    );
+    let line = ink(&options.taper(0.0, 0.0).thinning(0.0), &[p, p + 20.0]);
     let length = 20.0 * 2.0_f64.sqrt();
     near(
         line.outline().unwrap().area(),

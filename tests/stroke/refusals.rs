@@ -121,19 +121,19 @@ fn ink() {
         (InkOptions::new(0.0), format!("{size}0")),
         (InkOptions::new(f64::NAN), format!("{size}NaN")),
         (
-            usual.clone().thinning(1.5),
+            usual.thinning(1.5),
             "thinning: expected a number from -1 to 1, got 1.5".to_owned(),
         ),
         (
-            usual.clone().taper(0.0, f64::INFINITY),
+            usual.taper(0.0, f64::INFINITY),
             "taper: expected a number from 0 to 2^500, got inf".to_owned(),
         ),
         (
-            usual.clone().smoothing(-1.0),
+            usual.smoothing(-1.0),
             "smoothing: expected a number from 0 to 1, got -1".to_owned(),
         ),
         (
-            usual.clone().tolerance(0.0),
+            usual.tolerance(0.0),
             "tolerance: expected a number above 0 and at most 2^500, got 0".to_owned(),
         ),
     ] {

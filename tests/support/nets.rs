@@ -98,7 +98,7 @@ pub(crate) fn nothing() -> Surface {
 }
 
 pub(crate) fn teapot() -> Surface {
-    Surface::teapot(TeapotOptions::default())
+    Surface::teapot(&TeapotOptions::default())
 }
 
 /// The six faces of the cube from 0 to 1 as bilinear patches, normals outwards.

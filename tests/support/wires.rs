@@ -6,7 +6,7 @@ use casteljau::{Mesh, Surface};
 use std::collections::HashMap;
 
 fn mesh(surface: &Surface, lines: usize, wire: Wire) -> Mesh {
-    let options = WireframeOptions::new(lines, wire);
+    let options = WireframeOptions::new().lines(lines).wire(wire);
     surface.wireframe(&options).unwrap()
 }
 

@@ -6,7 +6,9 @@ use casteljau::curve::{Cubic, IntersectionKind, Quad};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::mesh::{Detail, TessellationOptions, WireframeOptions};
 use casteljau::models::Up;
-use casteljau::path::{CornerOptions, FillRule, InkOptions, OffsetOptions, StrokeOptions};
+use casteljau::path::{
+    CornerOptions, FillRule, InkOptions, OffsetOptions, StrokeOptions, SvgOptions,
+};
 use casteljau::spline::{FitOptions, Interpolation, JointMode, SimplifyOptions};
 use casteljau::{Curve, Easing, Grid, Patch, Path, Spline, Surface, TeapotOptions};
 use serde::{Serialize, de::DeserializeOwned};
@@ -81,11 +83,12 @@ fn options_that_are_left_out_have_their_defaults() {
     );
     assert_eq!(
         from_str::<WireframeOptions>("{}").unwrap(),
-        WireframeOptions::default()
+        WireframeOptions::new()
     );
+    assert_eq!(from_str::<SvgOptions>("{}").unwrap(), SvgOptions::new());
     assert_eq!(
         from_str::<TeapotOptions>("{}").unwrap(),
-        TeapotOptions::default()
+        TeapotOptions::new()
     );
     let tolerance = r#"{"tolerance":0.5}"#;
     assert_eq!(
@@ -128,7 +131,8 @@ fn results_and_options_have_the_names_of_javascript() {
     let interpolation = there_and_back(Interpolation::CatmullRom { alpha: 0.5 });
     assert_eq!(interpolation, r#"{"catmull-rom":{"alpha":0.5}}"#);
     there_and_back(TessellationOptions::tolerance(0.01));
-    there_and_back(TeapotOptions::default());
+    there_and_back(TeapotOptions::new());
+    there_and_back(SvgOptions::new().precision(2).arcs(false));
     there_and_back(Surface::teacup(Up::Z).grid(Grid::from(2), true).unwrap());
     there_and_back(Surface::teacup(Up::Z).topology());
 }

@@ -24,15 +24,12 @@ fn parts_are_ranges_of_patches() {
     let whole: Vec<_> = teapot().patches().collect();
     let ranges = [0..4, 4..12, 12..16, 16..20, 20..28, 28..32, 0..0];
     for (k, range) in ranges.into_iter().enumerate() {
-        let part = Surface::teapot(TeapotOptions {
-            rim: k == 0,
-            body: k == 1,
-            handle: k == 2,
-            spout: k == 3,
-            lid: k == 4,
-            bottom: k == 5,
-            ..TeapotOptions::default()
-        });
+        let options = (TeapotOptions::new().rim(k == 0).body(k == 1))
+            .handle(k == 2)
+            .spout(k == 3)
+            .lid(k == 4)
+            .bottom(k == 5);
+        let part = Surface::teapot(&options);
         assert_eq!(part.patches().collect::<Vec<_>>(), whole[range.clone()]);
         assert_eq!(part.vertices().is_empty(), range.is_empty());
     }
@@ -41,12 +38,8 @@ fn parts_are_ranges_of_patches() {
 #[test]
 fn heights_and_axes() {
     let of = |height, up| {
-        let options = TeapotOptions {
-            height,
-            up,
-            ..TeapotOptions::default()
-        };
-        let bounds = Surface::teapot(options).control_bounds().unwrap();
+        let options = TeapotOptions::new().height(height).up(up);
+        let bounds = Surface::teapot(&options).control_bounds().unwrap();
         [bounds.min, bounds.max].map(|p| p.to_array())
     };
     let squashed = of(Height::Squashed, Up::Z);
@@ -59,10 +52,7 @@ fn heights_and_axes() {
 #[test]
 fn up_is_a_turn_and_not_a_mirror_image() {
     let turn = DAffine3::from_rotation_x(-std::f64::consts::FRAC_PI_2);
-    let turned = Surface::teapot(TeapotOptions {
-        up: Up::Y,
-        ..TeapotOptions::default()
-    });
+    let turned = Surface::teapot(&TeapotOptions::new().up(Up::Y));
     let expected = teapot().transform(&turn).unwrap();
     let mut pairs = turned.patches().zip(expected.patches());
     assert!(pairs.all(|(a, b)| a.approx_eq(&b, 1e-15)));

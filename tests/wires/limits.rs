@@ -128,7 +128,7 @@ fn refused() {
         (2, tube(0.1, many), "vertices: expected at most "),
         (1, tube(2.0, 100_000), "radius: expected at least "),
     ] {
-        let result = teapot().wireframe(&WireframeOptions::new(lines, wire));
+        let result = teapot().wireframe(&WireframeOptions::new().lines(lines).wire(wire));
         assert_refused(result, message);
     }
 }

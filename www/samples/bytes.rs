@@ -2,7 +2,7 @@ use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Grid, Indices, Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     let points = teapot.vertices().len() * 3 * 4; // three numbers of four bytes each
     let indices = 32 * 16 * 2;
     writeln!(out, "patches: {} bytes", points + indices);

@@ -3,7 +3,7 @@ use casteljau::{Patch, Surface, TeapotOptions};
 const MAX_GRID: f64 = 16.0;
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     for pixels in [50, 100, 200] {
         let max_edge = 4.0 / f64::from(pixels); // edges of at most 4 pixels
         let count: f64 = (0..teapot.patch_count())

@@ -2,7 +2,7 @@ use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Grid, Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     for segments in [4, 8, 16] {
         let grid = teapot.grid(Grid::from(segments), false).unwrap();
         let cells = TessellationOptions::segments(Grid::from(segments));

@@ -1,7 +1,7 @@
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     let curve = teapot.patch(16).unwrap().isocurve_at_u(0.5); // along the spout
     writeln!(
         out,

@@ -4,7 +4,7 @@ use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     let pieces = teapot.subdivide(0.02).unwrap();
     writeln!(out, "pieces of the recursion: {}", pieces.len());
     let mesh = teapot

@@ -1,7 +1,7 @@
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     for (upper, lower) in [(0, 4), (4, 8)] {
         // They share v = 1 and v = 0.
         let (above, below) = (teapot.patch(upper).unwrap(), teapot.patch(lower).unwrap());

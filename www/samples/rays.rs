@@ -2,7 +2,7 @@ use casteljau::glam::DVec3;
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     let hits = teapot
         .intersect_ray(DVec3::new(-5.0, 0.1, 1.2), DVec3::X)
         .unwrap();

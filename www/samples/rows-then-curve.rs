@@ -1,7 +1,7 @@
 use casteljau::{Curve, Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let patch = Surface::teapot(TeapotOptions::default()).patch(4).unwrap();
+    let patch = Surface::teapot(&TeapotOptions::default()).patch(4).unwrap();
     let (u, v) = (0.25, 0.75);
     let rows = patch.control_points().chunks(4);
     let amid: Vec<_> = rows // one point on each row

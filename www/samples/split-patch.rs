@@ -1,7 +1,7 @@
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let patch = Surface::teapot(TeapotOptions::default()).patch(4).unwrap();
+    let patch = Surface::teapot(&TeapotOptions::default()).patch(4).unwrap();
     let (left, right) = patch.split_u(0.25);
     for (name, p) in [
         ("patch at (0.125, 0.5)", patch.eval(0.125, 0.5)),

@@ -2,7 +2,7 @@ use casteljau::glam::DVec3;
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
-    let teapot = Surface::teapot(TeapotOptions::default());
+    let teapot = Surface::teapot(&TeapotOptions::default());
     for row in 0..16 {
         let mut line = String::new();
         for column in 0..54 {

@@ -2,7 +2,7 @@
 
 use crate::numeric::order::larger;
 use glam::{DVec2, DVec3};
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// What can be added and multiplied by numbers: a number, a point, a homogeneous point.
 ///
@@ -82,7 +82,7 @@ impl Vector for DVec3 {
 }
 
 /// A vector in the plane or in space, which has a length.
-pub trait Euclidean: Vector {
+pub trait Euclidean: Vector + Div<f64, Output = Self> {
     /// The scalar product.
     fn dot(self, other: Self) -> f64;
 
@@ -100,11 +100,12 @@ pub trait Euclidean: Vector {
         if scale == 0.0 {
             return 0.0;
         }
-        let unit = self * (1.0 / scale);
+        // The reciprocal of a very small scale would overflow.
+        let unit = self / scale;
         unit.dot(unit).sqrt() * scale
     }
 
-    /// The vector of length 1 in this direction; zero for the zero vector.
+    /// The vector of length 1 in this direction, for a length of at least 10⁻³⁰⁸; zero for the zero vector.
     #[inline(always)]
     fn unit(self) -> Self {
         let length = self.norm();
@@ -136,5 +137,19 @@ impl Euclidean for DVec3 {
     #[inline(always)]
     fn max_abs(self) -> f64 {
         larger(larger(self.x.abs(), self.y.abs()), self.z.abs())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_near_the_limits_of_f64() {
+        for size in [5e-324, 1e-310, 1e-200, 1.0, 1e200, 1e307] {
+            let length = Euclidean::norm(DVec2::new(3.0, -4.0) * size) / size;
+            assert!((length - 5.0).abs() < 1e-9, "{size}: {length}");
+        }
+        assert_eq!(Euclidean::norm(DVec3::ZERO), 0.0);
     }
 }

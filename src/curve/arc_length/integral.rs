@@ -15,8 +15,8 @@ use glam::DVec3;
 /// Target error as a part of the length; the documented guarantee is 10⁻¹².
 const USUAL_PART: f64 = 1e-14;
 
-/// Maximum depth of halving; f64 cannot distinguish more parameters.
-const MAX_CUTS: usize = 56;
+/// Maximum depth of cuts: the 53 bits of a parameter, and 3 as a reserve for cuts that are not in the middle.
+const MAX_CUTS: usize = f64::MANTISSA_DIGITS as usize + 3;
 
 /// Every interval is halved at least this often at degrees of 25 and more.
 const MAX_MIN_DEPTH: usize = 6;

@@ -218,6 +218,7 @@ impl<P: Point> Curve<P> {
 
 /// Passes on the vertices of the curve with the given control points, for a tolerance that is checked; without the start
 /// if the curve is joined to another one, whose last vertex it is.
+// Without inlining (and without link-time optimisation), flattening the lines of a path takes 28 % longer.
 #[cfg_attr(feature = "fast", inline)]
 pub(crate) fn visit_vertices<P: Point>(
     points: &[P],

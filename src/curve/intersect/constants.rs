@@ -106,8 +106,8 @@ pub(super) const MAX_PAIRS: usize = 4096;
 pub(super) const MAX_PAIRS_PER_DEGREE: usize = 256;
 
 /// At a contact of higher order each step of Newton's method at least about halves the error: enough for the 53 bits of a
-/// parameter.
-pub(super) const TANGENCY_STEPS: usize = 60;
+/// parameter, with 7 as a reserve.
+pub(super) const TANGENCY_STEPS: usize = f64::MANTISSA_DIGITS as usize + 7;
 
 /// From a good starting point, Newton's method for crossings ends much sooner.
 pub(super) const CROSSING_STEPS: usize = 20;
@@ -115,9 +115,9 @@ pub(super) const CROSSING_STEPS: usize = 20;
 /// Number of parts of a segment for the comparison with a box.
 pub(super) const BOX_SAMPLES: usize = 8;
 
-/// Depth of halving of a curve that may cross itself: 2⁻³⁰ is below √σ, and a segment that still reverses contains a cusp
-/// smaller than rounding.
-pub(super) const LOOP_HALVINGS: usize = 30;
+/// Depth of halving of a curve that may cross itself: half of the bits reach √ε and 4 more are below √σ. A segment that
+/// still reverses contains a cusp smaller than rounding.
+pub(super) const LOOP_HALVINGS: usize = f64::MANTISSA_DIGITS as usize / 2 + 4;
 
 /// Maximum number of segments: about one on each side of every halving next to the cusps of a curve of degree 64.
 pub(super) const MAX_SEGMENTS: usize = 1 << 12;

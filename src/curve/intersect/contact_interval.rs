@@ -29,10 +29,16 @@ impl ContactInterval {
     fn new(contact: Contact) -> Self {
         let [u0, u1] = contact.u;
         let wide = contact.t[1] - contact.t[0] > MANY_DOUBLE_ROOTS;
+        // signum() of 0 is 1, but a single u has no direction.
+        let has_direction = wide && u0 != u1;
         Self {
             t: contact.t,
             u: [u0.min(u1), u0.max(u1)],
-            direction: if wide { (u1 - u0).signum() } else { 0.0 },
+            direction: if has_direction {
+                (u1 - u0).signum()
+            } else {
+                0.0
+            },
             crossing: contact.crossing,
             last: contact,
         }
@@ -159,4 +165,20 @@ pub(crate) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<C
         }
     }
     intervals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_contact_of_one_parameter_has_no_direction() {
+        let direction = |u| {
+            let t = [0.0, 0.5];
+            let crossing = false;
+            ContactInterval::new(Contact { t, u, crossing }).direction
+        };
+        let directions = [[0.2, 0.3], [0.3, 0.2], [0.3, 0.3]].map(direction);
+        assert_eq!(directions, [1.0, -1.0, 0.0]);
+    }
 }

@@ -13,6 +13,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use casteljau_kernels::bernstein::de_casteljau::keep_between;
+use casteljau_kernels::curve::intersect::clipping::crossing_step;
 use glam::DVec2;
 
 impl NormalizedPair {
@@ -98,12 +99,7 @@ impl NormalizedPair {
         let [of_a, of_b] = self.both();
         for _ in 0..CROSSING_STEPS {
             let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
-            // The cross products of A + dt A′ = B + du B′ with B′ and with A′ give dt and du.
-            let determinant = da.perp_dot(db);
-            let (dt, du) = (
-                (b - a).perp_dot(db) / determinant,
-                (b - a).perp_dot(da) / determinant,
-            );
+            let ([dt, du], _) = crossing_step((b - a).into(), da.into(), db.into());
             if !(dt.is_finite() && du.is_finite()) {
                 break;
             }

@@ -43,8 +43,9 @@ const CONSTANT_DISTANCE_SAMPLES: usize = 64;
 /// Maximum relative error of a distance that is found.
 const ACCURACY: f64 = 1e-12;
 
-/// Maximum number of steps of Newton's method in one descent; where the curves touch, each step gains one bit.
-const MAX_TOTAL_STEPS: usize = 60;
+/// Maximum number of steps of Newton's method in one descent: where the curves touch, each step gains one of the 53
+/// bits, with 7 as a reserve.
+const MAX_TOTAL_STEPS: usize = f64::MANTISSA_DIGITS as usize + 7;
 
 impl<P: Point> Curve<P> {
     /// The minimum distance of two curves and its parameters: the minimum of |A(t) − B(u)| for t and u in \[0, 1\], end

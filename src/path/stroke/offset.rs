@@ -27,30 +27,30 @@ pub struct OffsetOptions {
 
 impl Default for OffsetOptions {
     fn default() -> Self {
-        Self {
-            join: Join::Miter,
-            miter_limit: 4.0,
-            tolerance: None,
-        }
+        Self::new()
     }
 }
 
 /// Methods that set one option, for chaining.
 impl OffsetOptions {
     /// The default options.
-    pub fn new() -> Self {
-        Self::default()
+    pub const fn new() -> Self {
+        Self {
+            join: Join::Miter,
+            miter_limit: 4.0,
+            tolerance: None,
+        }
     }
 
     /// Sets the joins at corners.
     #[must_use]
-    pub fn join(self, join: Join) -> Self {
+    pub const fn join(self, join: Join) -> Self {
         Self { join, ..self }
     }
 
     /// Sets the limit of miters, in distances.
     #[must_use]
-    pub fn miter_limit(self, miter_limit: f64) -> Self {
+    pub const fn miter_limit(self, miter_limit: f64) -> Self {
         Self {
             miter_limit,
             ..self
@@ -59,11 +59,15 @@ impl OffsetOptions {
 
     /// Sets the largest distance of the boundary from the exact one.
     #[must_use]
-    pub fn tolerance(self, tolerance: f64) -> Self {
+    pub const fn tolerance(self, tolerance: f64) -> Self {
         Self {
             tolerance: Some(tolerance),
             ..self
         }
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_miter_limit(self.miter_limit)
     }
 }
 
@@ -81,8 +85,8 @@ impl Path {
     /// use casteljau::path::OffsetOptions;
     ///
     /// let square: Path = "M0 0H4V4H0Z".parse().expect("path data");
-    /// assert_eq!(square.offset(1.0, &OffsetOptions::default())?.area(), 36.0);
-    /// assert_eq!(square.offset(-1.0, &OffsetOptions::default())?.area(), 4.0);
+    /// assert_eq!(square.offset(1.0, &OffsetOptions::new())?.area(), 36.0);
+    /// assert_eq!(square.offset(-1.0, &OffsetOptions::new())?.area(), 4.0);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     ///
@@ -98,7 +102,7 @@ impl Path {
                 got: distance,
             });
         }
-        check_miter_limit(options.miter_limit)?;
+        options.check()?;
         let region = self.remove_overlaps(FillRule::NonZero)?;
         let stroke = StrokeOptions {
             join: options.join,

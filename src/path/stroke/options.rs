@@ -59,6 +59,14 @@ pub struct StrokeOptions {
 
 impl Default for StrokeOptions {
     fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Methods that set one option, for chaining.
+impl StrokeOptions {
+    /// The default options.
+    pub const fn new() -> Self {
         Self {
             join: Join::Miter,
             miter_limit: 4.0,
@@ -68,14 +76,6 @@ impl Default for StrokeOptions {
             tolerance: None,
             simple: true,
         }
-    }
-}
-
-/// Methods that set one option, for chaining.
-impl StrokeOptions {
-    /// The default options.
-    pub fn new() -> Self {
-        Self::default()
     }
 
     /// Sets the joins at corners.
@@ -156,8 +156,11 @@ pub struct CornerOptions {
 /// Methods that set one option, for chaining.
 impl CornerOptions {
     /// The default options.
-    pub fn new() -> Self {
-        Self::default()
+    pub const fn new() -> Self {
+        Self {
+            tolerance: None,
+            corners: None,
+        }
     }
 
     /// Sets the largest distance of the cubics from the arcs.

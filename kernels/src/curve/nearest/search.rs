@@ -7,8 +7,8 @@ use crate::numeric::work_limit::WorkLimit;
 const ROUGH_HALVINGS: u32 = 5;
 
 /// Further halvings, after which several roots count as one: their squared distances then differ by the square of the
-/// width.
-const CLOSE_HALVINGS: u32 = 24;
+/// width, for which half of the bits are enough, with 3 as a reserve.
+const CLOSE_HALVINGS: u32 = f64::MANTISSA_DIGITS / 2 + 3 - ROUGH_HALVINGS;
 
 /// Maximum number of segments. In exact arithmetic at most two segments of each width have more than one sign change,
 /// which makes about 120 segments; if the distance is constant up to rounding, every segment has sign changes.

@@ -67,7 +67,7 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     Some((lo, if hi < lo { lo } else { hi }))
 }
 
-/// The first parameter where the upper hull of points that start below 0 reaches 0, or 1 if it does not.
+/// The first parameter where the upper hull of points reaches 0. The first point is below 0, and at least one is not.
 ///
 /// The hull goes from each of its points to the one in the steepest direction.
 #[inline(always)]

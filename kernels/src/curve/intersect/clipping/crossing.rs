@@ -15,6 +15,18 @@ pub(super) enum Crossing {
     Many,
 }
 
+/// The step (δt, δu) of Newton's method for A(t) = B(u), and its determinant A′ × B′; `gap` is B − A. The cross products of
+/// A + δt A′ = B + δu B′ with B′ and with A′ give both.
+#[inline(always)]
+pub fn crossing_step(gap: [f64; 2], da: [f64; 2], db: [f64; 2]) -> ([f64; 2], f64) {
+    let determinant = cross_product(da, db);
+    let step = [
+        cross_product(gap, db) / determinant,
+        cross_product(gap, da) / determinant,
+    ];
+    (step, determinant)
+}
+
 #[inline(always)]
 pub(super) fn cross_product([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     ax * by - ay * bx
@@ -77,12 +89,9 @@ impl<C: Coefficients> ClippingSolver<C> {
         let [whole_a, whole_b] = &self.whole;
         let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));
         let gap = [b[0] - a[0], b[1] - a[1]];
-        let determinant = cross_product(da, db);
         // The control points of the whole curves have smaller rounding errors.
-        let (finer_t, finer_u) = (
-            t + cross_product(gap, db) / determinant,
-            u + cross_product(gap, da) / determinant,
-        );
+        let ([step_t, step_u], determinant) = crossing_step(gap, da, db);
+        let (finer_t, finer_u) = (t + step_t, u + step_u);
         let fits = |x: f64, from: f64| (x - from).abs() < MAX_LAST_STEP && (0.0..=1.0).contains(&x);
         if fits(finer_t, t) && fits(finer_u, u) {
             (t, u) = (finer_t, finer_u);
@@ -108,12 +117,6 @@ pub(super) fn step<C: Coefficients>(
 ) -> Option<(f64, f64)> {
     let ([ax, ay], da) = a.taylor(s);
     let ([bx, by], db) = b.taylor(r);
-    let determinant = cross_product(da, db);
-    let gap = [bx - ax, by - ay];
-    // The cross products of A + δs A′ = B + δr B′ with B′ and with A′ give δs and δr.
-    let steps = (
-        cross_product(gap, db) / determinant,
-        cross_product(gap, da) / determinant,
-    );
-    (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
+    let ([step_s, step_r], _) = crossing_step([bx - ax, by - ay], da, db);
+    (step_s.is_finite() && step_r.is_finite()).then_some((step_s, step_r))
 }

@@ -15,6 +15,7 @@ mod piece;
 mod solver;
 
 pub use constants::CONTACT;
+pub use crossing::crossing_step;
 pub use piece::{Coefficients, Piece};
 pub use solver::{ClippingSolver, Contact};
 

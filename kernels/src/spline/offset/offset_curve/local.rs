@@ -77,7 +77,7 @@ impl Source {
     }
 
     /// A bound on the length of the k-th derivative between two parameters, for degrees above 3.
-    fn derivative_bound(&self, k: usize, t0: f64, t1: f64) -> f64 {
+    pub(super) fn derivative_bound(&self, k: usize, t0: f64, t1: f64) -> f64 {
         let mut row = [DVec2::default(); MAX_POINTS];
         let mut count = self.degree();
         row[..count].copy_from_slice(self.differences());

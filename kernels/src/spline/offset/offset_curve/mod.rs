@@ -179,9 +179,15 @@ impl<'a> OffsetCurve<'a> {
     /// between its ends. If rounding moves the offset by more than the tolerance, the angle is not tested.
     fn is_rotation_about_point(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
-        let distance_along =
-            (b.point - a.point).length() + (b.t - a.t) * (a.first.length() + b.first.length());
-        if distance_along > TINY_PART * self.tolerance {
+        let h = b.t - a.t;
+        // A bound of the length of the source. Up to degree 3 the control polygon is no longer; above, the middle of a
+        // piece may lead away although B′ is small at both ends.
+        let length = if self.source.degree() <= 3 {
+            (b.point - a.point).length() + h * (a.first.length() + b.first.length())
+        } else {
+            h * self.source.derivative_bound(1, a.t, b.t)
+        };
+        if length > TINY_PART * self.tolerance {
             return false;
         }
         if self.noise(a).min(self.noise(b)) >= self.tolerance {
