@@ -9,7 +9,7 @@ use super::side_bound::{Pair, SideBound, foot_step};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::spline::spline_builder::SplineBuilder;
-use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::bernstein::derivatives::cubic_with_derivative;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -180,7 +180,7 @@ impl SideFit<'_> {
                 }
                 // The sides of a thin stroke must not cross.
                 let most = (COMPARED_PART * self.tolerance).min(0.5 * inside[k].radius());
-                let off = Point::norm(point_and_derivative(&cubic, us[k]).0 - p);
+                let off = Point::norm(cubic_with_derivative(&cubic, us[k]).0 - p);
                 let distance = off / most.max(CROSSING_PART * self.tolerance);
                 // The feet of the points must have their order.
                 worst = if us[k] >= last {

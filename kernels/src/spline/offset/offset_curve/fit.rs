@@ -2,7 +2,7 @@
 
 use super::source::OffsetSample;
 use super::{End, OffsetCurve};
-use crate::curve::plane_cubic::point_and_derivative;
+use crate::bernstein::derivatives::cubic_with_derivative;
 use crate::numeric::order::larger;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
@@ -187,7 +187,7 @@ impl OffsetCurve<'_> {
 /// Evaluates a cubic at the parameters of pairs.
 pub(super) fn evaluate(cubic: &[DVec2; 4], pairs: &mut [FootPair]) {
     for pair in pairs {
-        (pair.point, pair.derivative) = point_and_derivative(cubic, pair.s);
+        (pair.point, pair.derivative) = cubic_with_derivative(cubic, pair.s);
     }
 }
 
