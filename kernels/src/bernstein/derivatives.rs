@@ -1,6 +1,7 @@
-//! Values together with derivatives, by de Casteljau's algorithm.
+//! Values together with derivatives.
 //!
-//! The k-th derivative is n(n − 1)…(n − k + 1) times the k-th difference of the level with k + 1 points.
+//! By de Casteljau's algorithm, the k-th derivative is n(n − 1)…(n − k + 1) times the k-th difference of the level with
+//! k + 1 points.
 
 use super::de_casteljau::lerp;
 use crate::numeric::vector::Vector;
@@ -33,4 +34,43 @@ pub fn with_derivatives<T: Vector>(row: &mut [T], t: f64) -> [T; 3] {
         }
     }
     [row[0], first, second]
+}
+
+/// A cubic with the control points of its derivatives, which are computed once for many parameters.
+#[derive(Clone, Copy)]
+pub struct CubicWithDerivatives<T> {
+    /// The control points.
+    pub points: [T; 4],
+    /// Those of the derivative.
+    pub first: [T; 3],
+    second: [T; 2],
+}
+
+impl<T: Vector> CubicWithDerivatives<T> {
+    /// The cubic with these control points.
+    #[inline(always)]
+    pub fn new(points: [T; 4]) -> Self {
+        let [p0, p1, p2, p3] = points;
+        let first = [(p1 - p0) * 3.0, (p2 - p1) * 3.0, (p3 - p2) * 3.0];
+        let second = [(first[1] - first[0]) * 2.0, (first[2] - first[1]) * 2.0];
+        Self {
+            points,
+            first,
+            second,
+        }
+    }
+
+    /// The value and the first two derivatives at t, by Bernstein weights.
+    #[inline(always)]
+    pub fn at(&self, t: f64) -> [T; 3] {
+        let ([p, q, r, s], [v, w, x], [y, z]) = (self.points, self.first, self.second);
+        let u = 1.0 - t;
+        let (uu, ut, tt) = (u * u, 2.0 * (u * t), t * t);
+        let (a, b, c, d) = (uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t);
+        [
+            (p * a + q * b) + (r * c + s * d),
+            v * uu + w * ut + x * tt,
+            y * u + z * t,
+        ]
+    }
 }
