@@ -49,6 +49,7 @@ pub mod curve {
 /// Splines.
 pub mod spline {
     pub mod fit_run;
+    pub mod handles;
 
     /// Offset curves.
     pub mod offset {

@@ -65,7 +65,7 @@ impl Vector for DVec3 {
     }
 }
 
-/// A vector in the plane or in space, which has a length.
+/// A vector that has a length: a number, a vector in the plane or in space.
 pub trait Euclidean: Vector {
     /// The scalar product.
     fn dot(self, other: Self) -> f64;
@@ -96,6 +96,19 @@ pub trait Euclidean: Vector {
             return Self::default();
         }
         self * (1.0 / length)
+    }
+}
+
+/// A number is a vector of one coordinate.
+impl Euclidean for f64 {
+    #[inline(always)]
+    fn dot(self, other: Self) -> f64 {
+        self * other
+    }
+
+    #[inline(always)]
+    fn max_abs(self) -> f64 {
+        self.abs()
     }
 }
 
