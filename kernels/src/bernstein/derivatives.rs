@@ -74,3 +74,44 @@ impl<T: Vector> CubicWithDerivatives<T> {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CubicWithDerivatives, cubic_with_derivative, with_derivatives};
+
+    /// tⁿ has the coefficients 0, …, 0, 1.
+    #[test]
+    fn powers_of_t() {
+        for n in 0..=9_i32 {
+            for t in [0.0, 0.3, 1.0, 1.5] {
+                let mut row: Vec<f64> = (0..=n).map(|i| f64::from(u8::from(i == n))).collect();
+                let found = with_derivatives(&mut row, t);
+                let degree = f64::from(n);
+                let power = |k: i32| if n < k { 0.0 } else { t.powi(n - k) };
+                let expected = [
+                    power(0),
+                    degree * power(1),
+                    degree * (degree - 1.0) * power(2),
+                ];
+                for (a, b) in found.iter().zip(expected) {
+                    assert!((a - b).abs() <= 1e-13 * b.abs(), "t^{n} at {t}: {found:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cubics() {
+        let points = [1.0, -2.0, 4.0, 0.5];
+        for t in [0.0, 0.3, 1.0, -0.5] {
+            let general = with_derivatives(&mut points.clone(), t);
+            let weighted = CubicWithDerivatives::new(points).at(t);
+            let apart = general.iter().zip(weighted).map(|(a, b)| (a - b).abs());
+            assert!(
+                apart.fold(0.0, f64::max) < 1e-13,
+                "{general:?} {weighted:?}"
+            );
+            assert_eq!(cubic_with_derivative(&points, t), (general[0], general[1]));
+        }
+    }
+}

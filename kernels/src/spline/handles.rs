@@ -54,3 +54,38 @@ impl HandleEquations {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{HandleEquations, MIN_DAMPING};
+    use crate::bernstein::derivatives::CubicWithDerivatives;
+    use glam::DVec2;
+
+    /// The targets are points of a cubic at known parameters, so the equations are exact.
+    #[test]
+    fn the_handles_of_a_cubic_are_found_at_once() {
+        let (start, end) = (DVec2::ZERO, DVec2::new(4.0, 1.0));
+        let tangents = [DVec2::new(0.6, 0.8), DVec2::new(0.8, -0.6)];
+        let point = |[a, b]: [f64; 2], u: f64| {
+            let inner = [start + tangents[0] * a, end - tangents[1] * b];
+            CubicWithDerivatives::new([start, inner[0], inner[1], end]).at(u)[0]
+        };
+        let (expected, guess) = ([1.5, 0.7], [1.0, 1.2]);
+        let mut equations = HandleEquations::default();
+        for u in [0.25, 0.5, 0.75] {
+            equations.add(u, tangents, point(guess, u) - point(expected, u));
+        }
+        let changes = equations.solved(MIN_DAMPING);
+        for k in 0..2 {
+            let found = guess[k] + changes[k];
+            assert!((found - expected[k]).abs() < 1e-7, "{found}");
+        }
+    }
+
+    #[test]
+    fn handles_without_influence_keep_their_lengths() {
+        let mut equations = HandleEquations::default();
+        equations.add(0.5, [0.0, 0.0], 1.0);
+        assert_eq!(equations.solved(MIN_DAMPING), [0.0, 0.0]);
+    }
+}
