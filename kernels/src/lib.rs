@@ -7,6 +7,7 @@
 /// Polynomials in Bernstein form.
 pub mod bernstein {
     pub mod de_casteljau;
+    pub mod derivatives;
     pub mod vector_products;
     pub mod weights;
 }
@@ -26,7 +27,6 @@ pub mod numeric {
 pub mod curve {
     pub mod chord_rates;
     pub mod curvature;
-    pub mod plane_cubic;
     pub mod sample_plane_cubic;
 
     /// Arc length.
@@ -49,6 +49,7 @@ pub mod curve {
 /// Splines.
 pub mod spline {
     pub mod fit_run;
+    pub mod handles;
 
     /// Offset curves.
     pub mod offset {

@@ -1,7 +1,7 @@
 //! The hodograph of a curve: the control vectors of B′, its zeros, and the tangents at both ends.
 //!
-//! A zero of B′ is a cusp if the direction reverses there. Curves in the plane and in space have one search for cusps; intersections need
-//! all zeros, in the plane. Whether the control points of a curve lie on a line: `straight.rs`.
+//! A zero of B′ is a cusp if the direction reverses there. Curves in the plane and in space have one search for cusps; intersections and
+//! offset curves need all zeros, in the plane. Whether the control points of a curve lie on a line: `straight.rs`.
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
@@ -77,25 +77,30 @@ impl<P: Point> Hodograph<P> {
         let stops = roots_inside(&rate).into_iter();
         stops.filter(|&t| is_cusp(t)).collect()
     }
+
+    /// The parameters inside (0, 1) where B′ is 0: cusps, reversals of a straight curve, and points where it only stops.
+    pub(crate) fn zeros(&self) -> Scalars {
+        let vectors = &self.vectors;
+        let max = VANISHING_RATIO * max_abs(vectors);
+        let mut found = Scalars::new();
+        // All coordinates are searched, because one of them may be 0 everywhere.
+        for axis in 0..P::DIMENSION {
+            let row: Scalars = vectors.iter().map(|p| p.coordinate(axis)).collect();
+            let still = |&t: &f64| evaluate(vectors, t).max_abs() <= max;
+            found.extend(roots_inside(&row).into_iter().filter(still));
+        }
+        sort_by(&mut found, f64::total_cmp);
+        found.dedup_by(|next, last| *next - *last <= DOUBLE_ROOT);
+        found
+    }
 }
 
-/// The parameters inside (0, 1) where B′ is 0: cusps, reversals of a straight curve, and points where it only stops.
+/// [`Hodograph::zeros`] of a curve in the plane; most curves are shown to have none without a search.
 pub(crate) fn derivative_zeros(points: &[DVec2]) -> Scalars {
-    let mut found = Scalars::new();
     if is_monotone_along_chord(points) || has_no_derivative_zero(points) {
-        return found;
+        return Scalars::new();
     }
-    let vectors: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
-    let max = VANISHING_RATIO * max_abs(&vectors);
-    // Both coordinates are searched, because one of them may be 0 everywhere.
-    for axis in 0..2 {
-        let row: Scalars = vectors.iter().map(|p| p.coordinate(axis)).collect();
-        let still = |&t: &f64| evaluate(&vectors, t).max_abs() <= max;
-        found.extend(roots_inside(&row).into_iter().filter(still));
-    }
-    sort_by(&mut found, f64::total_cmp);
-    found.dedup_by(|next, last| *next - *last <= DOUBLE_ROOT);
-    found
+    Hodograph::of(points).zeros()
 }
 
 /// Whether B′ of a quadratic or a cubic certainly vanishes nowhere: the resultant of its coordinates, computed from
@@ -129,27 +134,36 @@ impl Curve<DVec2> {
     /// The unit tangent at the start: the direction to the first control point that differs from the start by more
     /// than rounding; zero for a point.
     pub(crate) fn start_tangent(&self) -> DVec2 {
-        first_direction(self.points[0], self.points.iter())
+        let start = self.start();
+        let min = self.negligible_distance(start);
+        let is_far = |v: &DVec2| Point::max_abs(*v) > min;
+        Point::unit(first_step(start, self.points.iter(), is_far))
     }
 
     /// The unit tangent at the end, found likewise.
     pub(crate) fn end_tangent(&self) -> DVec2 {
-        -first_direction(self.points[self.degree()], self.points.iter().rev())
+        let end = self.end();
+        let min = self.negligible_distance(end);
+        let is_far = |v: &DVec2| Point::max_abs(*v) > min;
+        -Point::unit(first_step(end, self.points.iter().rev(), is_far))
+    }
+
+    /// The distance up to which a control point may be the same point as an end.
+    fn negligible_distance(&self, end: DVec2) -> f64 {
+        let distances = self.points.iter().map(|&p| Point::max_abs(p - end));
+        let far = distances.fold(0.0, f64::max);
+        let rounding = ROUNDING_ULPS * f64::EPSILON * Point::max_abs(end);
+        // At most half of the largest distance, so that one of the points is far enough unless all are equal.
+        rounding.clamp(NO_HANDLE * far, 0.5 * far)
     }
 }
 
-/// The direction from a point to the first of other points that is not negligibly close to it.
-fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
-    let step = |p: &DVec2| *p - from;
-    let far = others
-        .clone()
-        .map(|p| Point::max_abs(step(p)))
-        .fold(0.0, f64::max);
-    let rounding = ROUNDING_ULPS * f64::EPSILON * Point::max_abs(from);
-    // At most half of the largest distance, so that one of the points is far enough unless all are equal.
-    let negligible = rounding.clamp(NO_HANDLE * far, 0.5 * far);
-    let mut steps = others.map(step);
-    steps
-        .find(|&v| Point::max_abs(v) > negligible)
-        .map_or(DVec2::ZERO, Point::unit)
+/// The vector from a point to the first of other points that is far enough away; zero if there is none.
+pub(crate) fn first_step<'a>(
+    from: DVec2,
+    others: impl Iterator<Item = &'a DVec2>,
+    is_far: impl Fn(&DVec2) -> bool,
+) -> DVec2 {
+    let mut steps = others.map(|&p| p - from);
+    steps.find(is_far).unwrap_or_default()
 }

@@ -3,6 +3,7 @@
 use crate::bernstein::polynomials::bernstein_into;
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::float::as_f64;
+use casteljau_kernels::bernstein::derivatives::with_derivatives;
 
 /// The maximum number of coefficients of a row: the degree of a squared distance is twice that of a patch.
 pub(crate) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
@@ -36,25 +37,12 @@ impl BernsteinWeights {
     }
 }
 
-/// Value, first and second derivative at t by de Casteljau's algorithm, whose last levels give all three.
+/// Value, first and second derivative at t by de Casteljau's algorithm.
 pub(crate) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
     let mut row = [0.0; MAX_COUNT];
-    let n = coefficients.len() - 1;
-    row[..=n].copy_from_slice(coefficients);
-    let degree = as_f64(n);
-    let (mut slope, mut bend) = (0.0, 0.0);
-    for last in (1..=n).rev() {
-        if last == 2 {
-            bend = degree * (degree - 1.0) * (row[2] - row[1] - (row[1] - row[0]));
-        }
-        if last == 1 {
-            slope = degree * (row[1] - row[0]);
-        }
-        for i in 0..last {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-    [row[0], slope, bend]
+    let row = &mut row[..coefficients.len()];
+    row.copy_from_slice(coefficients);
+    with_derivatives(row, t)
 }
 
 /// Value, first and second derivative along each row of a net, given the Bernstein weights of the row's degree n and of

@@ -49,13 +49,10 @@ pub fn cubic_nearest(
     x: f64,
     y: f64,
 ) -> f64 {
-    let (points, p) = (
-        [[ax, ay, 0.0], [bx, by, 0.0], [cx, cy, 0.0], [dx, dy, 0.0]],
-        [x, y, 0.0],
-    );
+    let points = [(ax, ay), (bx, by), (cx, cy), (dx, dy)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let p = DVec3::new(x, y, 0.0);
     // Try the kernel first, because the code around it is compiled for size.
-    nearest_in_space(&points, &p)
-        .unwrap_or_else(|| nearest_parameter(&points.map(DVec3::from), DVec3::from(p)))
+    nearest_in_space(&points, p).unwrap_or_else(|| nearest_parameter(&points, p))
 }
 
 fn write_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {

@@ -11,9 +11,9 @@ mod outlines;
 
 use crate::support::measure::{Reference, farthest};
 use crate::support::{near_at, real};
-use casteljau::{Curve, RationalCurve};
 use casteljau::curve::Basis;
 use casteljau::glam::DVec3;
+use casteljau::{Curve, RationalCurve};
 use fact::{Fact, count, number, numbers, points, text};
 use serde_json::Value;
 
@@ -42,7 +42,10 @@ fn check(fact: &Value) {
     let fact = &Fact::new(fact);
     match kind {
         "eval_rational" => {
-            let (points, weights) = (points(&fact.input["points"]), numbers(&fact.input["weights"]));
+            let (points, weights) = (
+                points(&fact.input["points"]),
+                numbers(&fact.input["weights"]),
+            );
             let curve = RationalCurve::new(&points, &weights).expect("valid");
             fact.near(curve.eval(fact.t()), &fact.expect);
         }

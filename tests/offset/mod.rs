@@ -154,3 +154,17 @@ fn any_curve_has_an_offset() {
         assert!(valid, "{curve:?} at {distance}");
     }
 }
+
+/// A power of two scales a curve and its offset exactly, also where products of coordinates underflow.
+#[test]
+fn the_cusp_of_a_tiny_curve() {
+    let cusp = [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)].map(DVec2::from);
+    let offset = |scale: f64| {
+        let curve = Curve::new(&cusp.map(|p| p * scale)).expect("finite");
+        let offset = curve.offset_within(0.1 * scale, 1e-4 * scale);
+        offset.expect("a distance").control_points().to_vec()
+    };
+    let scale = 2.0_f64.powi(-700);
+    let expected: Vec<DVec2> = offset(1.0).iter().map(|&p| p * scale).collect();
+    assert_eq!(offset(scale), expected);
+}

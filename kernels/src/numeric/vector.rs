@@ -81,7 +81,7 @@ impl Vector for DVec3 {
     }
 }
 
-/// A vector in the plane or in space, which has a length.
+/// A vector that has a length: a number, a vector in the plane or in space.
 pub trait Euclidean: Vector + Div<f64, Output = Self> {
     /// The scalar product.
     fn dot(self, other: Self) -> f64;
@@ -113,6 +113,19 @@ pub trait Euclidean: Vector + Div<f64, Output = Self> {
             return Self::default();
         }
         self * (1.0 / length)
+    }
+}
+
+/// A number is a vector of one coordinate.
+impl Euclidean for f64 {
+    #[inline(always)]
+    fn dot(self, other: Self) -> f64 {
+        self * other
+    }
+
+    #[inline(always)]
+    fn max_abs(self) -> f64 {
+        self.abs()
     }
 }
 

@@ -1,5 +1,7 @@
 //! One cubic along a run of points: least squares for the lengths of its handles.
 
+use super::handles::{HandleEquations, MAX_ROUNDS};
+use crate::bernstein::derivatives::CubicWithDerivatives;
 use crate::numeric::order::larger;
 use crate::numeric::vector::Euclidean;
 use glam::{DVec2, DVec3};
@@ -7,15 +9,15 @@ use glam::{DVec2, DVec3};
 /// The maximum number of points used for least squares; all points are checked.
 const MAX_SAMPLES: usize = 16;
 
-/// Iterations of least squares, and of Newton's method for a foot.
-const MAX_ROUNDS: usize = 6;
+/// Iterations of Newton's method for a foot.
 const FOOT_ROUNDS: usize = 2;
 
 /// If the error exceeds this many tolerances after the first two iterations, the fit is given up.
 const MAX_INITIAL_ERROR: f64 = 50.0;
 
-/// Added to the diagonal of the normal equations, whose entries are of the order of 1 or smaller.
-const DAMPING: f64 = 1e-6;
+/// The minimum damping of the normal equations. The points may have noise, to which handles along a nearly straight run
+/// must not be fitted: with the damping of exact targets, fits of noisy points take 2 % more cubics.
+const MIN_DAMPING: f64 = 1e-6;
 
 /// The minimum and the maximum length of a handle as a ratio of the chord length of its run. A handle of length 0 would
 /// leave the tangent at the joint undefined.
@@ -78,22 +80,24 @@ impl<V: Euclidean> FitRun<'_, V> {
             } else {
                 [start, start + t0 * a, end + t1 * -b, end]
             };
-            let mut equations = Equations::default();
+            let fitted = CubicWithDerivatives::new(cubic);
+            let mut equations = HandleEquations::default();
             let mut worst: f64 = 0.0;
             for (index, u) in samples.iter_mut() {
                 let p = self.points[*index];
                 if round > 0 {
-                    *u = foot(&cubic, p, *u);
+                    *u = foot(&fitted, p, *u);
                 }
-                let (q, w, _) = at(&cubic, *u);
+                let [q, w, _] = fitted.at(*u);
                 worst = larger(worst, (q - p).norm());
                 // The first round has chord-length parameters and no feet: the whole residual counts.
                 let along = if round > 0 { w.unit() } else { V::default() };
-                equations.add(q - p, along, (t0, t1), *u);
+                let across = |v: V| v - along * v.dot(along);
+                equations.add(*u, [across(t0), across(t1)], q - p);
             }
             if worst <= self.tolerance
                 && let Some(cubic) = (self.rounded)(cubic)
-                && self.is_within_tolerance(&cubic, samples)
+                && self.is_within_tolerance(cubic, samples)
             {
                 return Some(if self.is_line {
                     [start, end]
@@ -107,7 +111,7 @@ impl<V: Euclidean> FitRun<'_, V> {
                 return None;
             }
             previous = worst;
-            let (da, db) = equations.solved();
+            let [da, db] = equations.solved(MIN_DAMPING);
             let clamped = |length: f64| {
                 length.clamp(
                     SHORTEST_HANDLE * chord_length,
@@ -141,7 +145,8 @@ impl<V: Euclidean> FitRun<'_, V> {
     }
 
     /// Whether the cubic satisfies the criteria at all points.
-    fn is_within_tolerance(&self, cubic: &[V; 4], samples: &[(usize, f64)]) -> bool {
+    fn is_within_tolerance(&self, cubic: [V; 4], samples: &[(usize, f64)]) -> bool {
+        let cubic = &CubicWithDerivatives::new(cubic);
         let to = self.points.len() - 1;
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((0, 0.0), known.next().unwrap_or((to, 1.0)));
@@ -158,7 +163,7 @@ impl<V: Euclidean> FitRun<'_, V> {
             } else {
                 foot(cubic, p, guess)
             };
-            let distance = |u: f64| (at(cubic, u).0 - p).norm();
+            let distance = |u: f64| (cubic.at(u)[0] - p).norm();
             // The feet must be in order: a foot before the last one is replaced by that one.
             let forward = larger(u, last.0);
             let tolerance = self.tolerance;
@@ -185,64 +190,11 @@ impl<V: Euclidean> FitRun<'_, V> {
     }
 }
 
-/// The normal equations of the two handle lengths.
-#[derive(Default)]
-struct Equations {
-    aa: f64,
-    ab: f64,
-    bb: f64,
-    ra: f64,
-    rb: f64,
-}
-
-impl Equations {
-    /// Adds the residual `off` of a point; only the components perpendicular to `along` count.
-    #[inline(always)]
-    fn add<V: Euclidean>(&mut self, off: V, along: V, (t0, t1): (V, V), u: f64) {
-        let r = 1.0 - u;
-        // ∂q/∂a = 3u(1 − u)² t₀ and ∂q/∂b = −3u²(1 − u) t₁, without their components along the curve.
-        let across = |v: V| v - along * v.dot(along);
-        let (ja, jb) = (
-            across(t0 * (3.0 * u * r * r)),
-            across(t1 * (-3.0 * u * u * r)),
-        );
-        self.aa += ja.dot(ja);
-        self.ab += ja.dot(jb);
-        self.bb += jb.dot(jb);
-        self.ra -= ja.dot(off);
-        self.rb -= jb.dot(off);
-    }
-
-    fn solved(&self) -> (f64, f64) {
-        let (aa, bb) = (self.aa + DAMPING, self.bb + DAMPING);
-        let scale = 1.0 / (aa * bb - self.ab * self.ab);
-        (
-            (self.ra * bb - self.rb * self.ab) * scale,
-            (self.rb * aa - self.ra * self.ab) * scale,
-        )
-    }
-}
-
-/// The value and the first two derivatives of a cubic.
-#[inline(always)]
-fn at<V: Euclidean>(p: &[V; 4], u: f64) -> (V, V, V) {
-    let (d0, d1, d2) = (p[1] - p[0], p[2] - p[1], p[3] - p[2]);
-    let r = 1.0 - u;
-    (
-        p[0] * (r * r * r)
-            + p[1] * (3.0 * r * r * u)
-            + p[2] * (3.0 * r * u * u)
-            + p[3] * (u * u * u),
-        d0 * (3.0 * r * r) + d1 * (6.0 * r * u) + d2 * (3.0 * u * u),
-        ((d1 - d0) * r + (d2 - d1) * u) * 6.0,
-    )
-}
-
 /// The parameter of the foot of a point on a cubic, by Newton's method from the guess `u`.
 #[inline]
-fn foot<V: Euclidean>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
+fn foot<V: Euclidean>(cubic: &CubicWithDerivatives<V>, p: V, mut u: f64) -> f64 {
     for _ in 0..FOOT_ROUNDS {
-        let (q, w, b) = at(cubic, u);
+        let [q, w, b] = cubic.at(u);
         let gap = p - q;
         let slope = w.dot(w) - gap.dot(b);
         // Where the squared distance is not convex, a step would lead away from the minimum.
@@ -256,9 +208,9 @@ fn foot<V: Euclidean>(cubic: &[V; 4], p: V, mut u: f64) -> f64 {
 /// A bound of the Hausdorff distance between a cubic and its chord over [u0, u1]: h²/8 times the maximum of the second
 /// derivative, of its component across the chord if the cubic advances along the chord throughout.
 #[inline]
-fn sag<V: Euclidean>(cubic: &[V; 4], u0: f64, u1: f64) -> f64 {
+fn sag<V: Euclidean>(cubic: &CubicWithDerivatives<V>, u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
-    let [(p, v0, a0), (q, v1, a1)] = [at(cubic, u0), at(cubic, u1)];
+    let [[p, v0, a0], [q, v1, a1]] = [cubic.at(u0), cubic.at(u1)];
     let chord = (q - p).unit();
     // The derivative along the chord as a quadratic Bézier polynomial.
     let advances = [v0, v0 + a0 * (0.5 * h), v1]

@@ -3,7 +3,7 @@
 
 use super::section::{Disc, SectionEvaluator};
 use crate::geometry::point::Point;
-use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::bernstein::derivatives::cubic_with_derivative;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use casteljau_kernels::spline::offset::side_bound::side_bound;
 use glam::{DVec2, DVec3};
@@ -58,7 +58,7 @@ impl SideBound<'_> {
             u = foot_step(&self.cubic, u, point).clamp(from.u, to.u);
         }
         let middle = Pair { u, t, disc };
-        Point::norm(point_and_derivative(&self.cubic, u).0 - point) <= self.tolerance
+        Point::norm(cubic_with_derivative(&self.cubic, u).0 - point) <= self.tolerance
             && self.holds_between(from, &middle, work)
             && self.holds_between(&middle, to, work)
     }
@@ -75,7 +75,7 @@ impl SideBound<'_> {
         let slopes = [v, (q - p) * 3.0 - v - w, w];
         // M, from its values and derivatives at the ends.
         let [a, d] = [(from, p, v), (to, q, w)].map(|(pair, disc, rate)| {
-            let (point, first) = point_and_derivative(&self.cubic, pair.u);
+            let (point, first) = cubic_with_derivative(&self.cubic, pair.u);
             [(point, disc), (first * du, rate)]
                 .map(|(of_cubic, of_disc)| of_cubic.extend(0.0) - of_disc)
         });
@@ -90,7 +90,7 @@ impl SideBound<'_> {
 
 /// A Newton step from a parameter of a cubic to that of its point next to another one.
 pub(super) fn foot_step(cubic: &[DVec2; 4], t: f64, point: DVec2) -> f64 {
-    let (p, first) = point_and_derivative(cubic, t);
+    let (p, first) = cubic_with_derivative(cubic, t);
     let step = (p - point).dot(first) / first.dot(first);
     if step.is_finite() {
         (t - step).clamp(0.0, 1.0)

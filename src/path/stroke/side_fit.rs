@@ -9,8 +9,9 @@ use super::side_bound::{Pair, SideBound, foot_step};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::spline::spline_builder::SplineBuilder;
-use casteljau_kernels::curve::plane_cubic::point_and_derivative;
+use casteljau_kernels::bernstein::derivatives::cubic_with_derivative;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
+use casteljau_kernels::spline::handles::{HandleEquations, MAX_ROUNDS, MIN_DAMPING};
 use glam::DVec2;
 
 /// Maximum depth of halvings of a side: a limit for the recursion; its work has one of its own.
@@ -27,9 +28,6 @@ const STRAIGHT_PART: f64 = 1.0 / 1024.0;
 
 /// The sides of a stroke thinner than this part of the tolerance may cross at the compared points.
 const CROSSING_PART: f64 = 1e-6;
-
-/// Rounds of least squares for the handles of a cubic, each with parameters nearer to the compared points.
-const FIT_ROUNDS: usize = 4;
 
 /// One side of a section of varying radius, for its approximation by cubics.
 pub(super) struct SideFit<'a> {
@@ -167,10 +165,17 @@ impl SideFit<'_> {
         length += Point::norm(end - points[CHEBYSHEV_NODES.len() - 1]);
         us.iter_mut().for_each(|u| *u /= length);
         let mut worst = f64::INFINITY;
-        for _ in 0..FIT_ROUNDS {
-            let arms = self.arms([start, end], [d0, d1], inside, &points, &us, length);
-            let handles = [start + d0 * arms[0], end - d1 * arms[1]];
-            let cubic = [start, handles[0], handles[1], end];
+        let thirds = [length / 3.0; 2];
+        let cubic_with = |[a, b]: [f64; 2]| [start, start + d0 * a, end - d1 * b, end];
+        let mut arms = thirds;
+        for _ in 0..MAX_ROUNDS {
+            let changes = self.changes(&cubic_with(arms), [d0, d1], inside, &us);
+            arms = [arms[0] + changes[0], arms[1] + changes[1]];
+            // Handles that point backwards or are longer than the side could make a loop.
+            if !arms.iter().all(|arm| (0.0..=length).contains(arm)) {
+                arms = thirds;
+            }
+            let cubic = cubic_with(arms);
             let before = worst;
             worst = 0.0;
             let mut last = 0.0;
@@ -180,7 +185,7 @@ impl SideFit<'_> {
                 }
                 // The sides of a thin stroke must not cross.
                 let most = (COMPARED_PART * self.tolerance).min(0.5 * inside[k].radius());
-                let off = Point::norm(point_and_derivative(&cubic, us[k]).0 - p);
+                let off = Point::norm(cubic_with_derivative(&cubic, us[k]).0 - p);
                 let distance = off / most.max(CROSSING_PART * self.tolerance);
                 // The feet of the points must have their order.
                 worst = if us[k] >= last {
@@ -191,7 +196,7 @@ impl SideFit<'_> {
                 last = us[k];
             }
             if worst <= 1.0 {
-                return Some((handles, us));
+                return Some(([cubic[1], cubic[2]], us));
             }
             // The distances fall by less than half: the interval is halved instead.
             if worst > 0.5 * before {
@@ -201,39 +206,21 @@ impl SideFit<'_> {
         None
     }
 
-    /// The lengths of both handles.
-    fn arms(
+    /// The changes of the lengths of both handles with the least squares of the distances at the compared points.
+    fn changes(
         &self,
-        [start, end]: [DVec2; 2],
+        cubic: &[DVec2; 4],
         [d0, d1]: [DVec2; 2],
         inside: &Compared<Disc>,
-        points: &Compared<DVec2>,
         us: &Compared<f64>,
-        length: f64,
     ) -> [f64; 2] {
-        let (mut aa, mut ab, mut bb, mut ar, mut br) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for (k, disc) in inside.iter().enumerate() {
-            let (u, normal) = (us[k], disc.normal(self.side));
-            let v = 1.0 - u;
-            let (w1, w2) = (3.0 * v * v * u, 3.0 * v * u * u);
-            // The point of the cubic is this one plus each handle times its weight. Only distances along the normal
-            // count, since the parameter may move along the side.
-            let fixed = start * (v * v * v + w1) + end * (u * u * u + w2);
-            let (a, b) = (w1 * d0.dot(normal), -w2 * d1.dot(normal));
-            let rest = (points[k] - fixed).dot(normal);
-            aa += a * a;
-            ab += a * b;
-            bb += b * b;
-            ar += a * rest;
-            br += b * rest;
+        let mut equations = HandleEquations::default();
+        for (disc, &u) in inside.iter().zip(us) {
+            // Only distances along the normal count, since the parameter may move along the side.
+            let normal = disc.normal(self.side);
+            let off = cubic_with_derivative(cubic, u).0 - disc.point(self.side);
+            equations.add(u, [d0.dot(normal), d1.dot(normal)], off.dot(normal));
         }
-        let det = aa * bb - ab * ab;
-        let arms = [(bb * ar - ab * br) / det, (aa * br - ab * ar) / det];
-        // Handles that point backwards or are longer than the side could make a loop.
-        let is_plain = |arm: f64| (0.0..=length).contains(&arm);
-        if det > 1e-9 * aa * bb && arms.iter().all(|&arm| is_plain(arm)) {
-            return arms;
-        }
-        [length / 3.0; 2]
+        equations.solved(MIN_DAMPING)
     }
 }

@@ -7,12 +7,15 @@
 //! around its outside, joins the two sides.
 
 use crate::curve::Curve;
+use crate::curve::hodograph::{derivative_zeros, first_step};
 use crate::geometry::check::{MAX_COORDINATE, check_tolerance};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
+use crate::numeric::list::Points;
 use crate::spline::Spline;
 use crate::spline::spline_builder::SplineBuilder;
+use casteljau_kernels::numeric::vector::Euclidean;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use casteljau_kernels::spline::offset::offset_curve::{OffsetCurve, Source, add_arc};
 use glam::DVec2;
@@ -238,10 +241,17 @@ fn sign_between(curve: &Curve<DVec2>, direction: DVec2, t0: f64, t1: f64) -> f64
 /// Tangents whose angle differs from 180° by at most this sine count as opposite; this is the rounding of unit vectors.
 const REVERSED_SINE: f64 = 1e-12;
 
+/// A handle of at most this part of the largest |B′| has no direction, because rounding moves its end by as much.
+const NO_HANDLE: f64 = 1e-15;
+
 /// A curve that is not straight, scaled to a size of about 1.
 struct NormalizedCurve<'a> {
     curve: &'a Curve<DVec2>,
+    /// Its scaled control points.
+    points: Points<DVec2>,
     source: Source,
+    /// The unit tangents at the start and at the end.
+    tangents: [DVec2; 2],
     distance: f64,
     tolerance: f64,
     /// The scaled distance and tolerance.
@@ -253,8 +263,8 @@ struct NormalizedCurve<'a> {
 impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
         let scale = unit_scale(reach);
-        let points: crate::numeric::list::Points<DVec2> =
-            curve.control_points().iter().map(|&p| p * scale).collect();
+        let scaled_points = curve.control_points().iter().map(|&p| p * scale);
+        let points: Points<DVec2> = scaled_points.collect();
         let scaled = (distance * scale).clamp(-MAX_DISTANCE, MAX_DISTANCE);
         // For a clamped distance, the unit maps the clamped distance to the given one.
         let unit = if scaled.abs() < MAX_DISTANCE {
@@ -262,9 +272,17 @@ impl<'a> NormalizedCurve<'a> {
         } else {
             (distance / scaled).abs()
         };
+        let source = Source::new(&points);
+        let is_far = |v: &DVec2| Point::norm(*v) > NO_HANDLE * source.speed();
+        let steps = [
+            first_step(points[0], points.iter(), is_far),
+            -first_step(points[curve.degree()], points.iter().rev(), is_far),
+        ];
         Self {
             curve,
-            source: Source::new(&points),
+            points,
+            source,
+            tangents: steps.map(Euclidean::unit),
             distance,
             tolerance,
             // The tolerance is at least the rounding of distances.
@@ -278,9 +296,12 @@ impl<'a> NormalizedCurve<'a> {
 
     fn add_to(&self, builder: &mut SplineBuilder, may_have_cusps: bool) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
-        let [first, last] = self.source.end_tangents();
+        let [first, last] = self.tangents;
         let (mut t, mut tangent) = (0.0, first);
-        let cusps = may_have_cusps.then(|| self.source.cusps());
+        let cusps = may_have_cusps.then(|| {
+            let zeros = derivative_zeros(&self.points);
+            self.source.cusps(&zeros)
+        });
         for cusp in cusps.into_iter().flatten() {
             let (before, after) = self.source.cusp_tangents(cusp);
             let center = self.curve.eval(cusp);

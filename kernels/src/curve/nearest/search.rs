@@ -1,7 +1,10 @@
 //! Nearest point of a cubic.
 
-use crate::bernstein::de_casteljau::{halve, split_cubic_with};
+use crate::bernstein::de_casteljau::{halve, lerp, split_cubic_with};
+use crate::bernstein::derivatives::CubicWithDerivatives;
+use crate::numeric::vector::Euclidean;
 use crate::numeric::work_limit::WorkLimit;
+use glam::{DVec2, DVec3};
 
 /// Halvings of the coefficients; more would make their rounding significant.
 const ROUGH_HALVINGS: u32 = 5;
@@ -28,30 +31,30 @@ const PLAIN_SIZES: std::ops::Range<f64> = 1e-60..1e60;
 /// Every local minimum is found: with B relative to that point, half the derivative of the squared distance, B·B′, is a
 /// quintic, whose sign changes are isolated by Descartes' rule in Bernstein form. Only those from − to + are
 /// considered.
-pub fn nearest_in_plane(points: &[[f64; 2]; 4], to: &[f64; 2]) -> Option<f64> {
+pub fn nearest_in_plane(points: &[DVec2; 4], to: DVec2) -> Option<f64> {
     nearest(points, to)
 }
 
 /// [`nearest_in_plane`] in space. (A public generic function would be compiled in the calling crate, for size.)
-pub fn nearest_in_space(points: &[[f64; 3]; 4], to: &[f64; 3]) -> Option<f64> {
+pub fn nearest_in_space(points: &[DVec3; 4], to: DVec3) -> Option<f64> {
     nearest(points, to)
 }
 
 #[inline(always)]
-fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64> {
-    let points: [[f64; D]; 4] = points.map(|p| each(|k| p[k] - to[k]));
+fn nearest<V: Euclidean>(points: &[V; 4], to: V) -> Option<f64> {
+    let points = points.map(|p| p - to);
     let mut best = Best::new(&points);
     // The size is 0 if all points coincide.
     if !(PLAIN_SIZES.contains(&best.size) || best.size == 0.0) {
         return None;
     }
-    let cubic = Cubic::new(points);
+    let cubic = Cubic(CubicWithDerivatives::new(points));
     let whole = cubic.quintic();
     // Without a negative coefficient the distance does not decrease, and the start is nearest.
     if signs(&whole) != 0 {
         cubic.search(&whole, [0.0, 1.0], ROUGH_HALVINGS, &mut best);
     }
-    best.take(1.0, dot(&points[3], &points[3]));
+    best.take(1.0, points[3].dot(points[3]));
     Some(best.t)
 }
 
@@ -69,20 +72,6 @@ fn signs(b: &Quintic) -> u32 {
     bits
 }
 
-#[inline(always)]
-fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let mut sum = a[0] * b[0];
-    for k in 1..D {
-        sum += a[k] * b[k];
-    }
-    sum
-}
-
-#[inline(always)]
-fn each<const D: usize>(f: impl Fn(usize) -> f64) -> [f64; D] {
-    std::array::from_fn(f)
-}
-
 /// The coefficients of the two halves.
 #[inline(always)]
 fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
@@ -94,53 +83,35 @@ fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
 /// Same as `Cubic::search`, but halves the control points and not the coefficients: if roots are close together, the
 /// coefficients of the halves are small, and so is their rounding.
 #[inline(never)]
-fn search_closely<const D: usize>(
-    points: Points<D>,
+fn search_closely<V: Euclidean>(
+    points: [V; 4],
     [lo, hi]: [f64; 2],
     halvings: u32,
     best: &mut Best,
 ) {
-    let piece = Cubic::new(points);
+    let piece = Cubic(CubicWithDerivatives::new(points));
     let force = halvings == 0 || !best.work.spend(1);
     if piece.try_finish(&piece.quintic(), [0.0, 1.0], [lo, hi], force, best) {
         return;
     }
-    let (left, right) = halves(&piece.points);
+    let (left, right) = split_cubic_with(points, |a, b| (a + b) * 0.5);
     let mid = 0.5 * (lo + hi);
     search_closely(left, [lo, mid], halvings - 1, best);
     // Because of rounding, a root in the middle may lie in neither half.
-    let centre = &right[0];
-    let before: [f64; D] = each(|k| centre[k] - left[2][k]);
-    let after: [f64; D] = each(|k| right[1][k] - centre[k]);
-    if dot(centre, &before) < 0.0 && dot(centre, &after) >= 0.0 {
-        best.take(mid, dot(centre, centre));
+    let centre = right[0];
+    if centre.dot(centre - left[2]) < 0.0 && centre.dot(right[1] - centre) >= 0.0 {
+        best.take(mid, centre.dot(centre));
     }
     search_closely(right, [mid, hi], halvings - 1, best);
 }
 
-type Points<const D: usize> = [[f64; D]; 4];
+/// A cubic relative to the point to which it shall be nearest.
+struct Cubic<V>(CubicWithDerivatives<V>);
 
-#[inline(always)]
-fn halves<const D: usize>(points: &Points<D>) -> (Points<D>, Points<D>) {
-    split_cubic_with(*points, |a, b| each(|k| 0.5 * (a[k] + b[k])))
-}
-
-/// The control points and the differences that define the derivatives.
-struct Cubic<const D: usize> {
-    points: Points<D>,
-    slopes: [[f64; D]; 3],
-}
-
-impl<const D: usize> Cubic<D> {
-    #[inline(always)]
-    fn new(points: Points<D>) -> Self {
-        let slopes = [0, 1, 2].map(|i| each(|k| 3.0 * (points[i + 1][k] - points[i][k])));
-        Self { points, slopes }
-    }
-
+impl<V: Euclidean> Cubic<V> {
     #[inline(always)]
     fn quintic(&self) -> Quintic {
-        let by = |i: usize, j: usize| dot(&self.points[i], &self.slopes[j]);
+        let by = |i: usize, j: usize| self.0.points[i].dot(self.0.first[j]);
         [
             by(0, 0),
             0.4 * by(0, 1) + 0.6 * by(1, 0),
@@ -160,9 +131,9 @@ impl<const D: usize> Cubic<D> {
         if halvings == 0 {
             // Because of rounding, a root at an end may lie on neither side.
             let piece = self.piece(lo, hi);
-            best.take(lo, dot(&piece[0], &piece[0]));
+            best.take(lo, piece[0].dot(piece[0]));
             search_closely(piece, [lo, hi], CLOSE_HALVINGS, best);
-            best.take(hi, dot(&piece[3], &piece[3]));
+            best.take(hi, piece[3].dot(piece[3]));
             return;
         }
         let (left, right) = quintic_halves(quintic);
@@ -199,14 +170,11 @@ impl<const D: usize> Cubic<D> {
     }
 
     /// The control points of the segment from lo to hi.
-    fn piece(&self, lo: f64, hi: f64) -> Points<D> {
-        let at = |[a, b, c]: [f64; 3]| -> [f64; D] {
-            let mix = |p: &[f64; D], q: &[f64; D], t: f64| -> [f64; D] {
-                each(|k| p[k] * (1.0 - t) + q[k] * t)
-            };
-            let [p, q, r, s] = &self.points;
-            let (pq, qr, rs) = (mix(p, q, a), mix(q, r, a), mix(r, s, a));
-            mix(&mix(&pq, &qr, b), &mix(&qr, &rs, b), c)
+    fn piece(&self, lo: f64, hi: f64) -> [V; 4] {
+        let at = |[a, b, c]: [f64; 3]| {
+            let [p, q, r, s] = self.0.points;
+            let (pq, qr, rs) = (lerp(p, q, a), lerp(q, r, a), lerp(r, s, a));
+            lerp(lerp(pq, qr, b), lerp(qr, rs, b), c)
         };
         // The control points are the values of the blossom.
         [[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at)
@@ -216,11 +184,9 @@ impl<const D: usize> Cubic<D> {
     /// root. The iteration ends with the step that reduces the distance by less than rounding.
     #[inline(always)]
     fn refine_root(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
-        let second_derivatives =
-            [0, 1].map(|i| each(|k| 2.0 * (self.slopes[i + 1][k] - self.slopes[i][k])));
         let mut t = guess;
         for _ in 0..MAX_STEPS {
-            let (square, value, slope) = self.eval_squared_distance(&second_derivatives, t);
+            let (square, value, slope) = self.eval_squared_distance(t);
             if value < 0.0 {
                 lo = t;
             } else {
@@ -238,23 +204,17 @@ impl<const D: usize> Cubic<D> {
                 0.5 * (lo + hi)
             };
         }
-        (t, self.eval_squared_distance(&second_derivatives, t).0)
+        (t, self.eval_squared_distance(t).0)
     }
 
     /// |B|² at t and half its first and second derivatives.
     #[inline(always)]
-    fn eval_squared_distance(&self, [y, z]: &[[f64; D]; 2], t: f64) -> (f64, f64, f64) {
-        let u = 1.0 - t;
-        let (uu, ut, tt) = (u * u, 2.0 * (u * t), t * t);
-        let (a, b, c, d) = (uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t);
-        let ([p, q, r, s], [v, w, x]) = (&self.points, &self.slopes);
-        let point = each(|k| (p[k] * a + q[k] * b) + (r[k] * c + s[k] * d));
-        let first = each(|k| v[k] * uu + w[k] * ut + x[k] * tt);
-        let second: [f64; D] = each(|k| y[k] * u + z[k] * t);
+    fn eval_squared_distance(&self, t: f64) -> (f64, f64, f64) {
+        let [point, first, second] = self.0.at(t);
         (
-            dot(&point, &point),
-            dot(&point, &first),
-            dot(&first, &first) + dot(&point, &second),
+            point.dot(point),
+            point.dot(first),
+            first.dot(first) + point.dot(second),
         )
     }
 }
@@ -274,14 +234,13 @@ struct Best {
 impl Best {
     /// Starts with the start point.
     #[inline(always)]
-    fn new<const D: usize>(points: &[[f64; D]; 4]) -> Self {
-        let largest = |m: f64, x: &f64| m.max(x.abs());
-        let size = points.iter().flatten().fold(0.0, largest);
+    fn new<V: Euclidean>(points: &[V; 4]) -> Self {
+        let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
         let rounding = 4.0 * f64::EPSILON * size;
         Self {
             size,
             t: 0.0,
-            square: dot(&points[0], &points[0]),
+            square: points[0].dot(points[0]),
             slack: rounding * rounding,
             work: WorkLimit::new(MAX_PIECES),
         }

@@ -1,6 +1,7 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
-use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+use crate::bernstein::de_casteljau::{keep_after, keep_before, split};
+use crate::bernstein::derivatives::{cubic_with_derivative, with_derivatives};
 use crate::numeric::order::range;
 use crate::numeric::zero::newton_in_bracket;
 
@@ -164,25 +165,17 @@ impl<C: Coefficients> Piece<C> {
 #[inline(always)]
 pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
     if let [a, b, c, d] = *row {
-        let r = 1.0 - s;
-        let (ab, bc, cd) = (a * r + b * s, b * r + c * s, c * r + d * s);
-        let (abc, bcd) = (ab * r + bc * s, bc * r + cd * s);
-        return (abc * r + bcd * s, 3.0 * (bcd - abc));
+        return cubic_with_derivative(&[a, b, c, d], s);
     }
-    // The derivative is n times the difference of the last two points of de Casteljau's triangle.
-    let (before, after) = last_two(row, s);
-    let n = (row.len() - 1) as f64;
-    (before * (1.0 - s) + after * s, n * (after - before))
+    value_and_slope_of_any_degree(row, s)
 }
 
-/// The last two numbers of de Casteljau's triangle.
-fn last_two(row: &[f64], s: f64) -> (f64, f64) {
+fn value_and_slope_of_any_degree(row: &[f64], s: f64) -> (f64, f64) {
     // The maximum degree is 64.
     let mut level = [0.0; 65];
-    let count = row.len();
-    level[..count].copy_from_slice(row);
-    levels(&mut level[..count], count - 2, s);
-    (level[0], level[1])
+    level[..row.len()].copy_from_slice(row);
+    let [value, slope, _] = with_derivatives(&mut level[..row.len()], s);
+    (value, slope)
 }
 
 /// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.

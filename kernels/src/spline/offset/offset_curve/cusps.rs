@@ -3,13 +3,9 @@
 
 use super::source::Source;
 use super::{End, OffsetCurve};
-use crate::bernstein::de_casteljau::split_with;
 use crate::curve::curvature::curvature_is_within;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
-
-/// Halvings in the search for a zero of B′; the remaining interval is refined.
-const MAX_HALVINGS: usize = 30;
 
 /// A second derivative below this part of the largest speed gives no direction.
 const VANISHING_BEND: f64 = 1e-9;
@@ -22,57 +18,14 @@ const BESIDE: f64 = 1.0 / (1_u32 << 20) as f64;
 const CUSP_STEPS: usize = 12;
 
 impl Source {
-    /// The parameters inside (0, 1) where B′ vanishes.
-    pub fn cusps(&self) -> Vec<f64> {
-        let mut found = Vec::new();
-        let n = self.degree();
-        if n <= 3 {
-            self.search::<3>(
-                &self.first_vectors(),
-                3,
-                (0.0, 1.0),
-                MAX_HALVINGS,
-                &mut found,
-            );
-        } else {
-            let mut vectors = [DVec2::default(); 64];
-            vectors[..n].copy_from_slice(self.differences());
-            self.search::<64>(&vectors, n, (0.0, 1.0), MAX_HALVINGS, &mut found);
-        }
+    /// The cusps, where B′ reverses, among the zeros of B′ inside (0, 1).
+    pub fn cusps(&self, zeros: &[f64]) -> Vec<f64> {
+        let mut found: Vec<f64> = zeros.iter().filter_map(|&t| self.refined(t)).collect();
         found.dedup_by(|b, a| *b - *a < 2.0 * BESIDE * BESIDE);
         found
     }
 
-    /// Halves until all control vectors of B′ lie in one half-plane, so that B′ does not vanish.
-    fn search<const N: usize>(
-        &self,
-        vectors: &[DVec2; N],
-        n: usize,
-        (t0, t1): (f64, f64),
-        halvings: usize,
-        found: &mut Vec<f64>,
-    ) {
-        let direction = vectors[0] + vectors[n - 1];
-        // B′·direction is then positive inside. A zero at an end is tested as the middle of a longer interval.
-        let agree = vectors[..n].iter().all(|v| v.dot(direction) >= 0.0);
-        if agree && vectors[..n].iter().any(|v| v.dot(direction) > 0.0) {
-            return;
-        }
-        if halvings == 0 {
-            found.extend(self.refined(0.5 * (t0 + t1)));
-            return;
-        }
-        let (mut left, mut right) = (*vectors, *vectors);
-        split_with(&mut left[..n], &mut right[..n], |a, b| (a + b) * 0.5);
-        let t = 0.5 * (t0 + t1);
-        self.search(&left, n, (t0, t), halvings - 1, found);
-        if self.is_still(&self.at(t)) {
-            found.extend(self.refined(t));
-        }
-        self.search(&right, n, (t, t1), halvings - 1, found);
-    }
-
-    /// The zero of B′ near t, if there is one: Gauss–Newton steps for the minimum of |B′|².
+    /// The cusp near t, if there is one: Gauss–Newton steps for the minimum of |B′|².
     fn refined(&self, mut t: f64) -> Option<f64> {
         for _ in 0..4 {
             let sample = self.at(t);

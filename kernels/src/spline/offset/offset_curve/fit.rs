@@ -2,9 +2,10 @@
 
 use super::source::OffsetSample;
 use super::{End, OffsetCurve};
-use crate::curve::plane_cubic::point_and_derivative;
+use crate::bernstein::derivatives::cubic_with_derivative;
 use crate::numeric::order::larger;
 use crate::numeric::work_limit::WorkLimit;
+use crate::spline::handles::{HandleEquations, MAX_ROUNDS, MIN_DAMPING};
 use glam::DVec2;
 
 /// The parameters at which distances are measured.
@@ -13,18 +14,8 @@ const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 /// Maximum number of Newton steps for the foot of a perpendicular; the least-squares rounds use one or two.
 const FOOT_STEPS: u8 = 4;
 
-/// Maximum number of least-squares rounds; the last ones gain digits if the tolerance is far below the first error.
-const MAX_ROUNDS: usize = 5;
-
 /// If the error at the samples is below this part of the tolerance, it cannot be the reason why a bound fails.
 const SMALL_PART: f64 = 0.01;
-
-/// The damping added to the diagonal of the normal equations, as a part of the trace: if the cubic is nearly straight,
-/// the handles do not influence the distances.
-const DAMPING: f64 = 1e-9;
-
-/// The minimum damping; the entries of the matrix are at most 1.
-const MIN_DAMPING: f64 = 1e-18;
 
 /// A point of the cubic (parameter, point and derivative) and the foot of its perpendicular on the source.
 #[derive(Clone, Copy, Default)]
@@ -47,7 +38,7 @@ impl OffsetCurve<'_> {
         let between = (from.sample.t, to.sample.t);
         for round in 0..MAX_ROUNDS {
             let cubic = self.cubic(from, to, (a, b));
-            let mut normal = [0.0; 5];
+            let mut equations = HandleEquations::default();
             let mut worst: f64 = 0.0;
             let [_, inner @ .., _] = &mut pairs;
             evaluate(&cubic, inner);
@@ -60,17 +51,7 @@ impl OffsetCurve<'_> {
                 let n = pair.normal;
                 let error = self.error(pair);
                 worst = larger(worst, error.abs());
-                let r = 1.0 - pair.s;
-                // The derivatives of the distance by both handle lengths.
-                let (ja, jb) = (
-                    3.0 * pair.s * r * r * from.tangent.dot(n),
-                    -3.0 * pair.s * pair.s * r * to.tangent.dot(n),
-                );
-                normal[0] += ja * ja;
-                normal[1] += ja * jb;
-                normal[2] += jb * jb;
-                normal[3] -= ja * error;
-                normal[4] -= jb * error;
+                equations.add(pair.s, [from.tangent.dot(n), to.tangent.dot(n)], error);
             }
             if worst <= self.tolerance {
                 self.evaluate_ends(&cubic, &mut pairs);
@@ -88,11 +69,7 @@ impl OffsetCurve<'_> {
             if round + 1 == MAX_ROUNDS {
                 break;
             }
-            let [aa, ab, bb, ra, rb] = normal;
-            let damping = DAMPING * (aa + bb) + MIN_DAMPING;
-            let (aa, bb) = (aa + damping, bb + damping);
-            let scale = 1.0 / (aa * bb - ab * ab);
-            let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
+            let [da, db] = equations.solved(MIN_DAMPING);
             // A handle must not lead against the direction of the offset curve; it may have the length 0.
             a = from.sign * larger(from.sign * (a + da), 0.0);
             b = to.sign * larger(to.sign * (b + db), 0.0);
@@ -187,7 +164,7 @@ impl OffsetCurve<'_> {
 /// Evaluates a cubic at the parameters of pairs.
 pub(super) fn evaluate(cubic: &[DVec2; 4], pairs: &mut [FootPair]) {
     for pair in pairs {
-        (pair.point, pair.derivative) = point_and_derivative(cubic, pair.s);
+        (pair.point, pair.derivative) = cubic_with_derivative(cubic, pair.s);
     }
 }
 

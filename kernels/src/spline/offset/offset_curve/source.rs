@@ -6,9 +6,6 @@ use glam::DVec2;
 /// Maximum number of control points of a curve.
 pub(super) const MAX_POINTS: usize = 65;
 
-/// A handle of at most this part of the largest difference has no direction, because rounding moves its end by as much.
-const NO_HANDLE: f64 = 1e-15;
-
 /// A curve prepared for evaluation of points and derivatives. Points are relative to its start.
 pub struct Source {
     /// The control points, and the differences of neighbours, for a degree above 3.
@@ -20,7 +17,6 @@ pub struct Source {
     powers: [[DVec2; 4]; 2],
     /// For a degree of at most 3, the control points of B′ as a quadratic.
     slopes: [DVec2; 3],
-    tangents: [DVec2; 2],
     /// A bound on the fourth derivative: 0 up to degree 3.
     fourth: f64,
     /// A bound on the length of the third derivative.
@@ -58,12 +54,10 @@ impl Source {
             count,
             powers: Default::default(),
             slopes: Default::default(),
-            tangents: Default::default(),
             third: third_bound(all),
             fourth: fourth_bound(all),
             speed: n as f64 * square.sqrt(),
         };
-        source.tangents = source.tangents_of(all);
         if count > 4 {
             source.points.extend(all.iter().map(|&p| p - all[0]));
             source.differences.extend((0..n).map(difference));
@@ -86,19 +80,6 @@ impl Source {
             };
         }
         source
-    }
-
-    /// The tangents at both ends: the directions to the first control point that differs from the end.
-    fn tangents_of(&self, points: &[DVec2]) -> [DVec2; 2] {
-        let min = NO_HANDLE * self.speed;
-        let toward = |end: DVec2, p: &DVec2| {
-            let chord = *p - end;
-            (chord.length() > min).then(|| chord.normalize_or_zero())
-        };
-        let (first, last) = (points[0], points[self.count - 1]);
-        let start = points.iter().find_map(|p| toward(first, p));
-        let end = points.iter().rev().find_map(|p| toward(last, p));
-        [start.unwrap_or_default(), -end.unwrap_or_default()]
     }
 
     /// The largest |B′| that the control points allow.
@@ -129,11 +110,6 @@ impl Source {
     /// The control points of B′ as a quadratic, up to degree 3.
     pub fn first_vectors(&self) -> [DVec2; 3] {
         self.slopes
-    }
-
-    /// The tangents at both ends.
-    pub fn end_tangents(&self) -> [DVec2; 2] {
-        self.tangents
     }
 
     /// The sample at t.
