@@ -18,9 +18,16 @@ export type SplineData = { flat: Float64Array; dimension: 2 | 3; degrees: readon
 export type PatchData = { flat: Float64Array; degreeU: number; degreeV: number };
 
 /**
+ * The data of a rational curve: its control points and their weights.
+ *
  * @internal
  */
-export type BrandedType = "curve" | "spline" | "path" | "patch" | "surface" | "mesh";
+export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Float64Array };
+
+/**
+ * @internal
+ */
+export type BrandedType = "curve" | "rationalcurve" | "spline" | "path" | "patch" | "surface" | "mesh";
 
 /**
  * @internal
@@ -52,6 +59,14 @@ export function curveData(value: unknown, name: string): SplineData {
 export function splineData(value: unknown, name: string, expected = "a Curve or a Spline"): SplineData {
   const type = typeOf(value);
   return dataOf(value, name, type === "curve" || type === "spline", expected);
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a rational curve
+ */
+export function rationalData(value: unknown, name: string): RationalData {
+  return dataOf(value, name, typeOf(value) === "rationalcurve", "a RationalCurve");
 }
 
 /**

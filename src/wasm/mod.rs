@@ -30,6 +30,7 @@ mod nearest;
 mod offset;
 mod patch;
 mod path;
+mod rational;
 mod region;
 mod single_thread_cell;
 mod spline;
