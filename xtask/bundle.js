@@ -79,7 +79,7 @@ const markClassNames = {
     build.onLoad({ filter: /[\\/]js[\\/]geometry[\\/]/ }, async ({ path }) => {
       const contents = await readFile(path, "utf8");
       const marked = contents.replace(
-        /^(export class (?:Core)?(Curve|RationalCurve|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b.*\{)$/m,
+        /^(export class (?:Core)?(Curve|RationalCurve|NurbsCurve|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b.*\{)$/m,
         '$1 static className = "$2";',
       );
       return { contents: marked, loader: "ts" };

@@ -25,9 +25,16 @@ export type PatchData = { flat: Float64Array; degreeU: number; degreeV: number }
 export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Float64Array };
 
 /**
+ * The data of a NURBS curve: its control points, their weights, and its knots.
+ *
  * @internal
  */
-export type BrandedType = "curve" | "rationalcurve" | "spline" | "path" | "patch" | "surface" | "mesh";
+export type NurbsData = RationalData & { degree: number; knots: Float64Array; closed: boolean };
+
+/**
+ * @internal
+ */
+export type BrandedType = "curve" | "rationalcurve" | "nurbscurve" | "spline" | "path" | "patch" | "surface" | "mesh";
 
 /**
  * @internal
@@ -67,6 +74,14 @@ export function splineData(value: unknown, name: string, expected = "a Curve or 
  */
 export function rationalData(value: unknown, name: string): RationalData {
   return dataOf(value, name, typeOf(value) === "rationalcurve", "a RationalCurve");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a NURBS curve
+ */
+export function nurbsData(value: unknown, name: string): NurbsData {
+  return dataOf(value, name, typeOf(value) === "nurbscurve", "a NurbsCurve");
 }
 
 /**

@@ -1,26 +1,24 @@
 // Rational curves of degree 2 that are arcs of ellipses, as the command A of SVG path data.
 import { arc } from "./svg-arc.js";
 import { axesOf, CANDIDATES, MORE_DIGITS, ROUNDING, significant } from "./svg-arcs.js";
-import { MAX_DIGITS, roundTrip, shortNumber, svgWriter } from "./svg-write.js";
+import { draw, MAX_DIGITS, roundTrip, shortNumber, svgWriter } from "./svg-write.js";
+import type { RationalData } from "../geometry/brand.js";
 
 /** The number of cubics of an arc that is compared with the curve: even, and enough for half a turn. */
 const PIECES = 4;
 
 /**
- * A conic section as SVG path data, if it is an arc of an ellipse.
+ * The arguments of the command A that draws a conic section, if it is an arc of an ellipse; undefined for any other curve.
  *
  * With the weights 1, w, 1 and w < 1, M = (P₀ + P₂)/2 and s = 1 − w², the center is M − (w²/s) (P₁ − M), and
  * u = (w/s) (P₁ − M) and v = (P₂ − P₀)/(2 √s) are conjugate radii; u leads to the point at t = ½ of the standard form. The arc is
  * shorter than half a turn. It is written if it is read back as passing that point, which rounded radii of nearly half an
  * ellipse can prevent.
  *
- * @internal
  * @param p the coordinates of three points
  * @param w w₁/√(w₀w₂)
- * @returns undefined for any other curve
  */
-export function svgOfConic(p: Float64Array, w: number, precision: number | undefined): string | undefined {
-  const writer = svgWriter(precision);
+function arcOfConic(p: Float64Array, w: number, precision: number | undefined): string[] | undefined {
   const s = (1 - w) * (1 + w);
   if (!(s > 0)) return undefined;
   const [x0, y0, x1, y1, x2, y2] = p;
@@ -40,9 +38,7 @@ export function svgOfConic(p: Float64Array, w: number, precision: number | undef
     if (cubics?.length !== 6 * PIECES) continue;
     const middle = 3 * PIECES - 2;
     if (!(Math.abs(cubics[middle] - middleX) <= unit && Math.abs(cubics[middle + 1] - middleY) <= unit)) continue;
-    writer.move(x0, y0);
-    writer.arc([rx, ry, angle, "0", sweep ? "1" : "0", word(x2), word(y2)]);
-    return writer.text;
+    return [rx, ry, angle, "0", sweep ? "1" : "0", word(x2), word(y2)];
   }
   return undefined;
 }
@@ -58,4 +54,30 @@ function exactWords(radii: number[], degrees: number): string[][] {
 function shortWords(radii: number[], degrees: number, precision: number): string[][] {
   const angle = shortNumber(degrees, Math.min(precision + MORE_DIGITS, MAX_DIGITS));
   return [0, 10 ** -precision].map((less) => [...radii.map((r) => shortNumber(r - less, precision)), angle]);
+}
+
+/**
+ * Rational curves that join, as SVG path data: arcs of ellipses as arcs, the others as the packed path that `cubicsOf` gives.
+ *
+ * @internal
+ * @param tolerance of degrees above 3; 0 for the default
+ */
+export function svgOfRational(
+  segments: readonly RationalData[],
+  closed: boolean,
+  precision: number | undefined,
+  tolerance: number,
+  cubicsOf: (k: number) => Float64Array,
+): string {
+  const writer = svgWriter(precision);
+  const rest = { move() {}, curve: writer.curve.bind(writer), close() {} };
+  writer.move(segments[0].flat[0], segments[0].flat[1]);
+  for (const [k, { flat, weights }] of segments.entries()) {
+    const [a, b, c] = weights;
+    const words = weights.length === 3 ? arcOfConic(flat, b / Math.sqrt(a) / Math.sqrt(c), precision) : undefined;
+    if (words) writer.arc(words);
+    else draw(cubicsOf(k), rest, tolerance, true);
+  }
+  if (closed) writer.close(false);
+  return writer.text;
 }

@@ -27,6 +27,7 @@ mod interpolate;
 mod intersect;
 mod mesh;
 mod nearest;
+mod nurbs;
 mod offset;
 mod patch;
 mod path;

@@ -103,7 +103,7 @@ pub(crate) const PARTS: [Part; 7] = [
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
 
 /// Left out of the complete module, which has what `casteljau` calls.
-const NURBS: &[&str] = &["rational_"];
+const NURBS: &[&str] = &["nurbs_", "rational_"];
 
 /// The functions that js/geometry/curve/core-curve.ts calls, besides measures.
 const CORE_CURVES: &[&str] = &[

@@ -11,8 +11,8 @@ import {
   writeArguments,
 } from "../../wasm/transfer.js";
 import { packedSpline } from "../../wasm/packed-path.js";
-import { svgOfConic } from "../../io/svg-conic.js";
-import { svgOf, traceOn } from "../../io/svg-write.js";
+import { svgOfRational } from "../../io/svg-conic.js";
+import { checkTolerance, traceOn } from "../../io/svg-write.js";
 import { affine } from "../affine.js";
 import { pointAndDirections } from "../arc-length.js";
 import { curveData, rationalData, requireJSON, typeOf } from "../brand.js";
@@ -199,12 +199,20 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     check.require2D(method, "curve", this.#dimension);
   }
 
-  /** Refuses a t outside of [0, 1] at which the denominator is not above 0. */
+  /**
+   * Whether the denominator is above 0 at t.
+   *
+   * @internal
+   */
+  _isDefinedAt(t: number): boolean {
+    if (t >= 0 && t <= 1) return true;
+    core().rational_eval(this.#dimension, this._write(), t);
+    return !Number.isNaN(arena(1)[0]);
+  }
+
   #requireParameter(t: number, name = "t") {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, name);
-    if (t >= 0 && t <= 1) return;
-    core().rational_eval(this.#dimension, this._write(), t);
-    if (Number.isNaN(arena(1)[0])) throw notDefinedAt(t, name);
+    if (!this._isDefinedAt(t)) throw notDefinedAt(t, name);
   }
 
   /**
@@ -529,16 +537,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
 
   /** The data of `toSpline`. */
   #spline(tolerance: number | undefined): SplineData {
-    const given = check.optionalTolerance(tolerance);
-    const error = given || this.#defaultTolerance();
+    const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#flat, this.controlBounds());
     return readSplineData(core().rational_to_spline(this.#dimension, this._write(), error), this.#dimension);
-  }
-
-  #defaultTolerance() {
-    const { min, max }: Bounds = this.controlBounds();
-    const diagonal = Math.hypot(max.x - min.x, max.y - min.y, (max.z ?? 0) - (min.z ?? 0));
-    const largest = this.#flat.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
-    return Math.max(1e-4 * diagonal, 1e-12 * largest) || 1;
   }
 
   /** The segments of `toSpline` as a packed path, for drawing. */
@@ -571,9 +571,9 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   toSVG(options?: SvgOptions): string {
     this._require2D("toSVG");
     const { precision, tolerance } = check.options(options, ["precision", "tolerance"]);
-    const [a, b, c] = this.#weights;
-    const w = this.degree === 2 ? b / Math.sqrt(a) / Math.sqrt(c) : 1;
-    return svgOfConic(this.#flat, w, precision) ?? svgOf(this.#packed(tolerance), options);
+    const maxError = check.optionalTolerance(tolerance);
+    checkTolerance(packedSpline(this.#flat, [this.degree], false), maxError);
+    return svgOfRational([this.casteljauData()], false, precision, maxError, () => this.#packed(tolerance));
   }
 
   /** The curve as `toSVG` writes it, or in space as JSON: `String(curve)` and `${curve}` give this text. */
@@ -648,6 +648,17 @@ export function rationalCurveOf(points: CheckedPoints, weights: Float64Array): R
   return new RationalCurve(points as any, weights); // outside of the class, see ../curve/core-curve.js
 }
 
+/**
+ * The tolerance of cubics that replace a curve with the given coordinates and the box of its control points.
+ *
+ * @internal
+ */
+export function defaultTolerance(flat: Float64Array, { min, max }: Bounds): number {
+  const diagonal = Math.hypot(max.x - min.x, max.y - min.y, (max.z ?? 0) - (min.z ?? 0));
+  const largest = flat.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+  return Math.max(1e-4 * diagonal, 1e-12 * largest) || 1;
+}
+
 function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {
   requireList(points);
   const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
@@ -656,7 +667,11 @@ function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): Che
   throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
 }
 
-function checkedWeights(weights: ArrayLike<number>, count: number): Float64Array {
+/**
+ * @internal
+ * @param count of the points
+ */
+export function checkedWeights(weights: ArrayLike<number>, count: number): Float64Array {
   const numbers = check.numbers(weights, "weights");
   if (numbers.length !== count) {
     throw new RangeError(`weights: expected ${count} numbers, one for each point, got ${numbers.length}`);
