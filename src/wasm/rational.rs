@@ -56,30 +56,6 @@ fn changed(
     })
 }
 
-/// Writes the point at t.
-#[wasm_bindgen]
-pub fn rational_eval(dimension: usize, count: usize, t: f64) {
-    arena::with(|a| a.write_point(curve(a, dimension, count).eval(t)));
-}
-
-/// Writes `segments` + 1 points; returns the number of f64.
-#[wasm_bindgen]
-pub fn rational_sample(dimension: usize, count: usize, segments: usize) -> isize {
-    arena::answer(|a| {
-        let points = curve(a, dimension, count).sample(segments)?;
-        Ok(a.write_from_space(0, &points, dimension))
-    })
-}
-
-/// Arguments: `number` parameters after the weights. Writes the points at the parameters.
-#[wasm_bindgen]
-pub fn rational_eval_at(dimension: usize, count: usize, number: usize) -> usize {
-    arena::with(|a| {
-        let points = curve(a, dimension, count).eval_at(a.numbers(end(dimension, count), number));
-        a.write_from_space(0, &points, dimension)
-    })
-}
-
 /// Writes the k-th derivative at t.
 #[wasm_bindgen]
 pub fn rational_derivative_at(dimension: usize, count: usize, t: f64, k: usize) -> isize {

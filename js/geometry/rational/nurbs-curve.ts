@@ -269,7 +269,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   /** What a segment gives at t. */
   #at<R>(t: number, query: (segment: RationalCurve<D>, s: number) => R): R {
     const { segment, s } = this.#locate(t);
-    if (!segment._isDefinedAt(s)) {
+    if (!(s >= 0 && s <= 1) && !(segment._denominatorAt(s) > 0)) {
       throw new RangeError(`t: expected a parameter at which the denominator of the curve is above 0, got ${t}`);
     }
     return query(segment, s);

@@ -1,21 +1,15 @@
 import * as check from "../check.js";
 import { arena } from "../../wasm/arena.js";
-import { core, cubicEval } from "../../wasm/init.js";
+import { core } from "../../wasm/init.js";
 import { unwrapCount } from "../../wasm/errors.js";
-import {
-  CheckedPoints,
-  readLargeResult,
-  readPolyline,
-  readResult,
-  readResultInto,
-  writeArguments,
-} from "../../wasm/transfer.js";
+import { CheckedPoints, readPolyline, readResult, writeArguments } from "../../wasm/transfer.js";
 import { packedSpline } from "../../wasm/packed-path.js";
 import { svgOfRational } from "../../io/svg-conic.js";
 import { checkTolerance, traceOn } from "../../io/svg-write.js";
 import { affine } from "../affine.js";
 import { pointAndDirections } from "../arc-length.js";
 import { curveData, rationalData, requireJSON, typeOf } from "../brand.js";
+import { coreCurveOf } from "../curve/core-curve.js";
 import { readNearest } from "../curve-queries.js";
 import { showInNode } from "../inspected.js";
 import { partsAt } from "../parts.js";
@@ -69,8 +63,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   #flat: Float64Array;
   #weights: Float64Array;
   #dimension: D;
-  /** The coordinates of the points (wP, w), one coordinate after the other; see `eval`. */
-  #homogeneous: Float64Array | undefined;
+  /** See `homogeneous`. */
+  #polynomials: Homogeneous | undefined;
 
   /**
    * The curve of the given control points and weights.
@@ -199,20 +193,24 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     check.require2D(method, "curve", this.#dimension);
   }
 
+  get #homogeneous() {
+    this.#polynomials ??= homogeneous(this.#flat, this.#weights, this.#dimension);
+    return this.#polynomials;
+  }
+
   /**
-   * Whether the denominator is above 0 at t.
+   * The denominator at t, divided by a positive number.
    *
    * @internal
    */
-  _isDefinedAt(t: number): boolean {
-    if (t >= 0 && t <= 1) return true;
-    core().rational_eval(this.#dimension, this._write(), t);
-    return !Number.isNaN(arena(1)[0]);
+  _denominatorAt(t: number): number {
+    const { numerator, denominator } = this.#homogeneous;
+    return denominator ? denominator.eval(t).x : numerator.eval(t).z;
   }
 
   #requireParameter(t: number, name = "t") {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, name);
-    if (!this._isDefinedAt(t)) throw notDefinedAt(t, name);
+    if (!(t >= 0 && t <= 1) && !(this._denominatorAt(t) > 0)) throw notDefinedAt(t, name);
   }
 
   /**
@@ -223,20 +221,13 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   eval(t: number): Point<D> {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
-    if (this.#weights.length === 4 && t > 0 && t < 1) return this.#cubicAt(t);
-    core().rational_eval(this.#dimension, this._write(), t);
-    const point = this._readPoint();
-    if (Number.isNaN(point.x)) throw notDefinedAt(t, "t");
-    return point;
-  }
-
-  /** The point of a curve of degree 3, whose coordinates are passed as arguments; see `cubicAt` in ../curve/core-curve.js. */
-  #cubicAt(t: number): Point<D> {
-    this.#homogeneous ??= homogeneous(this.#flat, this.#weights, this.#dimension);
-    const [at, h] = [cubicEval(), this.#homogeneous];
-    const w = at(h[0], h[1], h[2], h[3], t);
-    const [x, y] = [at(h[4], h[5], h[6], h[7], t) / w, at(h[8], h[9], h[10], h[11], t) / w];
-    return (h.length === 12 ? { x, y } : { x, y, z: at(h[12], h[13], h[14], h[15], t) / w }) as Point<D>;
+    if (t === 0) return pointAt(this.#flat, 0, this.#dimension);
+    if (t === 1) return pointAt(this.#flat, this.#flat.length - this.#dimension, this.#dimension);
+    const { numerator, denominator } = this.#homogeneous;
+    const { x, y, z } = numerator.eval(t);
+    const w = denominator ? denominator.eval(t).x : z;
+    if (!(w > 0)) throw notDefinedAt(t, "t");
+    return (denominator ? { x: x / w, y: y / w, z: z / w } : { x: x / w, y: y / w }) as Point<D>;
   }
 
   /**
@@ -249,8 +240,11 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     check.segmentCount(segments);
     const { into } = check.options(options, ["into"]);
     if (into !== undefined) check.resultArray(into, (segments + 1) * this.#dimension);
-    const count = core().rational_sample(this.#dimension, this._write(), segments);
-    return into === undefined ? readLargeResult(count) : readResultInto(into, count);
+    const { numerator, denominator } = this.#homogeneous;
+    const points = this.#divided(numerator.sample(segments), denominator?.sample(segments), into);
+    points.set(this.#flat.subarray(0, this.#dimension));
+    points.set(this.#flat.subarray(-this.#dimension), segments * this.#dimension);
+    return points;
   }
 
   /**
@@ -262,11 +256,27 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   evalAt(ts: ArrayLike<number>, options?: { into?: Float64Array }): Float64Array {
     const parameters = check.numbers(ts, "ts");
-    const length = parameters.length * this.#dimension;
-    const into = check.resultArray(check.options(options, ["into"]).into, length);
+    const d = this.#dimension;
+    const into = check.resultArray(check.options(options, ["into"]).into, parameters.length * d);
     parameters.forEach((t, i) => this.#requireParameter(t, `ts[${i}]`));
-    core().rational_eval_at(this.#dimension, this._write(parameters), parameters.length);
-    return readResultInto(into, length);
+    const { numerator, denominator } = this.#homogeneous;
+    const points = this.#divided(numerator.evalAt(parameters), denominator?.evalAt(parameters), into);
+    parameters.forEach((t, i) => {
+      if (t === 0) points.set(this.#flat.subarray(0, d), i * d);
+      if (t === 1) points.set(this.#flat.subarray(-d), i * d);
+    });
+    return points;
+  }
+
+  /** The quotients of the values of both polynomials. */
+  #divided(numerators: Float64Array, denominators: Float64Array | undefined, into?: Float64Array): Float64Array {
+    const [d, count] = [this.#dimension, numerators.length / 3];
+    const points = into ?? new Float64Array(count * d);
+    for (let i = 0; i < count; i++) {
+      const w = denominators ? denominators[2 * i] : numerators[3 * i + 2];
+      for (let k = 0; k < d; k++) points[i * d + k] = numerators[3 * i + k] / w;
+    }
+    return points;
   }
 
   /**
@@ -690,14 +700,23 @@ function notDefinedAt(t: number, name: string) {
   return new RangeError(`${name}: expected a parameter at which the denominator of the curve is above 0, got ${t}`);
 }
 
-/** The weights and the coordinates times the weights, divided by a power of two near the largest weight. */
-function homogeneous(flat: Float64Array, weights: Float64Array, dimension: number): Float64Array {
+/** The polynomials wP and w of which a rational curve is the quotient. */
+type Homogeneous = { numerator: CoreCurve<3>; denominator: CoreCurve<2> | null };
+
+/**
+ * The polynomials of a rational curve, as curves: in the plane one in space, with w as the third coordinate; in space wP, and w as
+ * the first coordinate of a plane curve. Both are divided by a power of two near the largest weight.
+ */
+function homogeneous(flat: Float64Array, weights: Float64Array, dimension: number): Homogeneous {
   const scale = 2 ** -Math.floor(Math.log2(Math.max(...weights)));
-  const count = weights.length;
-  const h = new Float64Array(count * (dimension + 1));
-  for (let i = 0; i < count; i++) {
-    h[i] = weights[i] * scale;
-    for (let k = 0; k < dimension; k++) h[(k + 1) * count + i] = flat[i * dimension + k] * h[i];
+  const [numerator, denominator] = [new Float64Array(3 * weights.length), new Float64Array(2 * weights.length)];
+  for (const [i, weight] of weights.entries()) {
+    const w = weight * scale;
+    for (let k = 0; k < 3; k++) numerator[3 * i + k] = k < dimension ? flat[i * dimension + k] * w : w;
+    denominator[2 * i] = w;
   }
-  return h;
+  return {
+    numerator: coreCurveOf(new CheckedPoints(numerator, 3)) as CoreCurve<3>,
+    denominator: dimension === 2 ? null : (coreCurveOf(new CheckedPoints(denominator, 2)) as CoreCurve<2>),
+  };
 }
