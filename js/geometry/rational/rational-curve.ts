@@ -51,7 +51,7 @@ export type RationalCurveJSON = { points: PointsLike; weights: ArrayLike<number>
  * point; equal weights give the curve without weights, and a common factor of all weights changes nothing. The end points are
  * returned exactly. Curves are immutable: every change returns a new one. They need not be freed.
  *
- * Arcs of circles and ellipses are rational curves of degree 2, which no `Curve` is.
+ * Arcs of circles and ellipses are rational curves of degree 2; a `Curve` can only approximate them.
  *
  *     const quarter = new RationalCurve([[1, 0], [1, 1], [0, 1]], [1, Math.SQRT1_2, 1]);
  *     quarter.length(); // 1.5707963267948966
