@@ -26,6 +26,7 @@ const SITE_SCRIPTS = [
   "core.js",
   "easing.js",
   "applet.js",
+  "nurbs.js",
   "surfaces.js",
   "elements.js",
   "elements-surface.js",
@@ -77,7 +78,7 @@ export const glue = once(async (/** @type {Mode} */ mode) => {
   await compile(mode);
   const folder = mode === "development" ? "debug" : "wasm";
   const compiled = join(target, "wasm32-unknown-unknown", folder, "casteljau.wasm");
-  const modules = ["curves", "surfaces", "regions", "core", "core-surfaces", "applet"];
+  const modules = ["curves", "surfaces", "regions", "core", "core-surfaces", "nurbs", "applet"];
   const files =
     mode === "development" ? ["casteljau-bytes.js"] : ["needs.json", ...modules.map((name) => `${name}-bytes.js`)];
   const outputs = ["casteljau.js", "casteljau.wasm", "functions.d.ts", ...files].map((name) => `js/glue/${name}`);
@@ -122,7 +123,9 @@ export const types = () =>
         ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)), // these have no types
         ...["tsconfig.json", "package-lock.json", "xtask/types.js"],
       ],
-      outputs: ["index", "core", "surfaces", "easing", "applet/classic"].map((name) => `dist/types/${name}.d.ts`),
+      outputs: ["index", "core", "surfaces", "nurbs", "easing", "applet/classic"].map(
+        (name) => `dist/types/${name}.d.ts`,
+      ),
     },
     async () => {
       await rm(join(root, "dist/types"), { recursive: true, force: true }); // declarations of deleted files

@@ -19,7 +19,7 @@ const js = (/** @type {string} */ name) => fileURLToPath(new URL(`../js/${name}`
 /** The built site takes the package from dist/. */
 const BUILT_PACKAGE = [
   { find: /^casteljau$/, replacement: dist("index.js") },
-  { find: /^casteljau\/(core|easing|slim|surfaces|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
+  { find: /^casteljau\/(core|easing|nurbs|slim|surfaces|applet|elements(?:\/\w+)?)$/, replacement: dist("$1.js") },
 ];
 
 /** While working, the package is its sources in js/: a change there shows at once. */
@@ -27,7 +27,7 @@ const SOURCES = [
   { find: /^casteljau$/, replacement: js("index.ts") },
   { find: /^casteljau\/(applet|elements)$/, replacement: js("$1/index.ts") },
   { find: /^casteljau\/elements\/(\w+)$/, replacement: js("elements/define/$1.ts") },
-  { find: /^casteljau\/(core|easing|slim|surfaces)$/, replacement: js("$1.ts") },
+  { find: /^casteljau\/(core|easing|nurbs|slim|surfaces)$/, replacement: js("$1.ts") },
   { find: /^#js\/(.*)\.js$/, replacement: js("$1.ts") },
 ];
 

@@ -17,6 +17,7 @@ const COMMITTED_KB = {
   everything: 446.5,
   "everything of core": 79.5,
   "{ Surface } of surfaces": 122.2,
+  "nurbs: { RationalCurve }": 103.2,
   "only types": 0,
   "bezier-app.js": 48,
   "elements.js alone": 2,
@@ -40,6 +41,7 @@ const TARGETS_KB = {
   everything: 365,
   "everything of core": 80,
   "{ Surface } of surfaces": 110,
+  "nurbs: { RationalCurve }": 155,
   "bezier-app.js": 48,
   "elements.js alone": 12,
   "elements.js, easing": 45,
@@ -100,7 +102,16 @@ async function isKernel(name) {
 const allNames = (await readdir("dist", { recursive: true })).filter((name) =>
   /^(elements.*|shared-.*)\.js$/.test(name),
 );
-const ENTRIES = ["casteljau.wasm", "slim.js", "index.js", "core.js", "surfaces.js", "applet.js", "bezier-app.js"];
+const ENTRIES = [
+  "casteljau.wasm",
+  "slim.js",
+  "index.js",
+  "core.js",
+  "nurbs.js",
+  "surfaces.js",
+  "applet.js",
+  "bezier-app.js",
+];
 const parts = await Promise.all([...ENTRIES, ...allNames].map(sizeOf));
 console.log(`${"".padEnd(28)} minified  gzip -9`);
 parts.filter(({ name }) => ENTRIES.includes(name) || name === "shared-curves.js").forEach(row);

@@ -19,6 +19,7 @@ export const IMPORTS = [
   ["everything", "Curve, Spline, Path, InkStroke, Patch, Surface, Mesh, easing, init", "index"],
   ["everything of core", "Curve, Spline, Path", "core"],
   ["{ Surface } of surfaces", "Surface", "surfaces"],
+  ["nurbs: { RationalCurve }", "RationalCurve", "nurbs"],
   ["only types", "type Curve, type Mesh", "index"],
 ];
 

@@ -1,18 +1,12 @@
 // The bundle of casteljau/core. Its copy of the classes explains what only `casteljau` has.
 import { Curve, Path, Spline } from "../core.js";
-import { CURVE_METHODS, CURVE_STATICS, explainMissing } from "../geometry/missing.js";
+import { CURVE_METHODS, CURVE_STATICS, explainMissing, SPLINE_METHODS, SPLINE_STATICS } from "../geometry/missing.js";
 
 export * from "../core.js";
 
 const ENTRY = "casteljau/core";
 explainMissing(Curve, "Curve", ENTRY, CURVE_METHODS, CURVE_STATICS);
-explainMissing(
-  Spline,
-  "Spline",
-  ENTRY,
-  "torsion frames extrema timesAtCoordinate intersections selfIntersections simplify offset toBSpline toThree",
-  "interpolate fromBSpline fit",
-);
+explainMissing(Spline, "Spline", ENTRY, SPLINE_METHODS, SPLINE_STATICS);
 explainMissing(
   Path,
   "Path",

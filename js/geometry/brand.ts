@@ -18,9 +18,23 @@ export type SplineData = { flat: Float64Array; dimension: 2 | 3; degrees: readon
 export type PatchData = { flat: Float64Array; degreeU: number; degreeV: number };
 
 /**
+ * The data of a rational curve: its control points and their weights.
+ *
  * @internal
  */
-export type BrandedType = "curve" | "spline" | "path" | "patch" | "surface" | "mesh";
+export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Float64Array };
+
+/**
+ * The data of a NURBS curve: its control points, their weights, and its knots.
+ *
+ * @internal
+ */
+export type NurbsData = RationalData & { degree: number; knots: Float64Array; closed: boolean };
+
+/**
+ * @internal
+ */
+export type BrandedType = "curve" | "rationalcurve" | "nurbscurve" | "spline" | "path" | "patch" | "surface" | "mesh";
 
 /**
  * @internal
@@ -52,6 +66,22 @@ export function curveData(value: unknown, name: string): SplineData {
 export function splineData(value: unknown, name: string, expected = "a Curve or a Spline"): SplineData {
   const type = typeOf(value);
   return dataOf(value, name, type === "curve" || type === "spline", expected);
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a rational curve
+ */
+export function rationalData(value: unknown, name: string): RationalData {
+  return dataOf(value, name, typeOf(value) === "rationalcurve", "a RationalCurve");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a NURBS curve
+ */
+export function nurbsData(value: unknown, name: string): NurbsData {
+  return dataOf(value, name, typeOf(value) === "nurbscurve", "a NurbsCurve");
 }
 
 /**

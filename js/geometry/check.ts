@@ -148,15 +148,19 @@ export function numbers(value: unknown, name: string): Float64Array {
   return copy;
 }
 
-/** The 6 or 16 numbers of a matrix. */
-export function matrixNumbers(matrix: MatrixLike, name = "matrix"): Float64Array {
-  if (isList(matrix)) return matrixOf(matrix, name, [6, 16]);
+/**
+ * The numbers of a matrix.
+ *
+ * @param counts how many there may be
+ */
+export function matrixNumbers(matrix: MatrixLike, name = "matrix", counts = [6, 16]): Float64Array {
+  if (isList(matrix)) return matrixOf(matrix, name, counts);
   const { elements, toFloat64Array } = (matrix ?? {}) as { elements?: unknown; toFloat64Array?: unknown };
-  if (isList(elements)) return matrixOf(elements, `${name}.elements`, [16]);
+  if (isList(elements)) return matrixOf(elements, `${name}.elements`, counts.slice(1));
   if (typeof toFloat64Array === "function") return matrixOf(toFloat64Array.call(matrix), name, [16]);
   const members = Object(matrix ?? {}) as Record<string, unknown>;
   if ("a" in members) return Float64Array.from("abcdef", (key) => finite(members[key], `${name}.${key}`));
-  const forms = "6 or 16 numbers, a DOMMatrix or an object with elements";
+  const forms = `${counts.join(" or ")} numbers, a DOMMatrix or an object with elements`;
   throw new TypeError(`${name}: expected ${forms}, got ${describe(matrix)}`);
 }
 

@@ -15,6 +15,21 @@ export const CURVE_METHODS =
 export const CURVE_STATICS = "interpolate fromBasis basisMatrix";
 
 /**
+ * The methods that only the splines of `casteljau` have.
+ *
+ * @internal
+ */
+export const SPLINE_METHODS =
+  "torsion frames extrema timesAtCoordinate intersections selfIntersections simplify offset toBSpline toThree";
+
+/**
+ * The static methods that only its splines have.
+ *
+ * @internal
+ */
+export const SPLINE_STATICS = "interpolate fromBSpline fit";
+
+/**
  * Gives a class of a small entry point the methods that only the class of `casteljau` has; they throw an error that says so.
  *
  * @internal

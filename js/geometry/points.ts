@@ -71,8 +71,12 @@ function fromPoints(list: ArrayLike<unknown>, dimension: 2 | 3, name: string): F
   return { dimension, flat };
 }
 
-/** The dimension of a point: the length of an array; an object is 3D if it has a `z` but no `w` (as a DOMPoint has). */
-function dimensionOf(point: unknown, name: string): 2 | 3 {
+/**
+ * The dimension of a point: the length of an array; an object is 3D if it has a `z` but no `w` (as a DOMPoint has).
+ *
+ * @internal
+ */
+export function dimensionOf(point: unknown, name: string): 2 | 3 {
   if (isList(point)) {
     if (point.length === 2 || point.length === 3) return point.length;
     throw new RangeError(`${name}: expected 2 or 3 coordinates, got ${point.length}`);

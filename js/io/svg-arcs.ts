@@ -7,12 +7,25 @@ const SIMILAR = 1e-9;
 /** tan²(θ/4) of a cubic over the angle θ is between these values. */
 const [MIN_SQUARE, MAX_SQUARE] = [1e-9, 0.18];
 const SAME_SQUARE = 1e-12;
-const ROUNDING = 64 * Number.EPSILON;
+/**
+ * Of arcs, as a part of the largest coordinate.
+ *
+ * @internal
+ */
+export const ROUNDING = 64 * Number.EPSILON;
 const MAX_CUBICS = 414;
-/** The rotation of an ellipse has this many more digits, because an error of the angle moves points by its product with the radius. */
-const MORE_DIGITS = 3;
-/** The number of significant digits (0 for all), and the part by which the radii are smaller. */
-const CANDIDATES = [
+/**
+ * The rotation of an ellipse has this many more digits, because an error of the angle moves points by its product with the radius.
+ *
+ * @internal
+ */
+export const MORE_DIGITS = 3;
+/**
+ * The number of significant digits (0 for all), and the part by which the radii are smaller.
+ *
+ * @internal
+ */
+export const CANDIDATES = [
   [12, 0],
   [12, 1e-11],
   [15, 0],
@@ -74,7 +87,40 @@ function ellipseOf(p: Float64Array, at: number): Ellipse | null {
   return { cx: x0 + toX, cy: y0 + toY, ux: -toX, uy: -toY, vx: ax / handle, vy: ay / handle, square: q };
 }
 
+/**
+ * The radii of the ellipse with the conjugate radii u and v, the angle of its first axis in degrees, u × v, and whether the
+ * arc from u to v is the sweep of SVG.
+ *
+ * @internal
+ */
+export function axesOf(ux: number, uy: number, vx: number, vy: number) {
+  const area = ux * vy - uy * vx;
+  const sweep = area > 0;
+  const [a, b, c] = [ux * ux + vx * vx, ux * uy + vx * vy, uy * uy + vy * vy];
+  const [sum, half] = [a + c, (a - c) * 0.5];
+  const h = Math.sqrt(half * half + b * b);
+  const first = Math.sqrt(0.5 * sum + h);
+  const second = Math.abs(area) / first;
+  let radii = [first, second];
+  let degrees = 0;
+  if (h <= SIMILAR * sum) radii = [Math.sqrt(0.5 * sum), Math.sqrt(0.5 * sum)];
+  else if (Math.abs(b) <= SIMILAR * sum) radii = half > 0 ? radii : [second, first];
+  else {
+    const acute = angleOf(Math.abs(half) / h, Math.abs(b) / h);
+    const turn = half < 0 ? Math.PI - acute : acute;
+    degrees = (b < 0 ? -turn : turn) * (90 / Math.PI);
+  }
+  return { area, sweep, radii, degrees };
+}
+
 const largest = (a: number, b: number) => Math.max(Math.abs(a), Math.abs(b));
+
+/**
+ * A number with some significant digits, 0 for all.
+ *
+ * @internal
+ */
+export const significant = (x: number, digits: number) => (digits ? Number(x.toPrecision(digits)) : x);
 
 /** The angle θ of an arc with tan²(θ/4) = q. */
 const cubicAngle = (q: number) => 2 * angleOf((1 - q) / (1 + q), (2 * Math.sqrt(q)) / (1 + q));
@@ -131,7 +177,7 @@ class ArcRun {
     let size = 0;
     for (let k = this.#at - 2; k < this.#at + 6 * this.count; k++) size = Math.max(size, Math.abs(this.#points[k]));
     for (const [digits, less] of CANDIDATES) {
-      const round = (x: number) => (digits ? Number(x.toPrecision(digits)) : x);
+      const round = (x: number) => significant(x, digits);
       const rounded = { ...shape, radii: shape.radii.map((r) => round(r * (1 - less))), degrees: round(shape.degrees) };
       if (this.isArc(rounded, from, this.end(), ROUNDING * size)) return rounded;
     }
@@ -184,22 +230,7 @@ class ArcRun {
   /** The arc of the ellipse from the start to the end. */
   arc(): SvgArc {
     const { cx, cy, ux, uy, vx, vy } = this.#conjugateRadii();
-    const area = ux * vy - uy * vx;
-    const sweep = area > 0;
-    const [a, b, c] = [ux * ux + vx * vx, ux * uy + vx * vy, uy * uy + vy * vy];
-    const [sum, half] = [a + c, (a - c) * 0.5];
-    const h = Math.sqrt(half * half + b * b);
-    const first = Math.sqrt(0.5 * sum + h);
-    const second = Math.abs(area) / first;
-    let radii = [first, second];
-    let degrees = 0;
-    if (h <= SIMILAR * sum) radii = [Math.sqrt(0.5 * sum), Math.sqrt(0.5 * sum)];
-    else if (Math.abs(b) <= SIMILAR * sum) radii = half > 0 ? radii : [second, first];
-    else {
-      const acute = angleOf(Math.abs(half) / h, Math.abs(b) / h);
-      const turn = half < 0 ? Math.PI - acute : acute;
-      degrees = (b < 0 ? -turn : turn) * (90 / Math.PI);
-    }
+    const { area, sweep, radii, degrees } = axesOf(ux, uy, vx, vy);
     const [startX, startY] = this.#joint(0);
     const [x, y] = this.end();
     const beyond = (startX - cx) * (y - cy) - (startY - cy) * (x - cx);

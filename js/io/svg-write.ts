@@ -157,10 +157,9 @@ export function svgOf(
     "tolerance",
     ...(finder ? (["arcs"] as const) : []),
   ]);
-  if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);
-  const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  const writer = svgWriter(precision);
   if (check.optionalBoolean(arcs as boolean | undefined, "arcs", true)) writer.arcs = finder;
   draw(packed, writer, maxError, false);
   return writer.text;
@@ -177,8 +176,7 @@ export function svgOfArcs(subpaths: CircularArc[][], closed: readonly boolean[],
   if (tolerance !== undefined) {
     throw new TypeError(`tolerance: expected none with arcs ${arcs}, got ${check.describe(tolerance)}`);
   }
-  if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
-  const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  const writer = svgWriter(precision);
   const word = (x: number) => (precision === undefined ? roundTrip(x) : shortNumber(x, precision));
   for (const [k, pieces] of subpaths.entries()) {
     const { start } = pieces[0];
@@ -193,6 +191,16 @@ export function svgOfArcs(subpaths: CircularArc[][], closed: readonly boolean[],
     if (closed[k]) writer.close(Boolean(closingLine));
   }
   return writer.text;
+}
+
+/**
+ * The writer for the option `precision`.
+ *
+ * @internal
+ */
+export function svgWriter(precision: number | undefined): ExactWriter | ShortWriter {
+  if (precision === undefined) return new ExactWriter();
+  return new ShortWriter(check.whole(precision, "precision", 0, MAX_DIGITS));
 }
 
 /** Writes absolute commands, each number with the fewest digits that round-trip. */

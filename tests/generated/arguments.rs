@@ -3,16 +3,18 @@
 use crate::check::Checked;
 use crate::numbers::Numbers;
 use casteljau::curve::Basis;
-use casteljau::glam::{DAffine2, DAffine3, DMat4, DVec2, DVec3};
+use casteljau::glam::{DAffine2, DAffine3, DMat3, DMat4, DVec2, DVec3};
 use casteljau::mesh::Weld;
 use casteljau::models::{Height, Up};
 use casteljau::path::FillRule;
 use casteljau::spline::{Join, JointMode};
-use casteljau::{Curve, GridMethod, Patch, Path, Point, Spline, Surface};
+use casteljau::{
+    Curve, GridMethod, NurbsCurve, Patch, Path, Point, RationalCurve, Spline, Surface,
+};
 use casteljau_generator::{Case, SplineData, SurfaceData, Value};
 
 /// The plane or space; points are made from three coordinates.
-pub(crate) trait Space: Point<Affine: Argument> + Numbers {
+pub(crate) trait Space: Point<Affine: Argument, Projective: Argument> + Numbers {
     fn from_3d(p: DVec3) -> Self;
 }
 
@@ -72,6 +74,11 @@ arguments! {
     [P: Space] Vec<P>: Value::Points(_, points) => Some(mapped(points));
     [P: Space, const N: usize] [P; N]: Value::Points(_, points) => mapped(points).try_into().ok();
     [P: Space] Curve<P>: Value::Curve(_, points) => Curve::new(&mapped(points)).ok();
+    [P: Space] RationalCurve<P>: Value::RationalCurve(data) => RationalCurve::new(&mapped(&data.points), &data.weights).ok();
+    [P: Space] NurbsCurve<P>: Value::NurbsCurve(data) => {
+        let points: Vec<P> = mapped(&data.points);
+        NurbsCurve::new(data.degree, &points, Some(&data.weights), &data.knots, data.closed).ok()
+    };
     [P: Space] Spline<P>: Value::Spline(data) => Some(spline_of(data));
     [] Path: Value::Path(splines) => Some(Path::new(&splines.iter().map(spline_of).collect::<Vec<_>>()));
     [] Patch: Value::Patch(data) => Patch::new(&data.vertices, data.degrees[0][0], data.degrees[0][1]).ok();
@@ -80,6 +87,7 @@ arguments! {
     [] SurfaceData: Value::Patch(data) | Value::Surface(data) => Some(data.clone());
     [] DAffine2: Value::Numbers(numbers) => Some(DAffine2::from_cols_slice(numbers));
     [] DAffine3: Value::Numbers(numbers) => Some(DAffine3::from_cols_slice(numbers));
+    [] DMat3: Value::Numbers(numbers) => Some(DMat3::from_cols_slice(numbers));
     [] DMat4: Value::Numbers(numbers) => Some(DMat4::from_cols_slice(numbers));
     [] Basis: Value::Numbers(numbers) => numbers.as_slice().try_into().ok().map(Basis::Matrix),
         Value::Word("bezier") => Some(Basis::Bezier), Value::Word("hermite") => Some(Basis::Hermite),

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 /// The types whose functions are called with generated arguments.
-const TYPES: [&str; 9] = [
+const TYPES: [&str; 11] = [
     "Curve",
+    "RationalCurve",
+    "NurbsCurve",
     "Spline",
     "Path",
     "InkStroke",
@@ -20,29 +22,31 @@ const TYPES: [&str; 9] = [
 const VARIANTS: [&str; 2] = ["_within", "_with"];
 
 /// Functions that the checks of other functions call in every case, or that another test calls.
-const WITHIN_OTHERS: [&str; 52] = [
+const WITHIN_OTHERS: [&str; 54] = [
     "InkStroke::new", // InkStroke::outline, and those that follow
     "InkStroke::append",
     "InkStroke::changes",
     "InkStroke::spline",
     "InkStroke::widths",
-    "Grid::vertex_count",          // Patch::grid
-    "Grid::triangle_count",        // Patch::grid
-    "Grid::vertex",                // Grid::quads
-    "Grid::uv",                    // Grid::quads
-    "Grid::quad",                  // Grid::quads
-    "Grid::triangles",             // Grid::quads
-    "Path::from_kurbo",            // tests/path/kurbo.rs; its argument is a type of kurbo
-    "Path::from_elements",         // Path::elements
-    "Curve::point_at_length",      // Curve::time_at_length
-    "Spline::point_at_length",     // Spline::time_at_length
-    "Spline::extrema",             // tests/spline/queries.rs
-    "Spline::times_at_coordinate", // tests/spline/queries.rs
-    "Curve::offset_within",        // Curve::offset
-    "Spline::offset_within",       // Spline::offset
-    "Mesh::interleaved",           // copies what the meshes contain
-    "Path::nearest_of",            // tests/path/sizes.rs
-    "Path::length_at",             // tests/path/evaluate.rs, and those that follow
+    "Grid::vertex_count",             // Patch::grid
+    "Grid::triangle_count",           // Patch::grid
+    "Grid::vertex",                   // Grid::quads
+    "Grid::uv",                       // Grid::quads
+    "Grid::quad",                     // Grid::quads
+    "Grid::triangles",                // Grid::quads
+    "Path::from_kurbo",               // tests/path/kurbo.rs; its argument is a type of kurbo
+    "Path::from_elements",            // Path::elements
+    "Curve::point_at_length",         // Curve::time_at_length
+    "Spline::point_at_length",        // Spline::time_at_length
+    "RationalCurve::point_at_length", // RationalCurve::time_at_length
+    "NurbsCurve::point_at_length",    // NurbsCurve::time_at_length
+    "Spline::extrema",                // tests/spline/queries.rs
+    "Spline::times_at_coordinate",    // tests/spline/queries.rs
+    "Curve::offset_within",           // Curve::offset
+    "Spline::offset_within",          // Spline::offset
+    "Mesh::interleaved",              // copies what the meshes contain
+    "Path::nearest_of",               // tests/path/sizes.rs
+    "Path::length_at",                // tests/path/evaluate.rs, and those that follow
     "Path::lengths",
     "Path::point_at_length",
     "Path::eval",

@@ -23,6 +23,8 @@ const LIMITS: &[(&str, usize)] = &[
     ("Curve::flatten_with", FLATTEN),
     ("Spline::flatten", FLATTEN),
     ("Path::flatten", FLATTEN),
+    ("RationalCurve::flatten", FLATTEN),
+    ("NurbsCurve::flatten", FLATTEN),
     ("Patch::nearest", 2 * SEARCH),
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),

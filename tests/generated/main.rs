@@ -17,9 +17,11 @@ mod limits;
 mod lines;
 mod meshes;
 mod numbers;
+mod nurbs;
 mod parsers;
 mod patches;
 mod paths;
+mod rational;
 mod recorded;
 mod recorder;
 mod runner;
@@ -136,6 +138,22 @@ groups! {
         Spline space (lines): frames frames_at;
         Spline plane (drawing): trace to_svg;
         Spline one (drawing spline_offset): offset;
+    }
+    rational_curves {
+        RationalCurve points (rational): new conic from eval eval_at sample derivative_at tangent normal curvature;
+        RationalCurve points (rational accessors): degree control_points weights start end;
+        RationalCurve points (rational): split halve subsegment reverse elevate reparametrize transform project;
+        RationalCurve points (rational): bounds control_bounds extrema nearest length time_at_length flatten to_spline;
+        RationalCurve points (rational): approx_eq;
+        RationalCurve one (rational): area inflections to_elliptical_arc to_svg trace;
+    }
+    nurbs_curves {
+        NurbsCurve points (nurbs accessors): degree control_points weights knots is_closed domain segments joints start end;
+        NurbsCurve points (nurbs): new from interpolate greville reverse elevate insert_knot remove_knot refine split;
+        NurbsCurve points (nurbs): subsegment transform project eval eval_at sample derivative_at tangent normal curvature;
+        NurbsCurve points (nurbs): bounds control_bounds extrema nearest length time_at_length flatten to_spline approx_eq;
+        NurbsCurve points (nurbs): arc;
+        NurbsCurve one (nurbs): circle ellipse area to_svg trace;
     }
     paths_queries {
         Path one (paths accessors): new subpath_count segment_count is_empty subpaths segments;

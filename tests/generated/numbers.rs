@@ -11,7 +11,7 @@ use casteljau::path::{
 };
 use casteljau::spline::*;
 use casteljau::surface::*;
-use casteljau::{Curve, Error, Path, Point, Spline};
+use casteljau::{Curve, EllipticalArc, Error, NurbsCurve, Path, Point, RationalCurve, Spline};
 use std::fmt::Debug;
 use std::hash::{DefaultHasher, Hasher};
 
@@ -72,6 +72,14 @@ numbers! {
         Err(error) => see(hash(error)),
     };
     [] Path, path, see => path.subpaths().for_each(|spline| spline.visit(see));
+    [P: Point + Numbers] RationalCurve<P>, curve, see => {
+        curve.control_points().visit(see);
+        curve.weights().visit(see);
+    };
+    [P: Point + Numbers] NurbsCurve<P>, curve, see => {
+        curve.control_points().visit(see);
+        [curve.weights(), curve.knots()].iter().for_each(|numbers| numbers.visit(see));
+    };
     [] IntersectionKind, kind, see => if let IntersectionKind::Overlap { t_end, u_end } = kind {
         [*t_end, *u_end].visit(see);
     };
@@ -109,6 +117,8 @@ by_fields! {
     [P: Point + Numbers] Reduced<P> {curve error};
     [P: Point + Numbers] Subdivision<P> {curve t0 t1 polygon_length chord_length};
     [P: Point + Numbers] BSpline<P> {points knots};
+    [P: Numbers] PointAtLength<P> {t point tangent normal};
+    [] EllipticalArc {center radii rotation start_angle sweep_angle};
     [] Distance {t u distance};
     [] Frame {t point tangent normal binormal};
     [] Intersection {t u point kind};

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inspect as inspectInNode } from "node:util";
 import * as casteljau from "casteljau";
+import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
 import { checksOf, differences } from "../../www/api/build/run.js";
 import { entryFolders, readEntries, SECTIONS } from "../../www/api/build/entries.js";
 import { reference } from "../../www/api/build/reference.js";
@@ -46,7 +47,7 @@ test("every public name has an entry with a sentence", () => {
 
 test("the entries are those of the built package", () => {
   const namesOf = (page) => pages.find(({ title }) => title === page)?.items.map(({ id }) => id) ?? [];
-  for (const [name, value] of Object.entries(casteljau)) {
+  for (const [name, value] of Object.entries({ ...casteljau, NurbsCurve, RationalCurve })) {
     if (!/^[A-Z]/.test(name)) {
       const isThere = pages.some(({ items }) => items.some(({ id }) => id === name));
       assert.ok(isThere, name);

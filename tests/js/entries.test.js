@@ -1,4 +1,4 @@
-// The entry points casteljau, casteljau/core, casteljau/surfaces and casteljau/slim together in one program.
+// The entry points casteljau, casteljau/core, casteljau/nurbs, casteljau/surfaces and casteljau/slim together in one program.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import * as complete from "casteljau";
 import * as coreEntry from "casteljau/core";
+import * as nurbs from "casteljau/nurbs";
 import * as slim from "casteljau/slim";
 import * as surfaces from "casteljau/surfaces";
 import { build } from "esbuild";
@@ -28,6 +29,7 @@ test("entries: what each one exports", () => {
   assert.deepEqual(Object.keys(complete).sort(), all);
   assert.deepEqual(Object.keys(slim).sort(), all);
   assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Path", "Spline", "init"]);
+  assert.deepEqual(Object.keys(nurbs).sort(), ["Curve", "NurbsCurve", "RationalCurve", "Spline", "init"]);
   assert.deepEqual(Object.keys(surfaces).sort(), ["Curve", "Mesh", "Patch", "Surface", "init"]);
 });
 
@@ -35,11 +37,13 @@ test("entries: import and require give the same classes", () => {
   const require = createRequire(import.meta.url);
   assert.equal(require("casteljau").Curve, complete.Curve);
   assert.equal(require("casteljau/core").Curve, coreEntry.Curve);
+  assert.equal(require("casteljau/nurbs").NurbsCurve, nurbs.NurbsCurve);
   assert.equal(require("casteljau/surfaces").Surface, surfaces.Surface);
 });
 
 test("entries: init is optional, and starts the module of its entry", async () => {
   await coreEntry.init();
+  await nurbs.init();
   await surfaces.init();
   assert.deepEqual(new coreEntry.Curve(LINE).eval(0.5), { x: 1.5, y: 1 });
 });
@@ -173,6 +177,15 @@ test("entries: methods return the classes of their own entry", () => {
   assert.ok(Patch.fromJSON(patch.toJSON()).equals(patch) && Patch.fromBasis("bezier", new Float64Array(48)));
 });
 
+test("entries: the curves and splines of casteljau/nurbs have the methods of casteljau/core", () => {
+  const spline = nurbs.NurbsCurve.circle([0, 0], 1).toSpline();
+  assert.ok(spline instanceof nurbs.Spline && spline.segments()[0] instanceof nurbs.Curve);
+  assert.ok(new complete.Path([spline]).contains([0, 0]) && spline.nearest([2, 0]).distance > 0.999);
+  assert.throws(() => untyped(spline).offset(1), {
+    message: /^Spline\.offset is in "casteljau", not in "casteljau\/nurbs"$/,
+  });
+});
+
 test("entries: the curves of surfaces have the methods of casteljau/core, but for measures", () => {
   const patch = surfaces.Surface.teapot().patch(4);
   const curve = patch.isocurveAtU(0.25);
@@ -218,7 +231,7 @@ test("entries: casteljau/core gives the same numbers as casteljau, and refuses t
 });
 
 test("entries: a class that is called without new is refused by its name", () => {
-  for (const entry of [complete, coreEntry, slim, surfaces].map(untyped)) {
+  for (const entry of [complete, coreEntry, nurbs, slim, surfaces].map(untyped)) {
     for (const name of Object.keys(entry).filter((each) => /^[A-Z]/.test(each))) {
       assert.equal(entry[name].name, name);
       assert.throws(entry[name], { message: `Class constructor ${name} cannot be invoked without 'new'` });
@@ -266,8 +279,11 @@ async function exportedFunctions(name) {
   return names.filter((each) => !each.startsWith("__") && each !== "memory").sort();
 }
 
-test("entries: the modules of casteljau/core and casteljau/surfaces export what their classes call, and no more", async () => {
+test("entries: the modules of casteljau/core, casteljau/nurbs and casteljau/surfaces export what their classes call, and no more", async () => {
   assert.deepEqual(await exportedFunctions("core"), await calledFunctions("js/core.ts"));
+  // The trees of splines also serve paths, which ask for crossings.
+  const ofSplines = (await calledFunctions("js/nurbs.ts")).filter((name) => name !== "curve_crossings");
+  assert.deepEqual(await exportedFunctions("nurbs"), ofSplines);
   const measures = /^(cubic_(length|nearest)|curve_(area|equidistant_times|length|nearest|time_at_length))$/;
   const called = await calledFunctions("js/surfaces.ts");
   assert.deepEqual(
@@ -282,6 +298,7 @@ test("entries: an error that nothing catches prints little", () => {
     casteljau: 'import { Path } from "casteljau"; Path.circle(0, 0, 10);',
     "casteljau/core": 'import { Curve } from "casteljau/core"; new Curve(7);',
     "./dist/index.js": 'import { Path } from "./dist/index.js"; Path.circle(0, 0, 10);',
+    "casteljau/nurbs": 'import { NurbsCurve } from "casteljau/nurbs"; new NurbsCurve({ degree: "2" });',
     "casteljau/surfaces": 'import { Patch } from "casteljau/surfaces"; new Patch(7);',
     "casteljau/easing": 'import { easing } from "casteljau/easing"; easing(7);',
   };

@@ -48,7 +48,10 @@ function* numbersOf(value) {
     : FIELDS.flatMap((field) => (Object.hasOwn(value, field) ? [value[field]] : []));
   if (value instanceof Path) parts = [...value.subpaths];
   else if (value instanceof Surface) parts = [value.vertices];
-  else if (typeof value.controlPoints === "function") parts = [value.controlPoints()];
+  else if (typeof value.controlPoints === "function") {
+    const lists = ["controlPoints", "weights", "knots"].filter((list) => typeof value[list] === "function");
+    parts = lists.map((list) => value[list]());
+  }
   for (const part of parts) yield* numbersOf(part);
 }
 
@@ -56,12 +59,16 @@ const frames = ({ points, tangents, normals, binormals }, { segments, ts }) => {
   const vectors = [points, tangents, normals, binormals].map((flat) => pairs(flat, 3));
   return vectors[0].map((_, k) => [ts ? ts[k] : k / segments, vectors.map((each) => each[k])]);
 };
+const ofAxis = (extrema, { axis }) => {
+  if (!extrema["xyz"[axis]]) throw new RangeError(`axis: expected one of the curve, got ${axis}`);
+  return extrema["xyz"[axis]];
+};
 /** What Rust returns in another form. */
 const AS_IN_RUST = {
-  "Curve.extrema": (extrema, { axis }) => {
-    if (!extrema["xyz"[axis]]) throw new RangeError(`axis: expected one of the curve, got ${axis}`);
-    return extrema["xyz"[axis]];
-  },
+  "Curve.extrema": ofAxis,
+  "RationalCurve.extrema": ofAxis,
+  "NurbsCurve.extrema": ofAxis,
+  "NurbsCurve.removeKnot": ({ curve, error }) => [curve, error],
   "Curve.frames": frames,
   "Curve.framesAt": frames,
   "Spline.frames": frames,

@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, afterEach, test } from "node:test";
 import { Curve, easing, Patch, Path, Spline, Surface } from "casteljau";
+import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
 import { CUBIC, pointsOf, recorder, refused, SEVEN, SPACE } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
@@ -13,6 +14,8 @@ const quadratic = new Curve(CUBIC.slice(1));
 const seven = new Spline(SEVEN);
 const spaceSpline = new Spline([...SPACE, ...SPACE.slice(1)]);
 const mixed = Spline.fromCurves([new Curve([0, 0, 1, 0]), new Curve([1, 0, 2, 0, 3, 1])]);
+const conic = RationalCurve.conic([0, 0], [1, 1], [2, 0], 0.5);
+const nurbs = NurbsCurve.circle([0, 0], 1);
 const line = new Spline([0, 0, 1, 0], { degree: 1 });
 const ring = new Spline(CUBIC.slice(1), { closed: true });
 const path = new Path([seven]);
@@ -231,7 +234,26 @@ const SCOPE = {
     path,
     two,
   },
-  ...{ empty, plane, surface, teapot, mesh, target, view, START, CUBIC, SEVEN, detached, ones, without, pointsOf },
+  ...{
+    RationalCurve,
+    NurbsCurve,
+    conic,
+    nurbs,
+    empty,
+    plane,
+    surface,
+    teapot,
+    mesh,
+    target,
+    view,
+    START,
+    CUBIC,
+    SEVEN,
+    detached,
+    ones,
+    without,
+    pointsOf,
+  },
 };
 /** A function of _, of which a text is the value. */
 const callOf = (text) => {

@@ -83,6 +83,12 @@ const ENTRIES = {
     printed: "10",
     lacks: Object.values(marks),
   },
+  "casteljau/nurbs": {
+    program:
+      'import { RationalCurve } from "casteljau/nurbs";\nconsole.log(String(RationalCurve.conic([1, 0], [1, 1], [0, 1], Math.SQRT1_2)));\n',
+    printed: "M1,0 A1,1 0 0 1 0,1",
+    lacks: Object.values(marks),
+  },
   "casteljau/surfaces": {
     program:
       'import { Surface } from "casteljau/surfaces";\nconsole.log(Surface.teapot({ lid: false }).patch(9).degreeU);\n',

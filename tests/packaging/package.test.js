@@ -17,7 +17,7 @@ after(fixture.remove);
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
   const expected = [
-    /^dist\/(index|core|surfaces|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
+    /^dist\/(index|core|surfaces|nurbs|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
     /^dist\/custom\/(command\.js|needs\.json|pieces\.json)$/,
     /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface|applet|bernstein|coordinates|easing|equation))?\.js(\.map)?$/,
     /^dist\/elements\/(applet|bernstein|coordinates|easing|equation|surface)\.js(\.map)?$/,
@@ -49,7 +49,7 @@ test("declarations do not show the parameters that refuse surplus arguments", as
 });
 
 /**
- * The largest tarball; a change that raises it gives the reason. Half of it are the six wasm modules, each in the bundles that use it.
+ * The largest tarball; a change that raises it gives the reason. Half of it are the seven wasm modules, each in the bundles that use it.
  * The builder, path data, texts of transforms, three.js shapes and springs added 40 kB, most of it in source maps.
  * Boolean operations and strokes added 100 kB of wasm to each of two bundles and to casteljau.wasm, and their sources to the source maps.
  * The files for Node and the entry points of single elements added 30 kB.
@@ -60,8 +60,9 @@ test("declarations do not show the parameters that refuse surplus arguments", as
  * The command `casteljau custom` added 110 kB: the package as pieces, and the command.
  * Paths and measures in casteljau/core added 80 kB: its module, and their sources in its source map. Strokes with two widths, a
  * radius for each corner and lists of parameters added 20 kB, colours and full screen of the elements 20 kB.
+ * casteljau/nurbs added 220 kB: its bundle with its module, and its source map.
  */
-const MAX_TARBALL_KB = 3510;
+const MAX_TARBALL_KB = 3740;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);

@@ -46,7 +46,7 @@ pub(crate) struct Part {
     own: &'static [&'static [&'static str]],
 }
 
-pub(crate) const PARTS: [Part; 6] = [
+pub(crate) const PARTS: [Part; 7] = [
     Part {
         name: "curves",
         own: &[&[
@@ -76,6 +76,11 @@ pub(crate) const PARTS: [Part; 6] = [
         name: "core-surfaces",
         own: &[SURFACES, CORE_CURVES, &["basis_matrix"]],
     },
+    // For casteljau/nurbs, whose splines have the methods of casteljau/core.
+    Part {
+        name: "nurbs",
+        own: &[NURBS, CORE_CURVES, CURVE_MEASURES, CORE_SPLINES],
+    },
     // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
         name: "applet",
@@ -96,6 +101,9 @@ pub(crate) const PARTS: [Part; 6] = [
 ];
 
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
+
+/// Left out of the complete module, which has what `casteljau` calls.
+const NURBS: &[&str] = &["nurbs_", "rational_"];
 
 /// The functions that js/geometry/curve/core-curve.ts calls, besides measures.
 const CORE_CURVES: &[&str] = &[
@@ -188,6 +196,10 @@ fn without_hash(export: &str) -> &str {
     }
 }
 
+fn in_complete_module(export: &str) -> bool {
+    !selects(NURBS, export)
+}
+
 impl Part {
     fn contains(&self, export: &str) -> bool {
         self.own.iter().any(|list| selects(list, export))
@@ -211,7 +223,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     }
     clear()?;
     write_needs(compiled, &linked)?;
-    let whole = bound(compiled, &linked, &folder(), |_| true)?;
+    let whole = bound(compiled, &linked, &folder(), in_complete_module)?;
     let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
     fs::write(folder().join("casteljau.js"), &glue)?;
     let mut optimisers = vec![optimiser(&whole, "casteljau")?];
@@ -239,7 +251,8 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
 fn write_needs(compiled: &Path, linked: &Linked) -> Result<()> {
     let panicking = strip_panics::panicking(&walrus::Module::from_file(compiled)?);
     let needs = linked.needs(&panicking, |export| {
-        (!export.starts_with("__")).then(|| without_hash(export).to_owned())
+        let is_included = !export.starts_with("__") && in_complete_module(export);
+        is_included.then(|| without_hash(export).to_owned())
     })?;
     Ok(fs::write(
         folder().join("needs.json"),

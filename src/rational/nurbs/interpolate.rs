@@ -16,7 +16,8 @@ impl<P: Point> NurbsCurve<P> {
     ///
     /// # Errors
     /// [`Error::Range`] for a degree outside 1 to 64, [`Error::Count`] for fewer than degree + 1 points of which neighbours
-    /// differ, [`Error::NotFinite`] and [`Error::Item`] for coordinates, [`Error::TooMany`] above 2²⁸/p² points.
+    /// differ, [`Error::NotFinite`] and [`Error::Item`] for coordinates, [`Error::TooMany`] above 2²⁸/p² points,
+    /// [`Error::Singular`] if a distance is lost to rounding in the sum of the others.
     ///
     /// Sources: Piegl and Tiller, *The NURBS Book*, §9.2.1; Lee, "Choosing nodes in parametric curve interpolation", CAD 21
     /// (1989); de Boor, *A Practical Guide to Splines*, ch. XIII, for elimination without exchange of rows.
@@ -44,6 +45,9 @@ impl<P: Point> NurbsCurve<P> {
             return Err(Error::too_many("points", limit, count));
         }
         let ts = centripetal(&through);
+        if !ts.windows(2).all(|pair| pair[0] < pair[1]) {
+            return Err(Error::Singular { what: "points" });
+        }
         let mut knots = vec![0.0; p + 1];
         knots.extend((1..count - p).map(|j| ts[j..j + p].iter().sum::<f64>() / as_f64(p)));
         knots.extend(std::iter::repeat_n(1.0, p + 1));

@@ -114,6 +114,10 @@ impl<'a> Maker<'a> {
                 };
                 Value::Curve(*dimension, geometry::related(rng, mode, *dimension, first))
             }
+            "rationalcurve" => Value::RationalCurve(geometry::rational(rng, mode, any)),
+            "rationalcurve2" => Value::RationalCurve(geometry::rational(rng, mode, 2)),
+            "nurbscurve" => Value::NurbsCurve(geometry::nurbs(rng, mode, any)),
+            "nurbscurve2" => Value::NurbsCurve(geometry::nurbs(rng, mode, 2)),
             "spline" => Value::Spline(geometry::spline(rng, mode, any)),
             "spline2" => Value::Spline(geometry::spline(rng, mode, 2)),
             "spline3" => Value::Spline(geometry::spline(rng, mode, 3)),
@@ -170,6 +174,8 @@ impl<'a> Maker<'a> {
         Some(match kind {
             "t" => parameter(self.rng, 1.0),
             "spline t" => parameter(self.rng, self.segments()),
+            "nurbs t" => self.nurbs_parameter(),
+            "weight" => geometry::weight(self.rng),
             "unit" => {
                 let same = self.rng.clone().unit();
                 self.rng.pick(&[0.0, 0.5, 1.0, same, same])
@@ -195,6 +201,23 @@ impl<'a> Maker<'a> {
             }
             _ => return None,
         })
+    }
+
+    /// Inside the domain of a NURBS curve, at its ends and knots; one in twenty is outside.
+    pub(crate) fn nurbs_parameter(&mut self) -> f64 {
+        let Some((_, Value::NurbsCurve(curve))) = self.result.arguments.first() else {
+            panic!("a parameter needs a NURBS curve");
+        };
+        let knots = &curve.knots;
+        let first = if curve.closed { 0 } else { curve.degree };
+        let (from, to) = (knots[first], knots[curve.points.len()]);
+        match self.rng.below(20) {
+            0 => from,
+            1 => to,
+            2 | 3 => knots[self.rng.below(knots.len())].clamp(from, to),
+            4 => to + self.rng.unit(),
+            _ => from + (to - from) * self.rng.unit(),
+        }
     }
 
     /// A part of the size; one in thirty is out of range.
@@ -317,6 +340,7 @@ pub(crate) fn parameter(rng: &mut Rng, end: f64) -> f64 {
 pub(crate) fn control_points(value: &Value) -> Vec<DVec3> {
     match value {
         Value::Curve(_, points) | Value::Points(_, points) => points.clone(),
+        Value::RationalCurve(curve) | Value::NurbsCurve(curve) => curve.points.clone(),
         Value::Spline(spline) => spline.points.clone(),
         Value::Path(splines) => splines.iter().flat_map(|one| one.points.clone()).collect(),
         Value::Patch(surface) | Value::Surface(surface) => surface.vertices.clone(),

@@ -26,6 +26,23 @@ pub struct SplineData {
     pub closed: bool,
 }
 
+/// A NURBS curve as plain data; a rational curve has no knots.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RationalData {
+    /// 2 or 3.
+    pub dimension: usize,
+    /// Of a NURBS curve.
+    pub degree: usize,
+    /// Control points; z = 0 in the plane.
+    pub points: Vec<DVec3>,
+    /// A weight for each point.
+    pub weights: Vec<f64>,
+    /// The knots.
+    pub knots: Vec<f64>,
+    /// Whether points and knots are periodic.
+    pub closed: bool,
+}
+
 /// A surface as plain data; a patch is a surface with one patch and the indices 0, 1, 2, ….
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceData {
@@ -60,6 +77,10 @@ pub enum Value {
     Points(usize, Vec<DVec3>),
     /// A curve of the given dimension, from its control points.
     Curve(usize, Vec<DVec3>),
+    /// A rational curve.
+    RationalCurve(RationalData),
+    /// A NURBS curve.
+    NurbsCurve(RationalData),
     /// A spline.
     Spline(SplineData),
     /// A path.
@@ -151,6 +172,7 @@ impl Value {
         match self {
             Self::Point(_, p) => largest(&[*p]),
             Self::Points(_, points) | Self::Curve(_, points) => largest(points),
+            Self::RationalCurve(curve) | Self::NurbsCurve(curve) => largest(&curve.points),
             Self::Spline(spline) => largest(&spline.points),
             Self::Path(splines) => {
                 let sizes = splines.iter().map(|spline| largest(&spline.points));
@@ -166,6 +188,8 @@ impl Value {
             Self::Point(dimension, _)
             | Self::Points(dimension, _)
             | Self::Curve(dimension, _)
+            | Self::RationalCurve(RationalData { dimension, .. })
+            | Self::NurbsCurve(RationalData { dimension, .. })
             | Self::Spline(SplineData { dimension, .. }) => Some(*dimension),
             Self::Path(_) => Some(2),
             _ => None,

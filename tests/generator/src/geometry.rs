@@ -1,7 +1,7 @@
 //! Curves, splines, paths, patches and surfaces of each mode.
 
 use crate::adversarial::{self, Kind, ORDINARY, elevated_to, within_range};
-use crate::case::{Mode, SplineData, SurfaceData};
+use crate::case::{Mode, RationalData, SplineData, SurfaceData};
 use crate::random::{Rng, real};
 use glam::DVec3;
 
@@ -121,6 +121,73 @@ fn left_piece(points: &[DVec3], t: f64) -> Vec<DVec3> {
         piece.push(row[0]);
     }
     piece
+}
+
+/// A weight between 10⁻⁶ and 10⁶.
+pub(crate) fn weight(rng: &mut Rng) -> f64 {
+    let size = rng.pick(&[0.0, 0.5, 1.0, 6.0]);
+    rng.magnitude(-size, size)
+}
+
+/// Weights of similar sizes, or between 10⁻⁶ and 10⁶.
+pub(crate) fn weights(rng: &mut Rng, count: usize) -> Vec<f64> {
+    let size = rng.pick(&[0.0, 0.5, 1.0, 6.0]);
+    (0..count).map(|_| rng.magnitude(-size, size)).collect()
+}
+
+/// A rational curve.
+pub(crate) fn rational(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalData {
+    let points = curve(rng, mode, dimension, 24);
+    RationalData {
+        dimension,
+        degree: points.len() - 1,
+        weights: weights(rng, points.len()),
+        points,
+        knots: Vec::new(),
+        closed: false,
+    }
+}
+
+/// A NURBS curve of up to eight segments, with knots of every multiplicity up to the degree.
+pub(crate) fn nurbs(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalData {
+    let degree = rng.pick(&[1, 2, 2, 3, 3, 3, 4, 7]);
+    let closed = rng.chance(0.25);
+    let count = degree + 1 + rng.below(8);
+    let mut points = Vec::new();
+    while points.len() < count {
+        points.extend(curve(rng, mode, dimension, 8));
+    }
+    points.truncate(count);
+    let inner = if closed {
+        count + 1
+    } else {
+        count - degree + 1
+    };
+    let (mut knots, mut knot, mut times) = (Vec::new(), 0.0, 1);
+    for k in 0..inner {
+        let is_end = k < 2 || k + 1 == inner;
+        if is_end || times == degree || rng.chance(0.7) {
+            knot += rng.pick(&[1.0, 1.0, 0.25, 3.0]);
+            times = 0;
+        }
+        times += 1;
+        knots.push(knot);
+    }
+    if !closed {
+        let (first, last) = (knots[0], knots[inner - 1]);
+        let mut all = vec![first; degree];
+        all.extend(knots);
+        all.extend(vec![last; degree]);
+        knots = all;
+    }
+    RationalData {
+        dimension,
+        degree,
+        weights: weights(rng, count),
+        points,
+        knots,
+        closed,
+    }
 }
 
 /// A spline of one to five segments.

@@ -23,6 +23,11 @@ impl Maker<'_> {
             "parameters" => Value::Numbers(self.parameters(1.0)),
             "spline parameters" => Value::Numbers(self.parameters(self.segments())),
             "distinct parameters" => self.distinct_parameters(),
+            "nurbs parameters" => {
+                let count = self.rng.below(6);
+                Value::Numbers((0..count).map(|_| self.nurbs_parameter()).collect())
+            }
+            "weights" => self.weights(),
             "knots" => self.knots(),
             "basis" => {
                 let is_matrix = self.rng.chance(0.3);
@@ -38,6 +43,7 @@ impl Maker<'_> {
             }
             "parts" => Value::Words(PARTS.into_iter().filter(|_| self.rng.chance(0.6)).collect()),
             "map" => self.map(),
+            "projective map" => self.projective_map(),
             "extreme map" => self.extreme_map(),
             "projection" => self.projection(),
             "closed" | "flag" => Value::Flag(self.rng.chance(0.5)),
@@ -108,6 +114,29 @@ impl Maker<'_> {
             1 => numbers[..dimension].fill(0.0), // singular
             _ => {}
         }
+        Value::Numbers(numbers)
+    }
+
+    /// As many as the points; in a few cases one is missing or not above 0.
+    fn weights(&mut self) -> Value {
+        let count = control_points(&self.result.arguments[0].1).len();
+        let mut weights = geometry::weights(self.rng, count);
+        match self.rng.below(30) {
+            0 => weights.truncate(count - 1),
+            1 => weights[0] = self.rng.pick(&[0.0, -1.0, 1e-160, 1e160]),
+            _ => {}
+        }
+        Value::Numbers(weights)
+    }
+
+    /// A square matrix, column by column, whose last row is small for points of the size of the case.
+    fn projective_map(&mut self) -> Value {
+        let n = self.result.dimension() + 1;
+        let mut numbers: Vec<f64> = (0..n * n).map(|_| 2.0 * self.rng.signed()).collect();
+        for column in 0..n - 1 {
+            numbers[column * n + n - 1] /= self.size() * real(n);
+        }
+        numbers[n * n - 1] = self.rng.pick(&[1.0, 2.0, -3.0]);
         Value::Numbers(numbers)
     }
 

@@ -3,7 +3,7 @@
 //! Numbers have the fewest digits that give them back, so both languages see the same bits. JSON has neither infinities
 //! nor NaN, and no case has any.
 
-use crate::case::{Case, SplineData, SurfaceData, Value};
+use crate::case::{Case, RationalData, SplineData, SurfaceData, Value};
 use glam::DVec3;
 use std::fmt::Debug;
 
@@ -92,6 +92,32 @@ impl Language {
         }
     }
 
+    fn rational(self, curve: &RationalData) -> String {
+        let dimension = curve.dimension;
+        let points = self.points(dimension, &curve.points);
+        let weights = self.debug(&curve.weights);
+        match self {
+            Json => {
+                format!("{{\"dimension\":{dimension},\"points\":{points},\"weights\":{weights}}}")
+            }
+            JavaScript => format!("new RationalCurve({points}, {weights})"),
+        }
+    }
+
+    fn nurbs(self, curve: &RationalData) -> String {
+        let (dimension, degree, closed) = (curve.dimension, curve.degree, curve.closed);
+        let points = self.points(dimension, &curve.points);
+        let [weights, knots] = [&curve.weights, &curve.knots].map(|list| self.debug(list));
+        match self {
+            Json => format!(
+                "{{\"dimension\":{dimension},\"degree\":{degree},\"points\":{points},\"weights\":{weights},\"knots\":{knots},\"closed\":{closed}}}"
+            ),
+            JavaScript => format!(
+                "new NurbsCurve({{ degree: {degree}, points: {points}, weights: {weights}, knots: {knots}, closed: {closed} }})"
+            ),
+        }
+    }
+
     fn surface(self, surface: &SurfaceData) -> String {
         let vertices = self.points(3, &surface.vertices);
         let indices = self.debug(&surface.indices);
@@ -118,10 +144,16 @@ impl Language {
 
 impl Value {
     fn is_object(&self) -> bool {
-        use Value::{Curve, Patch, Path, Spline, Surface};
+        use Value::{Curve, NurbsCurve, Patch, Path, RationalCurve, Spline, Surface};
         matches!(
             self,
-            Curve(..) | Spline(_) | Path(_) | Patch(_) | Surface(_)
+            Curve(..)
+                | RationalCurve(_)
+                | NurbsCurve(_)
+                | Spline(_)
+                | Path(_)
+                | Patch(_)
+                | Surface(_)
         )
     }
 
@@ -144,6 +176,8 @@ impl Value {
                     JavaScript => format!("new Curve({points})"),
                 }
             }
+            (Self::RationalCurve(curve), _) => language.rational(curve),
+            (Self::NurbsCurve(curve), _) => language.nurbs(curve),
             (Self::Spline(spline), _) => language.spline(spline),
             (Self::Path(splines), _) => {
                 let list = language.list(splines, |spline| language.spline(spline));

@@ -1,10 +1,12 @@
 // For each public function the call that a generated case means.
 import assert from "node:assert/strict";
 import { Curve, easing, InkStroke, Mesh, Patch, Path, Spline, Surface } from "casteljau";
+import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
 import * as THREE from "three";
 import { recorder, withPath2D } from "../reference.js";
 
 const curveOf = ({ points, dimension }) => new Curve(points, { dimension });
+const rationalOf = ({ points, weights, dimension }) => new RationalCurve(points, weights, { dimension });
 const splineOf = ({ points, degrees, closed, dimension }) => Spline.fromJSON({ points, degrees, closed, dimension });
 const pathOf = (splines) => new Path(splines.map(splineOf));
 const patchOf = ({ vertices, degrees: [[degreeU, degreeV]] }) => new Patch(vertices, { degreeU, degreeV });
@@ -16,6 +18,8 @@ export function argumentsOf(given) {
   for (const [name, value] of Object.entries(given)) a[name] = value ?? undefined;
   for (const name of ["curve", "other"]) if (a[name]?.points && !a[name].degrees) a[name] = curveOf(a[name]);
   for (const name of ["spline", "other"]) if (a[name]?.degrees) a[name] = splineOf(a[name]);
+  if (a.rationalcurve) a.rationalcurve = rationalOf(a.rationalcurve);
+  if (a.nurbscurve) a.nurbscurve = new NurbsCurve(a.nurbscurve);
   if (a.path) a.path = pathOf(a.path);
   if (Array.isArray(a.other)) a.other = pathOf(a.other);
   if (a.patch) a.patch = patchOf(a.patch);
@@ -112,6 +116,57 @@ const CURVE = {
   "Curve.trace": (a) => traced((target) => a.curve.trace(target, { tolerance: a.tolerance })),
   "Curve.toSVG": (a) => a.curve.toSVG(svg(a)),
   "Curve.toThree": (a) => coordinatesOf(a.curve.toThree(THREE), a.s),
+};
+
+const RATIONAL = {
+  ...methods(
+    "RationalCurve",
+    `
+    toJSON; toString; degree; dimension; controlPoints; points; weights; eval t; evalAt ts; sample segments; derivativeAt t k;
+    tangent t; normal t; curvature t; split t; halve; subsegment t0 t1; reverse; elevate; reparametrize; bounds; controlBounds;
+    extrema; inflections; length; timeAtLength s; pointAtLength s; area; nearest p; flatten tolerance
+  `,
+  ),
+  "RationalCurve.constructor": (a) => new RationalCurve(a.points, a.weights, dimensionOf(a.points)),
+  "RationalCurve.conic": ({ points: [p0, p1, p2], w }) => RationalCurve.conic(p0, p1, p2, w),
+  "RationalCurve.from": (a) => RationalCurve.from(a.curve),
+  "RationalCurve.fromJSON": (a) => RationalCurve.fromJSON(a.rationalcurve.toJSON()),
+  "RationalCurve.splitAt": (a) => a.rationalcurve.split(a.ts),
+  "RationalCurve.equals": (a) => a.rationalcurve.equals(a.rationalcurve.reverse(), a.tolerance),
+  "RationalCurve.transform": (a) => a.rationalcurve.transform(matrix(a)),
+  "RationalCurve.project": (a) => a.rationalcurve.transform(a.map),
+  "RationalCurve.toSpline": (a) => a.rationalcurve.toSpline({ tolerance: a.tolerance }),
+  "RationalCurve.trace": (a) => traced((target) => a.rationalcurve.trace(target, { tolerance: a.tolerance })),
+  "RationalCurve.toSVG": (a) => a.rationalcurve.toSVG({ tolerance: a.tolerance }),
+};
+
+/** A radius, which is not negative. */
+const radius = (x) => Math.abs(x);
+const start = (a) => a.nurbscurve.segments()[0].points()[0];
+
+const NURBS = {
+  ...methods(
+    "NurbsCurve",
+    `
+    toJSON; toString; degree; dimension; closed; domain; controlPoints; points; weights; knots; greville; segments; joints; eval t;
+    evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; removeKnot t; refine ts;
+    elevate; split t; subsegment t0 t1; reverse; bounds; controlBounds; extrema; length; timeAtLength s; pointAtLength s; area;
+    nearest p; flatten tolerance
+  `,
+  ),
+  "NurbsCurve.constructor": (a) => new NurbsCurve(a.nurbscurve.toJSON()),
+  "NurbsCurve.arc": (a) => NurbsCurve.arc(start(a), 2, a.start, a.end),
+  "NurbsCurve.circle": (a) => NurbsCurve.circle(start(a), radius(a.radius)),
+  "NurbsCurve.ellipse": (a) => NurbsCurve.ellipse(start(a), radius(a.radius), radius(a.other_radius), a.rotation),
+  "NurbsCurve.interpolate": (a) => NurbsCurve.interpolate(a.points, { degree: a.degree, ...dimensionOf(a.points) }),
+  "NurbsCurve.from": (a) => NurbsCurve.from(a.spline),
+  "NurbsCurve.fromJSON": (a) => NurbsCurve.fromJSON(a.nurbscurve.toJSON()),
+  "NurbsCurve.equals": (a) => a.nurbscurve.equals(a.nurbscurve.reverse(), a.tolerance),
+  "NurbsCurve.transform": (a) => a.nurbscurve.transform(matrix(a)),
+  "NurbsCurve.project": (a) => a.nurbscurve.transform(a.map),
+  "NurbsCurve.toSpline": (a) => a.nurbscurve.toSpline({ tolerance: a.tolerance }),
+  "NurbsCurve.trace": (a) => traced((target) => a.nurbscurve.trace(target, { tolerance: a.tolerance })),
+  "NurbsCurve.toSVG": (a) => a.nurbscurve.toSVG({ tolerance: a.tolerance }),
 };
 
 const SPLINE = {
@@ -290,4 +345,9 @@ const INK = {
   "InkStroke.widths": (a) => ink(a).widths(),
 };
 
-export const GROUPS = [{ ...CURVE }, { ...SPLINE }, { ...PATH, ...INK, ...PATCH }, { ...SURFACE }];
+export const GROUPS = [
+  { ...CURVE, ...RATIONAL },
+  { ...NURBS, ...SPLINE },
+  { ...PATH, ...INK, ...PATCH },
+  { ...SURFACE },
+];

@@ -5,7 +5,15 @@ import { Curve, easing, Path, Spline, Surface } from "casteljau";
 import { coordinates, CUBIC } from "../reference.js";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
-const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion", "Path.curvature"]);
+const INFINITE = new Set([
+  "Curve.curvature",
+  "RationalCurve.curvature",
+  "NurbsCurve.curvature",
+  "Curve.torsion",
+  "Spline.curvature",
+  "Spline.torsion",
+  "Path.curvature",
+]);
 
 /** All numbers of an answer. @param {any} value @param {(x: number) => void} see */
 function visit(value, see) {
@@ -60,6 +68,8 @@ const CHECKS = {
     const path = Path.fromSVG(text);
     if (precision === undefined && curve.degree <= 3) assert.ok(path.equals(new Path([curve])), text);
   },
+  "RationalCurve.fromJSON": (again, { rationalcurve }) => assert.ok(again.equals(rationalcurve)),
+  "NurbsCurve.fromJSON": (again, { nurbscurve }) => assert.ok(again.equals(nurbscurve)),
   "Spline.fromJSON": (again, { spline }) => assert.ok(again.equals(spline)),
   "Spline.toBSpline": ({ points, ...options }, { spline }) =>
     assert.ok(Spline.fromBSpline(points, options).equals(spline)),

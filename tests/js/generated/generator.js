@@ -26,6 +26,8 @@ const SAME_CASES = {
   "Curve.points": "Curve.controlPoints",
   "Curve.toString": "Curve.toJSON",
   "Curve.toThree": "Curve.pointAtLength",
+  "RationalCurve.toString": "RationalCurve.toJSON",
+  "NurbsCurve.toString": "NurbsCurve.toJSON",
   "Spline.points": "Spline.controlPoints",
   "Spline.toString": "Spline.toJSON",
   "Spline.toThree": "Spline.pointAtLength",

@@ -1,6 +1,7 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
 import { Curve, Path, Spline } from "casteljau";
 import * as core from "casteljau/core";
+import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -53,6 +54,35 @@ export const curves: Curve[] = [inPlane, inSpace];
 export const wrong: Curve<3> = inPlane;
 export const along = <D extends 2 | 3>(curve: Curve<D>): number => curve.eval(0.5).x;
 export const sum: number = along(inPlane) + along(inSpace) + along(undecided);
+
+// Rational curves.
+const arc = new RationalCurve(
+  [
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ],
+  [1, Math.SQRT1_2, 1],
+);
+expectTrue<Same<typeof arc, RationalCurve<2>>>();
+expectTrue<Same<ReturnType<typeof arc.eval>, Plane>>();
+expectTrue<Same<ReturnType<typeof NurbsCurve.circle>, NurbsCurve<2>>>();
+const helix = new NurbsCurve({
+  degree: 1,
+  points: [
+    [0, 0, 0],
+    [1, 1, 1],
+  ],
+  knots: [0, 0, 1, 1],
+});
+expectTrue<Same<typeof helix, NurbsCurve<3>>>();
+export const spaceParts: RationalCurve<3>[] = helix.segments();
+export const rationalZ: number = helix.eval(0.5).z + RationalCurve.from(inSpace).nearest([0, 0, 0]).point.z;
+export const planeSpline: { dimension: 2 } = arc.toSpline({ tolerance: 0.1 });
+// @ts-expect-error: no z in the plane
+arc.eval(0).z;
+// @ts-expect-error: a curve has no weights
+export const noWeights: RationalCurve<2> = inPlane;
 
 // Splines and static functions.
 const spline = new Spline([

@@ -3,6 +3,7 @@
 import { elementPages } from "./elements.js";
 import { entryFolders, readEntries } from "./entries.js";
 import { extract } from "./extract.js";
+import { NURBS_NAMES } from "./sample.js";
 
 /**
  * @import { ClassDoc, Member, TypeDoc } from "./extract.js"
@@ -12,7 +13,7 @@ import { extract } from "./extract.js";
  * @typedef {{ pages: Page[], types: TypeDoc[], elements: ReturnType<typeof elementPages> }} Reference
  */
 
-const MODULES = /** @type {const} */ (["index", "applet/index", "geometry/easing"]);
+const MODULES = /** @type {const} */ (["index", "nurbs", "applet/index", "geometry/easing"]);
 
 /** @type {Reference | undefined} */
 let model;
@@ -26,7 +27,9 @@ export const reference = () => {
 /** @returns {Reference} */
 function makeReference() {
   const found = extract([...MODULES]);
-  const { classes, functions, types } = found.index;
+  const { functions } = found.index;
+  const classes = [...found.index.classes, ...found.nurbs.classes.filter(({ name }) => NURBS_NAMES.includes(name))];
+  const types = [...found.index.types, ...found.nurbs.types.filter(isMissing(found.index.types))];
   const folders = entryFolders();
   const entries = (/** @type {string} */ folder) => (folders.includes(folder) ? readEntries(folder) : new Map());
   const named = (/** @type {string} */ name) => functions.filter((item) => item.name === name);
@@ -50,6 +53,9 @@ function makeReference() {
   ];
   return { pages, types, elements: elementPages() };
 }
+
+/** Whether no type of a list has the name of another. @param {TypeDoc[]} types @returns {(type: TypeDoc) => boolean} */
+const isMissing = (types) => (type) => !types.some(({ name }) => name === type.name);
 
 /** What `easing` and a timing function have besides being called. @param {TypeDoc[]} types @returns {Member[]} */
 function easingMembers(types) {

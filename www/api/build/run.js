@@ -1,9 +1,10 @@
 // Runs the samples of the reference in Node, against the built package.
 import * as casteljau from "casteljau";
+import * as nurbs from "casteljau/nurbs";
 import { Drawing } from "../live/drawing.js";
 import { inspect } from "../live/inspect.js";
 import { expectedLines, promisesOf } from "./entries.js";
-import { NAMES, sampleSource } from "./sample.js";
+import { NAMES, NURBS_NAMES, sampleSource } from "./sample.js";
 
 /** @import { Entry } from "./entries.js" */
 
@@ -16,8 +17,11 @@ async function compile(entry) {
   const code = entry.js?.code ?? "";
   const checks = checksOf(entry).map((check) => check.code);
   const imports = [...code.matchAll(/^import (?:\* as )?(\w+) from "([^"]+)";$/gm)];
-  const names = [...NAMES, ...imports.map(([, name]) => name)];
-  const values = [...NAMES.map((name) => /** @type {any} */ (casteljau)[name])];
+  const names = [...NAMES, ...NURBS_NAMES, ...imports.map(([, name]) => name)];
+  const values = [
+    ...NAMES.map((name) => /** @type {any} */ (casteljau)[name]),
+    ...NURBS_NAMES.map((name) => /** @type {any} */ (nurbs)[name]),
+  ];
   for (const [, , specifier] of imports) values.push(await import(specifier));
   const source = `return (${sampleSource(code, entry.draw?.code, checks)});`;
   try {

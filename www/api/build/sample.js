@@ -4,6 +4,9 @@
 /** What samples use without importing it; the import is added where a sample is shown. */
 export const NAMES = ["Curve", "Spline", "Path", "InkStroke", "Patch", "Surface", "Mesh", "easing", "init"];
 
+/** The same from `casteljau/nurbs`. */
+export const NURBS_NAMES = ["RationalCurve", "NurbsCurve"];
+
 /**
  * @typedef {{ name: string, kind: "point" | "points" | "number" | "choice", value: any, start: number, end: number, min?: number, max?: number, step?: number, options?: any[] }} Input
  *   start and end: the position of the literal in the code
@@ -53,17 +56,21 @@ const isPoint = (value) =>
 
 /** The names of the package that a sample uses. @param {string} code */
 export const usedNames = (code) =>
-  NAMES.filter((name) => new RegExp(`(?<![.\\w"'])${name}\\b`).test(withoutComments(code)));
+  [...NAMES, ...NURBS_NAMES].filter((name) => new RegExp(`(?<![.\\w"'])${name}\\b`).test(withoutComments(code)));
 
 /** @param {string} code */
 const withoutComments = (code) => code.replace(/\/\/.*$/gm, "");
 
-/** The line that imports what a sample uses; empty if the sample has it. @param {string} code */
-export function importLine(code) {
-  const names = usedNames(code);
-  return names.length === 0 || code.includes('from "casteljau"')
-    ? ""
-    : `import { ${names.join(", ")} } from "casteljau";\n`;
+/** The lines that import what a sample uses; empty if the sample has them. @param {string} code */
+export const importLine = (code) => (code.includes('from "casteljau"') ? "" : importsOf(usedNames(code)));
+
+/** The lines that import names of the package. @param {string[]} names */
+export function importsOf(names) {
+  const line = (/** @type {string[]} */ list, /** @type {string} */ entry) => {
+    const used = list.filter((name) => names.includes(name));
+    return used.length === 0 ? "" : `import { ${used.join(", ")} } from "${entry}";\n`;
+  };
+  return line(NAMES, "casteljau") + line(NURBS_NAMES, "casteljau/nurbs");
 }
 
 /**

@@ -1,6 +1,6 @@
 // A Vite plugin: the samples of the reference as modules, one for each folder of www/api/entries, each loaded when a figure of its page is used.
 import { entryFolders, readEntries } from "./entries.js";
-import { NAMES, sampleSource, usedNames } from "./sample.js";
+import { importsOf, sampleSource, usedNames } from "./sample.js";
 
 const PREFIX = "virtual:reference-samples";
 
@@ -28,6 +28,5 @@ export function folderModule(folder) {
     ([name, { js, draw }]) => `${JSON.stringify(name)}: ${sampleSource(js?.code ?? "", draw?.code)}`,
   );
   const code = samples.join(",\n");
-  const used = NAMES.filter((name) => usedNames(code).includes(name));
-  return `import { ${used.join(", ")} } from "casteljau";\nexport default {\n${code}\n};`;
+  return `${importsOf(usedNames(code))}export default {\n${code}\n};`;
 }

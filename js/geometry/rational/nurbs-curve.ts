@@ -1,0 +1,851 @@
+import * as check from "../check.js";
+import { core } from "../../wasm/init.js";
+import { unwrapCount } from "../../wasm/errors.js";
+import { CheckedPoints, readPolyline, readResult, writeArguments } from "../../wasm/transfer.js";
+import { extents, packedSpline } from "../../wasm/packed-path.js";
+import { directionOfDegrees } from "../../io/svg-arc.js";
+import { svgOfRational } from "../../io/svg-conic.js";
+import { checkTolerance, traceOn } from "../../io/svg-write.js";
+import { affine } from "../affine.js";
+import { pointAndDirections } from "../arc-length.js";
+import { nurbsData, packedPath, rationalData, requireJSON, splineData, typeOf } from "../brand.js";
+import { readNearest } from "../curve-queries.js";
+import { showInNode } from "../inspected.js";
+import { boxAt, dimensionOf, flatten, nested, pointList, requireList, samePoints, writePoint } from "../points.js";
+import { coreSplineOf, readSplineData } from "../spline/core-spline.js";
+import { projective } from "./projective.js";
+import { checkedWeights, defaultTolerance, rationalCurveOf } from "./rational-curve.js";
+import type { PointAtLength } from "../arc-length.js";
+import type { NurbsData, SplineData } from "../brand.js";
+import type { PointLike, PointsLike, TransformLike } from "../check.js";
+import type { CoreCurve } from "../curve/core-curve.js";
+import type { Extrema, Nearest } from "../curve-queries.js";
+import type { CorePath } from "../path/core-path.js";
+import type { Bounds, Point, PointArrays } from "../points.js";
+import type { CoreSpline } from "../spline/core-spline.js";
+import type { RationalCurve } from "./rational-curve.js";
+import type { SvgOptions } from "../../io/svg-write.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
+/** What a NURBS curve is made of. */
+export interface NurbsOptions<D extends 2 | 3 = 2 | 3> {
+  /** The degree p, 1 to 64 */
+  degree: number;
+  /** The control points, at least p + 1 of them (closed: at least 1); a flat array is 2D unless `dimension` is 3 */
+  points: PointArrays<D> | PointsLike;
+  /** A weight for each point, from 2^-500 to 2^500; all 1 by default */
+  weights?: ArrayLike<number>;
+  /** The knots in ascending order: as many as points, and p + 1 more (closed: 1 more) */
+  knots: ArrayLike<number>;
+  /** Whether points and knots are periodic; false by default */
+  closed?: boolean;
+  /** How a flat array of coordinates is read, 2 by default */
+  dimension?: D;
+}
+
+/** What `NurbsCurve.toJSON` returns; `NurbsCurve.fromJSON` also reads other forms of points. */
+export type NurbsCurveJSON = {
+  degree: number;
+  points: PointsLike;
+  weights: ArrayLike<number>;
+  knots: ArrayLike<number>;
+  closed: boolean;
+  dimension?: 2 | 3;
+};
+
+/**
+ * One NURBS curve of degree 1 to 64, in the plane or in space: a B-spline with weights.
+ *
+ * C(t) = Σ wᵢ Nᵢ(t) Pᵢ / Σ wᵢ Nᵢ(t), where the Nᵢ are the B-splines of degree p over the knots u₀ ≤ u₁ ≤ …, for t in the domain:
+ * from uₚ to uₙ with n points, of a closed curve from u₀ to uₙ, one period. Other values extrapolate the first and the last
+ * segment. An open curve passes through its first and last point if the knot at that end occurs p times (p + 1 times with the
+ * outer knot, which does not affect the curve). Curves are immutable: every change returns a new one. They need not be freed.
+ *
+ *     const circle = NurbsCurve.circle([0, 0], 2);
+ *     circle.length(); // 12.566370614359172
+ *
+ * The segments, rational curves over the nonempty knot spans, are computed once and kept. In TypeScript, `NurbsCurve<2>` and
+ * `NurbsCurve<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ */
+export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
+  #data: NurbsData;
+  #segments: RationalCurve<D>[] | undefined;
+  #joints = new Float64Array();
+
+  /**
+   * The curve of the given degree, control points, weights and knots.
+   *
+   *     const points = [[0, 0], [1, 2], [3, 2], [4, 0]];
+   *     new NurbsCurve({ degree: 2, points, weights: [1, 2, 2, 1], knots: [0, 0, 0, 1, 2, 2, 2] });
+   *
+   * @param options `degree`, `points` and `knots`; `weights`: all 1 by default; `closed`: false by default; `dimension`: 2 or 3,
+   *   how a flat array is read; 2 by default
+   * @throws {RangeError} for a wrong count, a NaN or an infinity, a weight that is not above 0, and knots that decrease or
+   *   occur more than p times inside or p + 1 times at the ends
+   * @throws {TypeError} for a value that is not a point
+   */
+  constructor(options: NurbsOptions<D>) {
+    if (!isShown) show();
+    const checked = options as unknown;
+    if (checked instanceof CheckedNurbs) {
+      this.#data = checked.data;
+      return;
+    }
+    this.#data = checkedData(options);
+    this.#readSegments();
+  }
+
+  /** The degree p of every segment. */
+  get degree() {
+    return this.#data.degree;
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#data.dimension as D;
+  }
+
+  /** Whether points and knots are periodic. */
+  get closed() {
+    return this.#data.closed;
+  }
+
+  /** The ends of the range of t. */
+  get domain(): [number, number] {
+    const { degree, closed, knots, weights } = this.#data;
+    return [knots[closed ? 0 : degree], knots[weights.length]];
+  }
+
+  /**
+   * @returns a copy of the coordinates of the control points
+   */
+  controlPoints(): Float64Array {
+    return this.#data.flat.slice();
+  }
+
+  /** The control points as objects. */
+  points(): Point<D>[] {
+    return pointList(this.#data.flat, this.dimension);
+  }
+
+  /**
+   * @returns a copy of the weights of the control points
+   */
+  weights(): Float64Array {
+    return this.#data.weights.slice();
+  }
+
+  /**
+   * @returns a copy of the knots, in ascending order
+   */
+  knots(): Float64Array {
+    return this.#data.knots.slice();
+  }
+
+  /**
+   * The Greville abscissae: for each control point the mean of the p knots that belong to it, where it pulls the curve most.
+   */
+  greville(): Float64Array {
+    return readResult(0, core().nurbs_greville(this._write()));
+  }
+
+  /** The segments: the rational curves over the nonempty knot spans. Each ends at the point with which the next one starts. */
+  segments(): RationalCurve<D>[] {
+    return [...this.#readSegments()];
+  }
+
+  /**
+   * The values of t at the ends of the segments, one more than segments.
+   *
+   * @returns a copy
+   */
+  joints(): Float64Array {
+    this.#readSegments();
+    return this.#joints.slice();
+  }
+
+  #readSegments(): RationalCurve<D>[] {
+    if (this.#segments) return this.#segments;
+    const { degree, dimension } = this.#data;
+    const numbers = readResult(0, core().nurbs_segments(this._write()));
+    const count = numbers[0];
+    this.#joints = numbers.slice(1, count + 2);
+    const n = degree + 1;
+    const segment = (_: unknown, k: number) => {
+      const at = count + 2 + k * n * (dimension + 1);
+      const weights = at + n * dimension;
+      const points = new CheckedPoints(numbers.slice(at, weights), dimension);
+      return rationalCurveOf(points, numbers.slice(weights, weights + n)) as RationalCurve<D>;
+    };
+    this.#segments = Array.from({ length: count }, segment);
+    return this.#segments;
+  }
+
+  /**
+   * Whether both have the same degree and structure, each control point lies within a distance of its counterpart, and weights
+   * and knots are equal within `tolerance` times the largest one.
+   *
+   * @param other the value to compare with
+   * @param tolerance by default 0: equal coordinates, weights and knots
+   */
+  equals(other: NurbsCurve, tolerance = 0): boolean {
+    const [a, b] = [this.#data, nurbsData(other, "other")];
+    const sameStructure = a.degree === b.degree && a.closed === b.closed && a.dimension === b.dimension;
+    if (!sameStructure || !samePoints(a.flat, b.flat, a.dimension, tolerance)) return false;
+    return alike(a.weights, b.weights, tolerance) && alike(a.knots, b.knots, tolerance);
+  }
+
+  /** The curve as an object for JSON, from which `NurbsCurve.fromJSON` makes an equal curve. */
+  toJSON(): { degree: number; points: number[][]; weights: number[]; knots: number[]; closed: boolean } {
+    const { degree, flat, dimension, weights, knots, closed } = this.#data;
+    return { degree, points: nested(flat, dimension), weights: [...weights], knots: [...knots], closed };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   */
+  get casteljauType(): "nurbscurve" {
+    return "nurbscurve";
+  }
+
+  /**
+   * @internal
+   */
+  casteljauData(): NurbsData {
+    return this.#data;
+  }
+
+  /**
+   * @internal
+   * Writes the curve, and then further numbers, to the arena.
+   * @returns the dimension
+   */
+  _write(further: ArrayLike<number> = []): number {
+    const { degree, closed, flat, weights, knots, dimension } = this.#data;
+    const head = [degree, Number(closed), weights.length, knots.length];
+    const view = writeArguments(new Float64Array(head), flat.length + weights.length + knots.length + further.length);
+    let at = head.length;
+    for (const numbers of [flat, weights, knots, further]) {
+      view.set(numbers, at);
+      at += numbers.length;
+    }
+    return dimension;
+  }
+
+  /**
+   * @internal
+   * Reads the curve at an index of the arena, of the same dimension.
+   * @param end the index after it, negative if the core reported an error
+   */
+  _read(end: number, from = 0): NurbsCurve<D> {
+    return readNurbs(end, this.dimension, from) as NurbsCurve<D>;
+  }
+
+  /**
+   * @internal
+   */
+  _require2D(method: string) {
+    check.require2D(method, "curve", this.dimension);
+  }
+
+  /** The segment that contains t, the parameter on it, and the difference of t along it; the end belongs to the last segment. */
+  #locate(t: number) {
+    check.finite(t, "t");
+    const segments = this.#readSegments();
+    let [k, after] = [0, segments.length];
+    while (after - k > 1) {
+      const middle = (k + after) >> 1;
+      if (this.#joints[middle] <= t) k = middle;
+      else after = middle;
+    }
+    const [from, to] = [this.#joints[k], this.#joints[k + 1]];
+    return { segment: segments[k], s: t === to ? 1 : (t - from) / (to - from), length: to - from };
+  }
+
+  /** What a segment gives at t. */
+  #at<R>(t: number, query: (segment: RationalCurve<D>, s: number) => R): R {
+    const { segment, s } = this.#locate(t);
+    if (!(s >= 0 && s <= 1) && !(segment._denominatorAt(s) > 0)) {
+      throw new RangeError(`t: expected a parameter at which the denominator of the curve is above 0, got ${t}`);
+    }
+    return query(segment, s);
+  }
+
+  /**
+   * The point at t.
+   *
+   * @param t the parameter, in the domain; others extrapolate
+   * @throws {RangeError} outside of the domain where the denominator is not above 0
+   */
+  eval(t: number): Point<D> {
+    return this.#at(t, (segment, s) => segment.eval(s));
+  }
+
+  /**
+   * `segments` + 1 points at even steps of t over the domain.
+   *
+   * @param segments how many parts, at least 1
+   * @param options `into`: at least (segments + 1) · dimension numbers long
+   */
+  sample(segments: number, options?: { into?: Float64Array }): Float64Array {
+    check.segmentCount(segments);
+    const [from, to] = this.domain;
+    const at = (_: unknown, i: number) => from * (1 - i / segments) + to * (i / segments);
+    return this.evalAt(Array.from({ length: segments + 1 }, at), options);
+  }
+
+  /**
+   * The points at the given parameters.
+   *
+   * @param ts the parameters
+   * @param options `into`: at least ts.length · dimension numbers long
+   * @throws {RangeError} as `eval`
+   */
+  evalAt(ts: ArrayLike<number>, options?: { into?: Float64Array }): Float64Array {
+    const parameters = check.numbers(ts, "ts");
+    const d = this.dimension;
+    const into = check.resultArray(check.options(options, ["into"]).into, parameters.length * d);
+    parameters.forEach((t, i) => writePoint(into, i * d, this.eval(t), d, "point"));
+    return into;
+  }
+
+  /**
+   * The k-th derivative by t. At a joint it is that of the segment that starts there.
+   *
+   * @param t the parameter, in the domain; others extrapolate
+   * @param k the order of the derivative, 0 to 64, by default 1
+   * @throws {RangeError} as `eval`
+   */
+  derivativeAt(t: number, k = 1): Point<D> {
+    const { length } = this.#locate(t);
+    const derivative = { ...this.#at(t, (segment, s) => segment.derivativeAt(s, k)) } as Record<string, number>;
+    for (const axis of Object.keys(derivative)) for (let i = 0; i < k; i++) derivative[axis] /= length;
+    return derivative as Point<D>;
+  }
+
+  /**
+   * The unit tangent at t; see `RationalCurve.tangent`.
+   *
+   * @param t the parameter, in the domain; others extrapolate
+   * @throws {RangeError} as `eval`
+   */
+  tangent(t: number): Point<D> {
+    return this.#at(t, (segment, s) => segment.tangent(s));
+  }
+
+  /**
+   * The unit normal at t; see `RationalCurve.normal`.
+   *
+   * @param t the parameter, in the domain; others extrapolate
+   * @throws {RangeError} as `eval`
+   */
+  normal(t: number): Point<D> {
+    return this.#at(t, (segment, s) => segment.normal(s));
+  }
+
+  /**
+   * The curvature at t; see `RationalCurve.curvature`.
+   *
+   * @param t the parameter, in the domain; others extrapolate
+   * @throws {RangeError} as `eval`
+   */
+  curvature(t: number): number {
+    return this.#at(t, (segment, s) => segment.curvature(s));
+  }
+
+  /**
+   * The same curve with a knot inserted.
+   *
+   * @param t the knot, in the domain
+   * @param times how often, by default once
+   * @throws {RangeError} for a t outside of the domain, and for more than p times the same knot inside
+   */
+  insertKnot(t: number, times = 1): NurbsCurve<D> {
+    check.finite(t, "t");
+    check.whole(times, "times", 0, 64);
+    return this._read(core().nurbs_insert_knot(this._write(), t, times));
+  }
+
+  /**
+   * The same curve with knots inserted, in any order.
+   *
+   * @param ts the knots, in the domain
+   * @throws {RangeError} as `insertKnot`
+   */
+  refine(ts: ArrayLike<number>): NurbsCurve<D> {
+    const knots = check.numbers(ts, "ts");
+    return this._read(core().nurbs_refine(this._write(knots), knots.length));
+  }
+
+  /**
+   * The curve with one copy of a knot removed, and a bound on its distance from this curve at equal t: 0 up to rounding if the
+   * curve is as smooth there as without the knot.
+   *
+   * @param t a knot inside of the domain
+   * @throws {RangeError} if t is no knot inside of the domain, and if no curve without it is near: a weight would not be above 0
+   */
+  removeKnot(t: number): { curve: NurbsCurve<D>; error: number } {
+    check.finite(t, "t");
+    const end = unwrapCount(core().nurbs_remove_knot(this._write(), t));
+    return { error: readResult(0, 1)[0], curve: this._read(end, 1) };
+  }
+
+  /**
+   * The same curve with a higher degree; every knot gets as many more copies, so the curve is as smooth as before.
+   *
+   * @param times by how much the degree is raised, by default 1
+   * @throws {RangeError} for a degree above 64
+   */
+  elevate(times = 1): NurbsCurve<D> {
+    check.whole(times, "times", 0, 64);
+    let curve: NurbsCurve<D> = this;
+    for (let k = 0; k < times; k++) curve = curve._read(core().nurbs_elevate(curve._write()));
+    return curve;
+  }
+
+  /**
+   * Splits the curve at t into two open curves, whose domains together are that of this one.
+   *
+   * @param t the parameter, inside of the domain
+   * @throws {RangeError} for any other t
+   */
+  split(t: number, ...surplus: never[]): [NurbsCurve<D>, NurbsCurve<D>] {
+    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+    check.finite(t, "t");
+    const [from, to] = this.domain;
+    if (!(t > from && t < to))
+      throw new RangeError(`t: expected a number inside of the domain, ${from} to ${to}, got ${t}`);
+    return [this.subsegment(from, t), this.subsegment(t, to)];
+  }
+
+  /**
+   * The part from t0 to t1 as an open curve with that domain; reversed, with the same domain, if t0 > t1.
+   *
+   * @param t0 the parameter of the start, in the domain
+   * @param t1 the parameter of the end, in the domain
+   * @throws {RangeError} for parameters outside of the domain, and for equal ones
+   */
+  subsegment(t0: number, t1: number, ...surplus: never[]): NurbsCurve<D> {
+    check.noSurplus(surplus, "subsegment", 2);
+    check.finite(t0, "t0");
+    check.finite(t1, "t1");
+    return this._read(core().nurbs_subsegment(this._write(), t0, t1));
+  }
+
+  /** The same curve with the opposite direction and the same domain. */
+  reverse(): NurbsCurve<D> {
+    return this._read(core().nurbs_reverse(this._write()));
+  }
+
+  /**
+   * The curve transformed by an affine map, which keeps the weights, or by a projective map, which changes them; see
+   * `RationalCurve.transform`.
+   *
+   * @param matrix 6, 9 or 16 numbers, a DOMMatrix or another object with a matrix, or a text such as "translate(50 50) rotate(30)"
+   * @throws {RangeError} as there
+   */
+  transform(matrix: TransformLike): NurbsCurve<D> {
+    const numbers = projective(matrix, this.dimension);
+    if (numbers) return this._read(core().nurbs_project(this._write(numbers)));
+    const map = affine(matrix);
+    const { flat, dimension } = this.#data;
+    writeArguments(flat, map.length).set(map, flat.length);
+    const length = core().points_transform(dimension, flat.length / dimension);
+    return nurbsOf({ ...this.#data, flat: readResult(0, length) }) as NurbsCurve<D>;
+  }
+
+  /** The smallest box that contains the curve. */
+  bounds(...surplus: never[]): Bounds<D> {
+    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+    return boxAt(readResult(0, core().nurbs_bounds(this._write())), this.dimension);
+  }
+
+  /** The box of the control points, which contains the curve. */
+  controlBounds(): Bounds<D> {
+    const { flat, dimension } = this.#data;
+    writeArguments(flat);
+    core().curve_bounds(dimension, flat.length / dimension, false);
+    return boxAt(readResult(0, 2 * dimension), this.dimension);
+  }
+
+  /** The parameters inside of the domain where a coordinate has a local extremum inside of a segment, sorted. */
+  extrema(...surplus: never[]): Extrema {
+    check.noSurplus(surplus, "extrema", 0);
+    const [x, y, z] = Array.from({ length: this.dimension }, (_, axis) =>
+      readResult(0, core().nurbs_extrema(this._write(), axis)),
+    );
+    return this.dimension === 2 ? { x, y } : { x, y, z };
+  }
+
+  /**
+   * The arc length, with a relative error below 10⁻¹² for weights whose ratios are at most 2²⁰.
+   *
+   * At most 4096 intervals are integrated for each segment.
+   *
+   * @returns 0 if all control points are equal
+   */
+  length(...surplus: never[]): number {
+    check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
+    return readResult(0, core().nurbs_length(this._write()))[0];
+  }
+
+  /**
+   * The t at which the arc length from the start is s. An s outside of [0, length] gives the nearer end of the domain.
+   *
+   * @param s the length, in the unit of the points
+   */
+  timeAtLength(s: number): number {
+    check.finite(s, "s");
+    return readResult(0, core().nurbs_time_at_length(this._write(), s))[0];
+  }
+
+  /**
+   * The point at the arc length s from the start, with its t, unit tangent and unit normal. An s outside of [0, length] gives
+   * the nearer end.
+   *
+   * @param s in the unit of the points
+   * @throws {RangeError} for a NaN or an infinity
+   */
+  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
+    check.noSurplus(surplus, "pointAtLength", 1);
+    return pointAndDirections(this, this.timeAtLength(s));
+  }
+
+  /**
+   * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
+   * line turns counter-clockwise (x right, y up); for a closed curve the enclosed area. 2D only.
+   */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    this._require2D("area");
+    return this.#readSegments().reduce((sum, segment) => sum + segment.area(), 0);
+  }
+
+  /**
+   * The point of the curve that is nearest to p: the global minimum of the distance over the domain. Of several nearest points,
+   * it is the one with the smallest t.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+    const coordinates = new Float64Array(this.dimension);
+    writePoint(coordinates, 0, p, this.dimension, "p");
+    check.noSurplus(surplus, "nearest", 1);
+    unwrapCount(core().nurbs_nearest(this._write(coordinates)));
+    return readNearest(this.dimension);
+  }
+
+  /**
+   * A polyline whose distance from the curve is nowhere greater than `tolerance`; every joint is a vertex.
+   *
+   * @param tolerance in the unit of the points
+   * @returns the vertices and their parameters
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
+    check.noSurplus(surplus, "flatten", 1);
+    check.positive(tolerance, "tolerance");
+    const vertices = core().nurbs_flatten(this._write(), tolerance);
+    return readPolyline(unwrapCount(vertices), this.dimension);
+  }
+
+  /**
+   * The curve as a spline of cubics; segments whose weights are equal stay as they are. The spline is closed if the curve ends at
+   * the point where it starts.
+   *
+   * @param options `tolerance`: the largest distance from the curve, in the unit of the points, by default 1e-4 of the diagonal of
+   *   the control points' box, at least 1e-12 of the largest coordinate
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  toSpline(options?: { tolerance?: number }): CoreSpline<D> {
+    return coreSplineOf(this.#spline(check.options(options, ["tolerance"]).tolerance)) as CoreSpline<D>;
+  }
+
+  /** The data of `toSpline`. */
+  #spline(tolerance: number | undefined): SplineData {
+    const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#data.flat, this.controlBounds());
+    return readSplineData(core().nurbs_to_spline(this._write(), error), this.dimension);
+  }
+
+  /**
+   * Draws the curve on a canvas context or a Path2D: `moveTo` its start, then cubics. 2D only.
+   *
+   * @param target a canvas context or a Path2D
+   * @param options `tolerance`: as in `toSpline`
+   */
+  trace(
+    target: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D,
+    options?: { tolerance?: number },
+  ) {
+    this._require2D("trace");
+    const canvas = check.drawingTarget(target);
+    const { flat, degrees, closed } = this.#spline(check.options(options, ["tolerance"]).tolerance);
+    traceOn(packedSpline(flat, degrees, closed), canvas, options);
+  }
+
+  /**
+   * The curve as SVG path data: segments of degree 2 that are arcs of ellipses as arcs (`A`), the others as cubics; closed if
+   * the curve ends where it starts. 2D only.
+   *
+   * @param options `precision`: 0 to 100, the maximum number of digits after the decimal point; selects the shortest form;
+   *   `tolerance`: of the cubics, as in `toSpline`
+   */
+  toSVG(options?: SvgOptions): string {
+    this._require2D("toSVG");
+    const { precision, tolerance } = check.options(options, ["precision", "tolerance"]);
+    const segments = this.#readSegments();
+    const maxError = check.optionalTolerance(tolerance);
+    const [first, last] = [segments[0].casteljauData().flat, segments[segments.length - 1].casteljauData().flat];
+    checkTolerance(packedSpline(this.#data.flat, [this.#data.weights.length - 1], false), maxError);
+    const error = maxError || defaultTolerance(this.#data.flat, this.controlBounds());
+    const closed = first[0] === last[last.length - 2] && first[1] === last[last.length - 1];
+    const data = segments.map((segment) => segment.casteljauData());
+    return svgOfRational(data, closed, precision, maxError, (k) => {
+      const { flat, degrees } = segments[k].toSpline({ tolerance: error }).casteljauData();
+      return packedSpline(flat, degrees, false);
+    });
+  }
+
+  /** The curve as `toSVG` writes it, or in space as JSON: `String(curve)` and `${curve}` give this text. */
+  toString(): string {
+    return this.dimension === 2 ? this.toSVG() : JSON.stringify(this);
+  }
+
+  /**
+   * An arc of a circle, counter-clockwise (x right, y up) if the end is above the start: degree 2, a span for each quarter turn
+   * or less, over the domain [0, 1].
+   *
+   *     NurbsCurve.arc([0, 0], 1, 0, Math.PI / 2).eval(1); // { x: 0, y: 1 }
+   *
+   * In space the angles are measured in the plane perpendicular to the normal, from the projection of the x-axis, or of the y-axis if
+   * the normal is parallel to the x-axis, counter-clockwise as seen from where the normal points.
+   *
+   * @param center in the plane or in space
+   * @param radius at least 0
+   * @param start the angle of the start, in radians
+   * @param end the angle of the end, at most a full turn away
+   * @param options `normal`: in space, by default [0, 0, 1]
+   * @throws {RangeError} for a negative radius, more than a full turn, and a normal of length 0
+   */
+  static arc<D extends 2 | 3 = 2 | 3>(
+    center: PointArrays<D>[number] | PointLike,
+    radius: number,
+    start: number,
+    end: number,
+    options?: { normal?: PointLike },
+  ): NurbsCurve<D> {
+    const dimension = dimensionOf(center, "center");
+    const { normal } = check.options(options, ["normal"]);
+    if (dimension === 2 && normal !== undefined) throw new TypeError("normal: expected none with a 2D center, got one");
+    const [u, v] = dimension === 2 ? UNIT_VECTORS : directionsOf(normal ?? [0, 0, 1]);
+    const r = checkedRadius(radius, "radius");
+    const scaled = (direction: readonly number[]) => direction.map((x) => x * r);
+    return arcBetween(center, dimension, scaled(u), scaled(v), start, end) as NurbsCurve<D>;
+  }
+
+  /**
+   * A circle, counter-clockwise (x right, y up) from (x + r, y), with nine control points over the domain [0, 1].
+   *
+   * @param center in the plane
+   * @param radius at least 0; with 0 the curve is a point
+   * @throws {RangeError} for a negative radius
+   */
+  static circle(center: PointLike, radius: number): NurbsCurve<2> {
+    const r = checkedRadius(radius, "radius");
+    return arcBetween(center, 2, [r, 0], [0, r], 0, 2 * Math.PI) as NurbsCurve<2>;
+  }
+
+  /**
+   * An ellipse with two radii, as `circle`.
+   *
+   * @param center in the plane
+   * @param radiusX at least 0
+   * @param radiusY at least 0
+   * @param rotation the angle of the first radius, in radians, by default 0
+   * @throws {RangeError} for a negative radius
+   */
+  static ellipse(center: PointLike, radiusX: number, radiusY: number, rotation = 0): NurbsCurve<2> {
+    const [a, b] = [checkedRadius(radiusX, "radiusX"), checkedRadius(radiusY, "radiusY")];
+    const [cos, sin] = directionOfDegrees((check.finite(rotation, "rotation") * 180) / Math.PI);
+    return arcBetween(center, 2, [cos * a, sin * a], [-sin * b, cos * b], 0, 2 * Math.PI) as NurbsCurve<2>;
+  }
+
+  /**
+   * The B-spline curve of a degree through points, over the domain [0, 1], with the weights 1.
+   *
+   * The parameters of the points grow with the square roots of the distances between them, and each inner knot is the mean of p
+   * parameters. Equal neighbours count as one point. It takes p² steps for each point.
+   *
+   * @param points at least degree + 1 of them, of which neighbours differ
+   * @param options `degree`: 1 to 64, by default 3; `dimension`: 2 or 3, how a flat array is read; 2 by default
+   * @throws {RangeError} for too few points
+   */
+  static interpolate<D extends 2 | 3 = 2 | 3>(
+    points: PointArrays<D> | PointsLike,
+    options?: { degree?: number; dimension?: D },
+  ): NurbsCurve<D> {
+    requireList(points);
+    const { degree = 3, dimension: requested } = check.options(options, ["degree", "dimension"]);
+    check.whole(degree, "degree", 1, 64);
+    const { flat, dimension } = flatten(points, requested, 2);
+    writeArguments(flat);
+    const end = core().nurbs_interpolate(dimension, flat.length / dimension, degree);
+    return readNurbs(end, dimension) as NurbsCurve<D>;
+  }
+
+  /**
+   * A curve, a rational curve, a spline or a path of one subpath as a NURBS curve; the weights of all but rational curves are 1.
+   *
+   * Segment k has t from k to k + 1; segments of lower degrees are elevated to the highest one. The curve is open, also if the
+   * spline is closed.
+   *
+   * @param shape of any entry point
+   * @throws {RangeError} for a path that has not exactly one subpath
+   */
+  static from<D extends 2 | 3 = 2 | 3>(
+    shape: CoreCurve<D> | RationalCurve<D> | NurbsCurve<D> | CoreSpline<D> | CorePath,
+  ): NurbsCurve<D> {
+    if (typeOf(shape) === "nurbscurve") return nurbsOf(nurbsData(shape, "shape")) as NurbsCurve<D>;
+    if (typeOf(shape) === "rationalcurve") {
+      const { flat, dimension, weights } = rationalData(shape, "shape");
+      const degree = weights.length - 1;
+      const knots = new Float64Array(2 * degree + 2).fill(1, degree + 1);
+      return nurbsOf({ degree, flat, dimension, weights, knots, closed: false }) as NurbsCurve<D>;
+    }
+    const { flat, dimension, degrees, closed } = pathSpline(shape) ?? splineData(shape, "shape", EXPECTED);
+    writeArguments(Float64Array.of(degrees.length, Number(closed), ...degrees), flat.length).set(
+      flat,
+      degrees.length + 2,
+    );
+    return readNurbs(core().nurbs_from_spline(dimension), dimension) as NurbsCurve<D>;
+  }
+
+  /**
+   * The curve that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: NurbsCurveJSON): NurbsCurve {
+    requireJSON(json, "degree, points, weights, knots and closed", ({ points }) => points !== undefined);
+    return nurbsFrom({ ...json });
+  }
+}
+
+const EXPECTED = "a Curve, a RationalCurve, a NurbsCurve, a Spline or a Path";
+
+/** The directions of the axes of the plane. */
+const UNIT_VECTORS = [
+  [1, 0],
+  [0, 1],
+] as const;
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(NurbsCurve.prototype, "NurbsCurve", (value) => value.toJSON());
+}
+
+/** Data that is already checked: the constructor accepts it from inside the package. */
+class CheckedNurbs {
+  data: NurbsData;
+
+  constructor(data: NurbsData) {
+    this.data = data;
+  }
+}
+
+// Outside of the class, see ../curve/core-curve.js.
+const nurbsFrom = (options: NurbsOptions): NurbsCurve => new NurbsCurve(options);
+const nurbsOf = (data: NurbsData) => nurbsFrom(new CheckedNurbs(data) as any);
+
+/** Reads a curve from the arena. */
+function readNurbs(end: number, dimension: 2 | 3, from = 0): NurbsCurve {
+  const numbers = readResult(from, end);
+  const [degree, closed, count] = numbers;
+  const [weights, knots] = [4 + count * dimension, 4 + count * (dimension + 1)];
+  return nurbsOf({
+    degree,
+    dimension,
+    flat: numbers.slice(4, weights),
+    weights: numbers.slice(weights, knots),
+    knots: numbers.slice(knots),
+    closed: closed === 1,
+  });
+}
+
+function checkedData(options: NurbsOptions): NurbsData {
+  const names = ["degree", "points", "weights", "knots", "closed", "dimension"] as const;
+  const { degree, points, weights, knots, closed, dimension: requested } = check.options(options, names);
+  check.whole(degree, "degree", 1, 64);
+  const { flat, dimension } = flatten(points as PointsLike, requested, 2);
+  const count = flat.length / dimension;
+  return {
+    degree: degree as number,
+    flat,
+    dimension,
+    weights: weights === undefined ? new Float64Array(count).fill(1) : checkedWeights(weights, count),
+    knots: check.numbers(knots, "knots"),
+    closed: check.optionalBoolean(closed, "closed"),
+  };
+}
+
+/** Whether numbers are equal within a part of the largest one. */
+function alike(a: Float64Array, b: Float64Array, tolerance: number) {
+  if (a.length !== b.length) return false;
+  const largest = [...a, ...b].reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+  return a.every((x, i) => Math.abs(x - b[i]) <= tolerance * largest);
+}
+
+function checkedRadius(value: unknown, name: string): number {
+  const radius = check.finite(value, name);
+  if (radius < 0) throw new RangeError(`${name}: expected a number from 0, got ${radius}`);
+  return radius;
+}
+
+/** Two unit vectors that are perpendicular to a normal and to each other. */
+function directionsOf(normal: PointLike): number[][] {
+  const n = new Float64Array(3);
+  writePoint(n, 0, normal, 3, "normal");
+  const largest = Math.max(...n.map(Math.abs));
+  if (largest === 0) throw new RangeError("normal: expected a vector of a length above 0, got 0, 0, 0");
+  const [x, y, z] = unit([...n].map((k) => k / largest));
+  // The part of an axis that is perpendicular to the normal.
+  const u = y === 0 && z === 0 ? [0, 1, 0] : unit([y * y + z * z, -x * y, -x * z]);
+  return [u, [y * u[2] - z * u[1], z * u[0] - x * u[2], x * u[1] - y * u[0]]];
+}
+
+function unit(vector: number[]): number[] {
+  const length = Math.hypot(...vector);
+  return vector.map((x) => x / length);
+}
+
+/** The arc center + cos(θ) u + sin(θ) v. */
+function arcBetween(
+  center: PointLike,
+  dimension: 2 | 3,
+  u: number[],
+  v: number[],
+  start: number,
+  end: number,
+): NurbsCurve {
+  const args = new Float64Array(3 * dimension);
+  writePoint(args, 0, center, dimension, "center");
+  args.set(u, dimension);
+  args.set(v, 2 * dimension);
+  check.finite(start, "start");
+  check.finite(end, "end");
+  writeArguments(args);
+  return readNurbs(core().nurbs_arc(dimension, start, end), dimension);
+}
+
+/** The spline of a path of one subpath; undefined for any other value. */
+function pathSpline(shape: unknown): SplineData | undefined {
+  const packed = packedPath(shape);
+  if (!packed) return undefined;
+  if (packed[0] !== 1) throw new RangeError(`shape: expected a path of one subpath, got one of ${packed[0]}`);
+  const [{ closed, degrees, points, end }] = extents(packed);
+  return { flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed };
+}
