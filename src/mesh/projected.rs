@@ -1,11 +1,13 @@
 //! Drawing of space curves under a projection.
 //!
 //! A projection maps the control points Pᵢ to (Xᵢ, Yᵢ, Wᵢ), and the curve to the rational curve (ΣBᵢXᵢ, ΣBᵢYᵢ) / ΣBᵢWᵢ.
-//! Canvases draw cubics, so a part in front of the eye is drawn by the cubics of [`RationalCurve`] within the tolerance.
+//! Canvases draw cubics, so the curve is halved until the cubic with the same ends and end tangents is close enough.
 
 use crate::curve::Curve;
-use crate::curve::trace::{CUBIC_HALVINGS, PathSink};
-use crate::rational::RationalCurve;
+use crate::curve::trace::{CUBIC_HALVINGS, PathSink, hidden_by_rounding};
+use crate::geometry::point::Point;
+use crate::numeric::list::{Points, Scalars};
+use crate::rational::spline::{cubic_of_same_tangents, error_bound};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 /// The smallest depth that is drawn, as a fraction of the largest depth.
@@ -54,11 +56,10 @@ impl Projection {
         halvings: usize,
     ) {
         let before_eye = |p: &DVec3| p.z >= self.near;
-        if piece.control_points().iter().all(before_eye) {
-            let weighted = piece.control_points().iter();
-            let flat = RationalCurve::from_valid(weighted.map(|&p| (p.truncate() / p.z, p.z)));
-            let mut draw = |curve: &Curve<DVec2>| stroke.draw(curve, self.tolerance);
-            return flat.for_each_polynomial(self.tolerance, &mut draw);
+        let all = piece.control_points().iter().all(before_eye);
+        if all && let Some(cubic) = self.flat_curve(piece, halvings == 0) {
+            stroke.draw(&cubic, self.tolerance);
+            return;
         }
         let any = piece.control_points().iter().any(before_eye);
         if halvings == 0 || !any {
@@ -68,6 +69,23 @@ impl Projection {
         let (left, right) = piece.halve();
         self.draw_piece(&left, stroke, halvings - 1);
         self.draw_piece(&right, stroke, halvings - 1);
+    }
+
+    /// The polynomial curve for a piece in front of the eye; `None` if it is not close enough, unless `must` is set.
+    fn flat_curve(&self, piece: &Curve<DVec3>, must: bool) -> Option<Curve<DVec2>> {
+        let points = piece.control_points().iter();
+        let (flat, weights): (Points<DVec2>, Scalars) =
+            points.map(|&p| (p.truncate() / p.z, p.z)).unzip();
+        if flat.len() == 2 || weights.iter().all(|&w| w == weights[0]) {
+            return Some(Curve::from_points(flat));
+        }
+        let cubic = cubic_of_same_tangents(&flat, &weights);
+        let largest = flat.iter().map(|p| Point::max_abs(*p)).fold(0.0, f64::max);
+        let tolerance = self
+            .tolerance
+            .max(hidden_by_rounding(flat.len() - 1, largest));
+        (must || error_bound(&flat, &weights, &cubic) <= tolerance)
+            .then(|| Curve::from_slice(&cubic))
     }
 }
 

@@ -14,7 +14,7 @@ mod nearest;
 mod numerators;
 mod nurbs;
 mod shape;
-mod spline;
+pub(crate) mod spline;
 mod split;
 mod transform;
 mod weighted;
@@ -105,7 +105,7 @@ impl<P: Point> RationalCurve<P> {
     }
 
     /// The curve of valid points with weights, or of points of which some are not finite.
-    #[cfg(feature = "surfaces")]
+    #[cfg(feature = "wasm")]
     pub(crate) fn from_valid(parts: impl Iterator<Item = (P, f64)>) -> Self {
         let (points, weights) = parts.unzip();
         Self { points, weights }

@@ -59,8 +59,8 @@ impl<P: Point> RationalCurve<P> {
             return act(&curve);
         }
         let (cubic, error) = self.cubic_of_conic().unwrap_or_else(|| {
-            let cubic = self.cubic_of_same_tangents();
-            let error = self.error_bound(&cubic);
+            let cubic = cubic_of_same_tangents(&self.points, &self.weights);
+            let error = error_bound(&self.points, &self.scaled_weights(), &cubic);
             (cubic, error)
         });
         if halvings == 0 || error <= tolerance {
@@ -96,32 +96,31 @@ impl<P: Point> RationalCurve<P> {
         let height = (*a - *b - (*b - *c)).norm();
         Some((cubic, (w * w).max(1.0) * rest * rest / 432.0 * height))
     }
+}
 
-    /// The cubic with the ends and end derivatives of the curve: the first is n·w₁/w₀·(P₁ − P₀), the last its mirror image.
-    fn cubic_of_same_tangents(&self) -> [P; 4] {
-        let (n, points, w) = (self.degree(), &self.points, &self.weights);
-        let reach = |end: usize, inner: usize| {
-            points[end] + (points[inner] - points[end]) * (ratio(n, 3) * w[inner] / w[end])
-        };
-        [points[0], reach(0, 1), reach(n, n - 1), points[n]]
-    }
+/// The cubic with the ends and end derivatives of a rational curve: the first is n·w₁/w₀·(P₁ − P₀), the last its mirror image.
+pub(crate) fn cubic_of_same_tangents<P: Point>(points: &[P], w: &[f64]) -> [P; 4] {
+    let n = points.len() - 1;
+    let reach = |end: usize, inner: usize| {
+        points[end] + (points[inner] - points[end]) * (ratio(n, 3) * w[inner] / w[end])
+    };
+    [points[0], reach(0, 1), reach(n, n - 1), points[n]]
+}
 
-    /// A bound on the distance from a cubic at equal parameters.
-    fn error_bound(&self, cubic: &[P; 4]) -> f64 {
-        let (n, shares) = (self.degree(), [1.0, 3.0, 3.0, 1.0]);
-        let (of_points, of_product) = (binomials(n), binomials(n + 3));
-        let weights = self.scaled_weights();
-        let mut largest: f64 = 0.0;
-        for (k, whole) in of_product.iter().enumerate() {
-            let terms = k.saturating_sub(n)..=k.min(3);
-            let sum = terms.fold(P::default(), |sum, i| {
-                let share = shares[i] * of_points[k - i] * weights[k - i];
-                sum + (self.points[k - i] - cubic[i]) * share
-            });
-            largest = largest.max(sum.norm() / whole);
-        }
-        largest / weights.iter().copied().fold(f64::INFINITY, f64::min)
+/// A bound on the distance of a rational curve from a cubic at equal parameters.
+pub(crate) fn error_bound<P: Point>(points: &[P], weights: &[f64], cubic: &[P; 4]) -> f64 {
+    let (n, shares) = (points.len() - 1, [1.0, 3.0, 3.0, 1.0]);
+    let (of_points, of_product) = (binomials(n), binomials(n + 3));
+    let mut largest: f64 = 0.0;
+    for (k, whole) in of_product.iter().enumerate() {
+        let terms = k.saturating_sub(n)..=k.min(3);
+        let sum = terms.fold(P::default(), |sum, i| {
+            let share = shares[i] * of_points[k - i] * weights[k - i];
+            sum + (points[k - i] - cubic[i]) * share
+        });
+        largest = largest.max(sum.norm() / whole);
     }
+    largest / weights.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 impl RationalCurve<DVec2> {
