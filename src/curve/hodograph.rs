@@ -18,7 +18,7 @@ use glam::DVec2;
 const CUSP_PROBE_STEP: f64 = 1e-4;
 
 /// B′ counts as zero below this part of its largest coefficient: a root is accurate to some roundings.
-const VANISHING_RATIO: f64 = 1e-12;
+pub(crate) const VANISHING_RATIO: f64 = 1e-12;
 
 /// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
 const NEVER_RATIO: f64 = 1e-9;
@@ -82,17 +82,22 @@ impl<P: Point> Hodograph<P> {
     pub(crate) fn zeros(&self) -> Scalars {
         let vectors = &self.vectors;
         let max = VANISHING_RATIO * max_abs(vectors);
-        let mut found = Scalars::new();
-        // All coordinates are searched, because one of them may be 0 everywhere.
-        for axis in 0..P::DIMENSION {
-            let row: Scalars = vectors.iter().map(|p| p.coordinate(axis)).collect();
-            let still = |&t: &f64| evaluate(vectors, t).max_abs() <= max;
-            found.extend(roots_inside(&row).into_iter().filter(still));
-        }
-        sort_by(&mut found, f64::total_cmp);
-        found.dedup_by(|next, last| *next - *last <= DOUBLE_ROOT);
-        found
+        common_zeros(vectors, |t| evaluate(vectors, t).max_abs() <= max)
     }
+}
+
+/// The parameters inside (0, 1) that are a root of a coordinate of Σ `vectors`ᵢ Bᵢ and at which `vanishes`.
+pub(crate) fn common_zeros<P: Point>(vectors: &[P], vanishes: impl Fn(f64) -> bool) -> Scalars {
+    let mut found = Scalars::new();
+    // All coordinates are searched, because one of them may be 0 everywhere.
+    for axis in 0..P::DIMENSION {
+        let row: Scalars = vectors.iter().map(|p| p.coordinate(axis)).collect();
+        let roots = roots_inside(&row).into_iter();
+        found.extend(roots.filter(|&t| vanishes(t)));
+    }
+    sort_by(&mut found, f64::total_cmp);
+    found.dedup_by(|next, last| *next - *last <= DOUBLE_ROOT);
+    found
 }
 
 /// [`Hodograph::zeros`] of a curve in the plane; most curves are shown to have none without a search.

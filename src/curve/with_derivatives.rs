@@ -49,37 +49,37 @@ impl<'a, P: Point> CurveWithDerivatives<'a, P> {
         let [first, second] = self.derivatives(t);
         [self.at(t), first, second]
     }
+}
 
-    /// The parameter of the foot of the perpendicular from a point, or of the nearer end, found from a nearby parameter
-    /// by Newton's method. Steps that increase the distance are halved.
-    pub(crate) fn foot(&self, point: P, near: f64) -> f64 {
-        let (mut best, mut min) = (near, f64::INFINITY);
-        let mut t = near;
-        for _ in 0..FOOT_STEPS {
-            let [p, d, dd] = self.jet(t);
-            let gap = p - point;
-            let distance = gap.dot(gap);
-            if distance >= min {
-                if (t - best).abs() <= LAST_STEP {
-                    break;
-                }
-                t = 0.5 * (t + best);
-                continue;
-            }
-            (best, min) = (t, distance);
-            // Newton's method for (B − q) · B′ = 0 where it leads to a minimum, otherwise a step along the tangent.
-            let second = d.dot(d) + gap.dot(dd);
-            let slope = if second > 0.5 * d.dot(d) {
-                second
-            } else {
-                d.dot(d)
-            };
-            let next = t - gap.dot(d) / slope;
-            if !next.is_finite() {
+/// The parameter of the foot of the perpendicular from a point, or of the nearer end, found from a nearby parameter by
+/// Newton's method. Steps that increase the distance are halved. The curve is given by its point and its first two derivatives.
+pub(crate) fn foot<P: Point>(jet: impl Fn(f64) -> [P; 3], point: P, near: f64) -> f64 {
+    let (mut best, mut min) = (near, f64::INFINITY);
+    let mut t = near;
+    for _ in 0..FOOT_STEPS {
+        let [p, d, dd] = jet(t);
+        let gap = p - point;
+        let distance = gap.dot(gap);
+        if distance >= min {
+            if (t - best).abs() <= LAST_STEP {
                 break;
             }
-            t = next.clamp(0.0, 1.0);
+            t = 0.5 * (t + best);
+            continue;
         }
-        best
+        (best, min) = (t, distance);
+        // Newton's method for (B − q) · B′ = 0 where it leads to a minimum, otherwise a step along the tangent.
+        let second = d.dot(d) + gap.dot(dd);
+        let slope = if second > 0.5 * d.dot(d) {
+            second
+        } else {
+            d.dot(d)
+        };
+        let next = t - gap.dot(d) / slope;
+        if !next.is_finite() {
+            break;
+        }
+        t = next.clamp(0.0, 1.0);
     }
+    best
 }

@@ -9,6 +9,7 @@ mod area;
 mod ellipse;
 mod eval;
 mod flatten;
+mod intersect;
 mod length;
 mod nearest;
 mod numerators;

@@ -57,10 +57,10 @@ impl<P: Point> RationalCurve<P> {
 }
 
 /// The control points of a homogeneous curve and of its first two derivatives.
-struct Derivatives<P: Point>([Points<Homogeneous<P>>; 3]);
+pub(super) struct Derivatives<P: Point>([Points<Homogeneous<P>>; 3]);
 
 impl<P: Point> Derivatives<P> {
-    fn of(points: &[Homogeneous<P>]) -> Self {
+    pub(super) fn of(points: &[Homogeneous<P>]) -> Self {
         let rate = |points: &[Homogeneous<P>]| -> Points<Homogeneous<P>> {
             let n = as_f64(points.len() - 1);
             let steps = points.windows(2).map(|p| (p[1] - p[0]) * n);
@@ -73,6 +73,15 @@ impl<P: Point> Derivatives<P> {
         let first = rate(points);
         let second = rate(&first);
         Self([points.iter().copied().collect(), first, second])
+    }
+
+    /// The point and the first two derivatives at t. With A = wB: B′ = (A′ − w′B)/w and B″ = (A″ − 2w′B′ − w″B)/w.
+    pub(super) fn jet(&self, t: f64) -> [P; 3] {
+        let [value, first, second] = [0, 1, 2].map(|k| evaluate(&self.0[k], t));
+        let (b, w) = (value.point(), value.weight);
+        let b1 = (first.vector - b * first.weight) / w;
+        let b2 = (second.vector - b1 * (2.0 * first.weight) - b * second.weight) / w;
+        [b, b1, b2]
     }
 }
 
@@ -112,12 +121,8 @@ impl<P: Point> DistanceToOrigin<P> for RationalDistance<P> {
         evaluate(&self.homogeneous.0[0], t).point()
     }
 
-    /// With A = wB: B′ = (A′ − w′B)/w and B″ = (A″ − 2w′B′ − w″B)/w.
     fn derivatives(&self, t: f64) -> [P; 2] {
-        let [value, first, second] = [0, 1, 2].map(|k| evaluate(&self.homogeneous.0[k], t));
-        let (b, w) = (value.point(), value.weight);
-        let b1 = (first.vector - b * first.weight) / w;
-        let b2 = (second.vector - b1 * (2.0 * first.weight) - b * second.weight) / w;
-        [b1, b2]
+        let [_, first, second] = self.homogeneous.jet(t);
+        [first, second]
     }
 }

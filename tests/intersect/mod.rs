@@ -2,7 +2,7 @@
 
 mod adversarial;
 mod covering;
-mod generate;
+pub(crate) mod generate;
 mod known;
 mod metamorphic;
 mod random;

@@ -2,6 +2,7 @@
 
 mod forms;
 mod golden;
+mod intersect;
 mod nurbs;
 
 use crate::support::Rng;

@@ -1,18 +1,17 @@
 //! Classification of contact intervals as crossings, tangencies or overlaps.
 
-use super::super::Curve;
 use super::constants::{
     END_OF_CONTACT, HIDDEN_TURN, MIN_OVERLAP, NEAR_END, ROTATION, TWO_CROSSINGS,
 };
 use super::contact_interval::ContactInterval;
 use super::intersection::IntersectionKind;
 use super::pair::{ClassifiedContact, NormalizedPair};
-use crate::bernstein::evaluate::evaluate;
+use super::plane_curve::PlaneCurve;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// Appends the intersections of an interval with their kinds.
     pub(crate) fn classify(
         &self,
@@ -68,8 +67,7 @@ impl NormalizedPair {
             if t == end || (t - end).abs() > NEAR_END {
                 return t;
             }
-            let points = &self.curves[curve];
-            let apart = (evaluate(points, t) - evaluate(points, end)).max_abs();
+            let apart = (self.point(curve, t) - self.point(curve, end)).max_abs();
             if apart <= self.slack { end } else { t }
         };
         (snapped(0, t), snapped(1, u))
@@ -108,12 +106,11 @@ impl NormalizedPair {
 
     /// Whether a segment of a curve is longer than the effect of rounding.
     fn is_long(&self, curve: usize, [from, to]: [f64; 2]) -> bool {
-        let points = &self.curves[curve];
-        let start = evaluate(points, from);
+        let start = self.point(curve, from);
         // The end alone is not enough: the segment may return to its start.
         [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
             let t = from + part * (to - from);
-            (evaluate(points, t) - start).max_abs() > MIN_OVERLAP * self.slack
+            (self.point(curve, t) - start).max_abs() > MIN_OVERLAP * self.slack
         })
     }
 
@@ -186,11 +183,8 @@ impl NormalizedPair {
     /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.
     fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
-            let tangent = Curve::from_slice(&self.curves[k]).tangent(t);
-            (
-                tangent,
-                1.0 / Point::norm(self.with_derivatives(k).derivatives(t)[0]),
-            )
+            let [_, derivative, _] = self.curves[k].jets()(t);
+            (self.curves[k].tangent_at(t), 1.0 / Point::norm(derivative))
         });
         // At a zero of the derivative 1/speed is infinite, and `HIDDEN_TURN` is the limit.
         let max_sine = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);

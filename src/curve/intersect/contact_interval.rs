@@ -5,7 +5,7 @@ use super::constants::{
     ONE_END_OF_CONTACTS,
 };
 use super::pair::NormalizedPair;
-use crate::bernstein::evaluate::evaluate;
+use super::plane_curve::PlaneCurve;
 use crate::bernstein::roots::DOUBLE_ROOT;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
@@ -75,7 +75,11 @@ impl ContactInterval {
     }
 
     /// Whether a contact that starts later is a part or a continuation of this one.
-    fn continues_into(&self, pair: &NormalizedPair, next: &ContactInterval) -> bool {
+    fn continues_into(
+        &self,
+        pair: &NormalizedPair<impl PlaneCurve>,
+        next: &ContactInterval,
+    ) -> bool {
         if self.direction * next.direction < 0.0 {
             return false;
         }
@@ -127,13 +131,12 @@ impl ContactInterval {
     }
 }
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// Whether a curve moves away between two parameters and turns back. If both curves lie on one line, heights do not
     /// show this, because the height is measured from the tangent.
     fn turns_back(&self, curve: usize, from: f64, to: f64) -> bool {
-        let points = &self.curves[curve];
         let away = |zero: f64, t: f64| {
-            let gap = evaluate(points, zero) - evaluate(points, t);
+            let gap = self.point(curve, zero) - self.point(curve, t);
             gap.max_abs() > MIN_OVERLAP * self.slack
         };
         self.derivative_zeros[curve].iter().any(|&zero| {
@@ -149,7 +152,10 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 }
 
 /// Sorts the contacts and joins those that belong together.
-pub(crate) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<ContactInterval> {
+pub(crate) fn joined(
+    pair: &NormalizedPair<impl PlaneCurve>,
+    mut contacts: Vec<Contact>,
+) -> Vec<ContactInterval> {
     sort_by(&mut contacts, |p, q| {
         p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))
     });

@@ -6,14 +6,15 @@ use super::constants::{
 };
 use super::intersection::IntersectionKind;
 use super::pair::{ClassifiedContact, NormalizedPair, sort};
-use crate::bernstein::evaluate::evaluate;
+use super::plane_curve::PlaneCurve;
 use crate::geometry::point::Point;
 use glam::DVec2;
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// Whether both curves are lines of non-zero length.
     pub(crate) fn is_of_lines(&self) -> bool {
-        self.curves.iter().all(|c| c.len() == 2 && c[0] != c[1])
+        let mut curves = self.curves.iter().map(PlaneCurve::points);
+        curves.all(|c| c.len() == 2 && c[0] != c[1])
     }
 
     /// The intersections of two lines. If they overlap, the ends of the overlap are ends of the lines.
@@ -33,8 +34,7 @@ impl NormalizedPair {
             ends.iter().copied().max_by(by_t),
         );
         if let (Some(first), Some(last)) = (first, last) {
-            let [a, _] = &self.curves;
-            let long = (evaluate(a, last.0) - evaluate(a, first.0))
+            let long = (self.point(0, last.0) - self.point(0, first.0))
                 .abs()
                 .max_element();
             if long > MIN_OVERLAP * self.slack {
@@ -57,7 +57,7 @@ impl NormalizedPair {
     /// whose points do not agree up to rounding is discarded.
     fn lines_crossing(&self) -> Option<(f64, f64)> {
         let part = |line: usize| {
-            let (ours, other) = (&self.curves[line], &self.curves[1 - line]);
+            let [ours, other] = [line, 1 - line].map(|k| self.curves[k].points());
             let along = other[1] - other[0];
             let [from, to] = [0, 1].map(|k| (ours[k] - other[0]).perp_dot(along));
             (from * to < 0.0).then(|| from / (from - to))
@@ -72,9 +72,9 @@ impl NormalizedPair {
 
     /// The parameters of an end of the other line and of its nearest point on the line `curve`.
     fn foot(&self, curve: usize, end: f64) -> (f64, f64) {
-        let line = &self.curves[curve];
+        let line = self.curves[curve].points();
         let along = line[1] - line[0];
-        let point = evaluate(&self.curves[1 - curve], end);
+        let point = self.point(1 - curve, end);
         let x = ((point - line[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
         if curve == 1 {
             self.snapped((end, x))
@@ -88,13 +88,14 @@ impl NormalizedPair {
         &self,
         mut locations: Vec<ClassifiedContact>,
     ) -> Vec<ClassifiedContact> {
-        if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
+        let mut curves = self.curves.iter().map(PlaneCurve::points);
+        if curves.any(|c| c.iter().all(|&p| p == c[0])) {
             return locations; // a point has no ends of its own
         }
         for t in [0.0, 1.0] {
             for u in [0.0, 1.0] {
                 // Ends at exactly the same point intersect, even if the search has not found an intersection there.
-                if evaluate(&self.curves[0], t) == evaluate(&self.curves[1], u) {
+                if self.point(0, t) == self.point(1, u) {
                     self.merge(&mut locations, (t, u), true);
                 }
             }
@@ -140,9 +141,8 @@ impl NormalizedPair {
     }
 
     fn is_near(&self, curve: usize, t: f64, at: f64) -> bool {
-        let points = &self.curves[curve];
         (t - at).abs() <= NEARBY_PARAMETERS
-            && (evaluate(points, t) - evaluate(points, at))
+            && (self.point(curve, t) - self.point(curve, at))
                 .abs()
                 .max_element()
                 <= SAME_POINT_DISTANCE
@@ -228,8 +228,8 @@ impl NormalizedPair {
     fn is_continued(&self, p: ClassifiedContact, q: ClassifiedContact) -> bool {
         let (gap_t, gap_u) = (q.t - p.t, q.u - p.u);
         // A point that a curve passes twice gives two intersections.
-        let [a, _] = &self.curves;
-        let same = (evaluate(a, p.t) - evaluate(a, q.t)).abs().max_element() <= self.slack;
+        let apart = (self.point(0, p.t) - self.point(0, q.t)).abs();
+        let same = apart.max_element() <= self.slack;
         is_crossing(&p)
             && is_crossing(&q)
             && !(same && gap_t.abs().max(gap_u.abs()) > SAME_POINT_DISTANCE)
@@ -254,7 +254,7 @@ impl NormalizedPair {
     /// The side of the second curve on which the first one is, at some distance from an intersection; 0 if the curve
     /// ends before the distance exceeds rounding.
     fn side(&self, ClassifiedContact { t, u, .. }: ClassifiedContact, mut step: f64) -> f64 {
-        let of_b = self.with_derivatives(1);
+        let of_b = self.curves[1].jets();
         loop {
             step *= 2.0;
             let at = t + step;
@@ -262,8 +262,8 @@ impl NormalizedPair {
                 return 0.0;
             }
             let (_, u) = self.project_onto_b(at, u);
-            let [b, direction, _] = of_b.jet(u);
-            let gap: DVec2 = evaluate(&self.curves[0], at) - b;
+            let [b, direction, _] = of_b(u);
+            let gap: DVec2 = self.point(0, at) - b;
             // The signed distance of A from the tangent of B, positive on its left.
             let height = Point::unit(direction).perp_dot(gap);
             if height.abs() > CLEAR_HEIGHT * self.slack {

@@ -11,15 +11,16 @@ mod contact_interval;
 mod exact;
 pub(crate) mod intersection;
 mod near;
-mod pair;
-mod self_intersections;
+pub(crate) mod pair;
+pub(crate) mod plane_curve;
+pub(crate) mod self_intersections;
 mod solve;
 
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 
 use super::Curve;
 use glam::DVec2;
-use pair::NormalizedPair;
+use pair::{ClassifiedContact, NormalizedPair};
 
 impl Curve<DVec2> {
     /// All intersections of this curve with another one, sorted by t, then by u.
@@ -44,7 +45,11 @@ impl Curve<DVec2> {
 
     /// All intersections with another curve, and the number of pairs of segments that the search processed.
     pub(crate) fn intersections_and_steps(&self, other: &Self) -> (Vec<Intersection>, usize) {
-        NormalizedPair::new(&self.points, &other.points)
-            .map_or_else(|| (Vec::new(), 0), |pair| pair.solve(self, other))
+        let Some(pair) = NormalizedPair::new(self, other) else {
+            return (Vec::new(), 0);
+        };
+        let (locations, steps) = pair.solve();
+        let at = |location: ClassifiedContact| location.on(|t| self.eval(t), |u| other.eval(u));
+        (locations.into_iter().map(at).collect(), steps)
     }
 }

@@ -5,21 +5,18 @@ use super::constants::{
     TANGENCY_STEPS,
 };
 use super::pair::NormalizedPair;
-use crate::bernstein::evaluate::evaluate;
-use crate::curve::Curve;
-use crate::curve::with_derivatives::{CurveWithDerivatives, LAST_STEP};
+use super::plane_curve::PlaneCurve;
+use crate::curve::with_derivatives::{LAST_STEP, foot};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
-use crate::numeric::list::Points;
-use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use casteljau_kernels::curve::intersect::clipping::crossing_step;
 use glam::DVec2;
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// The distance between A(t) and B(u) in the maximum norm.
     pub(crate) fn apart(&self, t: f64, u: f64) -> f64 {
-        (evaluate(&self.curves[0], t) - evaluate(&self.curves[1], u)).max_abs()
+        (self.point(0, t) - self.point(1, u)).max_abs()
     }
 
     /// Whether the points A(t) and B(u) are equal up to rounding.
@@ -29,8 +26,8 @@ impl NormalizedPair {
 
     /// The distance of A(t) from the tangent of B at u.
     pub(crate) fn height(&self, t: f64, u: f64) -> f64 {
-        let [of_a, of_b] = self.both();
-        let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
+        let [a, da, _] = self.curves[0].jets()(t);
+        let [b, db, _] = self.curves[1].jets()(u);
         // At a zero of B′ the direction of A is used.
         let direction = if db == DVec2::ZERO { da } else { db };
         match Point::unit(direction) {
@@ -52,10 +49,7 @@ impl NormalizedPair {
             let margin =
                 END_OF_CONTACT * self.slack + margin((bounds.max - bounds.min).max_element());
             (1..BOX_SAMPLES).all(|k| {
-                let point = evaluate(
-                    &self.curves[first],
-                    from + ratio(k, BOX_SAMPLES) * (to - from),
-                );
+                let point = self.point(first, from + ratio(k, BOX_SAMPLES) * (to - from));
                 bounds.outside(point).max_element() <= margin
             })
         };
@@ -64,41 +58,29 @@ impl NormalizedPair {
 
     /// The box of the control points of a segment; its ends may be in any order.
     fn bounds_of(&self, curve: usize, [from, to]: [f64; 2]) -> Bounds<DVec2> {
-        let mut piece = Points::from(&self.curves[curve][..]);
-        keep_between(&mut piece, from.min(to), from.max(to));
-        Curve::from_points(piece).control_bounds()
-    }
-
-    /// A curve of the pair with its derivatives.
-    pub(crate) fn with_derivatives(&self, curve: usize) -> CurveWithDerivatives<'_, DVec2> {
-        CurveWithDerivatives::new(&self.curves[curve])
-    }
-
-    /// Both curves with their derivatives.
-    fn both(&self) -> [CurveWithDerivatives<'_, DVec2>; 2] {
-        [self.with_derivatives(0), self.with_derivatives(1)]
+        Bounds::from_points(&self.curves[curve].part(from.min(to), from.max(to)))
     }
 
     /// The parameter on one curve that is nearest to a point, found from a nearby parameter.
     pub(crate) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
-        self.with_derivatives(curve).foot(point, near)
+        foot(self.curves[curve].jets(), point, near)
     }
 
     /// The parameters of A(t) and of the nearest point on the second curve.
     pub(crate) fn project_onto_b(&self, t: f64, u: f64) -> (f64, f64) {
-        (t, self.nearest(1, evaluate(&self.curves[0], t), u))
+        (t, self.nearest(1, self.point(0, t), u))
     }
 
     /// The parameters of B(u) and of the nearest point on the first curve.
     pub(crate) fn project_onto_a(&self, t: f64, u: f64) -> (f64, f64) {
-        (self.nearest(0, evaluate(&self.curves[1], u), t), u)
+        (self.nearest(0, self.point(1, u), t), u)
     }
 
     /// The crossing to which Newton's method converges from here.
     pub(crate) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
-        let [of_a, of_b] = self.both();
+        let (of_a, of_b) = (self.curves[0].jets(), self.curves[1].jets());
         for _ in 0..CROSSING_STEPS {
-            let ([a, da, _], [b, db, _]) = (of_a.jet(t), of_b.jet(u));
+            let ([a, da, _], [b, db, _]) = (of_a(t), of_b(u));
             let ([dt, du], _) = crossing_step((b - a).into(), da.into(), db.into());
             if !(dt.is_finite() && du.is_finite()) {
                 break;
@@ -114,9 +96,9 @@ impl NormalizedPair {
     /// The tangency near the given parameters, where both curves have the same direction and are nearest to each other:
     /// A′ × B′ = 0 and (A − B) · A′ = 0.
     pub(crate) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
-        let [of_a, of_b] = self.both();
+        let (of_a, of_b) = (self.curves[0].jets(), self.curves[1].jets());
         for _ in 0..TANGENCY_STEPS {
-            let ([a, da, dda], [b, db, ddb]) = (of_a.jet(t), of_b.jet(u));
+            let ([a, da, dda], [b, db, ddb]) = (of_a(t), of_b(u));
             let (cross, ahead) = (da.perp_dot(db), (a - b).dot(da));
             if cross.abs() <= PARALLEL * Point::norm(da) * Point::norm(db)
                 && ahead.abs() <= self.slack * Point::norm(da)
@@ -139,7 +121,7 @@ impl NormalizedPair {
             }
         }
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
-        let ([da, _], [db, _]) = (of_a.derivatives(t), of_b.derivatives(u));
+        let ([_, da, _], [_, db, _]) = (of_a(t), of_b(u));
         let is_parallel =
             da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::norm(da) * Point::norm(db);
         (inside && is_parallel && self.coincide((t, u))).then_some((t, u))

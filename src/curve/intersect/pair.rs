@@ -1,14 +1,11 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
-use super::constants::{INPUT_ROUNDING, MAX_PAIRS, MAX_PAIRS_PER_DEGREE, STEP_ROUNDING};
-use super::intersection::IntersectionKind;
-use crate::curve::elevate::elevate_once;
-use crate::curve::hodograph::derivative_zeros;
+use super::constants::{INPUT_ROUNDING, STEP_ROUNDING};
+use super::intersection::{Intersection, IntersectionKind};
+use super::plane_curve::PlaneCurve;
 use crate::geometry::bounds::Bounds;
 use crate::numeric::float::unit_scale;
-use crate::numeric::list::{Points, Scalars};
-use casteljau_kernels::curve::intersect::clipping::Contact;
-use casteljau_kernels::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
+use crate::numeric::list::Scalars;
 use glam::DVec2;
 
 /// The parameters of an intersection, and its kind.
@@ -29,6 +26,14 @@ impl ClassifiedContact {
         (self.t, self.u)
     }
 
+    /// The intersection of two curves that are given as functions. Its point is the exact end point if a curve ends there.
+    pub(crate) fn on(self, a: impl Fn(f64) -> DVec2, b: impl Fn(f64) -> DVec2) -> Intersection {
+        let Self { t, u, kind } = self;
+        let ends = |t: f64| t == 0.0 || t == 1.0;
+        let point = if ends(u) && !ends(t) { b(u) } else { a(t) };
+        Intersection { t, u, point, kind }
+    }
+
     /// Whether the intersection is a single point and not an overlap.
     pub(crate) fn is_point(&self) -> bool {
         !matches!(self.kind, IntersectionKind::Overlap { .. })
@@ -36,18 +41,18 @@ impl ClassifiedContact {
 }
 
 /// Two curves translated to the origin and scaled to a size between ½ and 1.
-pub(crate) struct NormalizedPair {
-    pub(crate) curves: [Points<DVec2>; 2],
+pub(crate) struct NormalizedPair<S> {
+    pub(crate) curves: [S; 2],
     /// Points closer than this are equal.
     pub(crate) slack: f64,
     /// Parameters where the derivative vanishes: cusps, and reversals of a straight curve.
     pub(crate) derivative_zeros: [Scalars; 2],
 }
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// `None` if the boxes of the control points do not overlap, and for coordinates that are not finite.
-    pub(crate) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
-        let (box_a, box_b) = (Bounds::from_points(a), Bounds::from_points(b));
+    pub(crate) fn new(a: &S, b: &S) -> Option<Self> {
+        let [box_a, box_b] = [a, b].map(|curve| Bounds::from_points(curve.points()));
         let Bounds { min, max } = box_a.union(box_b);
         let largest = min.abs().max(max.abs()).max_element();
         let nearest = INPUT_ROUNDING * largest;
@@ -55,99 +60,28 @@ impl NormalizedPair {
         if gap.max_element() > nearest {
             return None;
         }
-        let origin = a[0];
+        let origin = a.points()[0];
         let spread = (max - origin).abs().max((min - origin).abs());
         // A power of two does not round; the spread times the scale is between ½ and 1.
         let scale = 0.5 * unit_scale(spread.max_element());
-        let normalized = |p: &DVec2| (*p - origin) * scale;
-        let degree = (a.len().max(b.len()) - 1) as f64;
-        let (a, b): (Points<DVec2>, Points<DVec2>) = (
-            a.iter().map(normalized).collect(),
-            b.iter().map(normalized).collect(),
-        );
+        let degree = (a.points().len().max(b.points().len()) - 1) as f64;
+        let curves = [a, b].map(|curve| curve.normalized(origin, scale));
         // Differences of finite coordinates may overflow.
-        if !a.iter().chain(&b).all(|p| p.is_finite()) {
+        let is_finite = |curve: &S| curve.points().iter().all(|p| p.is_finite());
+        if !curves.iter().all(is_finite) {
             return None;
         }
         Some(Self {
-            derivative_zeros: [derivative_zeros(&a), derivative_zeros(&b)],
-            curves: [a, b],
-            slack: INPUT_ROUNDING * (largest * scale) + STEP_ROUNDING * (1.0 + degree),
+            derivative_zeros: curves.each_ref().map(PlaneCurve::derivative_zeros),
+            curves,
+            slack: INPUT_ROUNDING * (largest * scale)
+                + STEP_ROUNDING * S::ROUNDING * (1.0 + degree),
         })
     }
 
-    /// The contacts of the given pairs of segments, unsorted, and the number of steps of the search; the segments lie
-    /// between cuts.
-    pub(crate) fn search(
-        &self,
-        cuts_a: &[f64],
-        cuts_b: &[f64],
-        pairs: impl IntoIterator<Item = (usize, usize)>,
-    ) -> (Vec<Contact>, usize) {
-        let [a, b] = &self.curves;
-        let degree = a.len().max(b.len()) - 1;
-        if degree <= 3 {
-            // Lower degrees are elevated to 3, for which the search is compiled with arrays.
-            let whole = [cubic(a), cubic(b)];
-            let mut solver = ClippingSolver::new(whole, self.slack, MAX_PAIRS);
-            for (i, j) in pairs {
-                intersect_cubics(
-                    &mut solver,
-                    [cuts_a[i], cuts_a[i + 1]],
-                    [cuts_b[j], cuts_b[j + 1]],
-                );
-            }
-            return (solver.found, solver.work.used());
-        }
-        let whole = [piece(a, degree), piece(b, degree)];
-        let mut solver = ClippingSolver::new(
-            whole,
-            self.slack,
-            MAX_PAIRS + MAX_PAIRS_PER_DEGREE * (degree - 3),
-        );
-        for (i, j) in pairs {
-            solver.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
-        }
-        (solver.found, solver.work.used())
-    }
-}
-
-fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {
-    let p = |i: usize| points[i];
-    let points = match points.len() {
-        2 => [
-            p(0),
-            p(0).lerp(p(1), 1.0 / 3.0),
-            p(1).lerp(p(0), 1.0 / 3.0),
-            p(1),
-        ],
-        3 => [
-            p(0),
-            (p(0) + p(1) * 2.0) / 3.0,
-            (p(2) + p(1) * 2.0) / 3.0,
-            p(2),
-        ],
-        _ => [p(0), p(1), p(2), p(3)],
-    };
-    Piece {
-        x: points.map(|p| p.x),
-        y: points.map(|p| p.y),
-        from: 0.0,
-        to: 1.0,
-    }
-}
-
-/// The curve elevated to a given degree.
-fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
-    let mut points = Points::from(points);
-    while points.len() <= degree {
-        elevate_once(&mut points);
-    }
-    Piece {
-        x: points.iter().map(|p| p.x).collect(),
-        y: points.iter().map(|p| p.y).collect(),
-        from: 0.0,
-        to: 1.0,
+    /// The point of one of the curves at t.
+    pub(crate) fn point(&self, curve: usize, t: f64) -> DVec2 {
+        self.curves[curve].at(t)
     }
 }
 

@@ -4,12 +4,11 @@ use super::super::Curve;
 use super::constants::{LOOP_HALVINGS, MAX_SEGMENTS, MIN_LOOP};
 use super::intersection::{Intersection, IntersectionKind, SelfIntersection};
 use super::pair::{ClassifiedContact, NormalizedPair};
-use crate::curve::hodograph::{derivative_zeros, is_monotone_along_chord};
+use super::plane_curve::PlaneCurve;
+use crate::curve::hodograph::is_monotone_along_chord;
 use crate::curve::straight::Chord;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
-use crate::numeric::list::Points;
-use casteljau_kernels::bernstein::de_casteljau::keep_between;
 use glam::DVec2;
 
 impl Curve<DVec2> {
@@ -31,22 +30,6 @@ impl Curve<DVec2> {
 
     /// [`self_intersections`](Self::self_intersections) with the kind of contact.
     pub(crate) fn self_contacts(&self) -> Vec<Intersection> {
-        if self.degree() < 3 || is_monotone_along_chord(&self.points) {
-            return Vec::new();
-        }
-        let Some(pair) = NormalizedPair::new(&self.points, &self.points) else {
-            return Vec::new();
-        };
-        if Chord::of(&pair.curves[0]).width <= pair.slack {
-            return Vec::new();
-        }
-        let found = if self.degree() == 3 {
-            // The branches of a double point of a cubic have different directions.
-            let cross = |times| ClassifiedContact::new(times, IntersectionKind::Cross);
-            double_point(&pair).map(cross).into_iter().collect()
-        } else {
-            crossings(&pair)
-        };
         let contact = |location: ClassifiedContact| {
             let (t, u) = location.times();
             Intersection {
@@ -57,15 +40,44 @@ impl Curve<DVec2> {
                 kind: location.kind,
             }
         };
-        let mut contacts: Vec<_> = found.into_iter().map(contact).collect();
-        contacts.retain(|contact| contact.u - contact.t > MIN_LOOP);
-        contacts
+        self.self_locations().into_iter().map(contact).collect()
+    }
+
+    /// The parameters of the self-intersections.
+    pub(crate) fn self_locations(&self) -> Vec<ClassifiedContact> {
+        self_locations_of(self, |pair| {
+            if self.degree() > 3 {
+                return crossings(pair);
+            }
+            // The branches of a double point of a cubic have different directions.
+            let cross = |times| ClassifiedContact::new(times, IntersectionKind::Cross);
+            double_point(pair).map(cross).into_iter().collect()
+        })
     }
 }
 
+/// The parameters of the self-intersections of a curve, by a search that may also find the two sides of a cusp.
+pub(crate) fn self_locations_of<S: PlaneCurve>(
+    curve: &S,
+    search: impl Fn(&NormalizedPair<S>) -> Vec<ClassifiedContact>,
+) -> Vec<ClassifiedContact> {
+    if curve.points().len() < 4 || is_monotone_along_chord(curve.points()) {
+        return Vec::new();
+    }
+    let Some(pair) = NormalizedPair::new(curve, curve) else {
+        return Vec::new();
+    };
+    if Chord::of(pair.curves[0].points()).width <= pair.slack {
+        return Vec::new();
+    }
+    let mut found = search(&pair);
+    found.retain(|location| location.u - location.t > MIN_LOOP);
+    found
+}
+
 /// The parameters of the double point of a cubic.
-fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
-    let p = &pair.curves[0];
+fn double_point(pair: &NormalizedPair<Curve<DVec2>>) -> Option<(f64, f64)> {
+    let p = &pair.curves[0].points;
     let c = (p[1] - p[0]) * 3.0;
     let b = (p[2] - p[1]) * 3.0 - c;
     let a = p[3] - p[0] - c - b;
@@ -82,21 +94,17 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
 }
 
 /// The self-intersections of a curve of any degree.
-fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedContact> {
+pub(crate) fn crossings(pair: &NormalizedPair<impl PlaneCurve>) -> Vec<ClassifiedContact> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
-    for to in derivative_zeros(&pair.curves[0]).into_iter().chain([1.0]) {
+    for to in pair.curves[0].derivative_zeros().into_iter().chain([1.0]) {
         cut(pair, from, to, 0, &mut cuts);
         from = to;
     }
     let last = cuts.len() - 1;
     let boxes: Vec<Bounds<DVec2>> = cuts
         .windows(2)
-        .map(|ends| {
-            let mut piece = Points::from(&pair.curves[0][..]);
-            keep_between(&mut piece, ends[0], ends[1]);
-            Curve::from_points(piece).control_bounds()
-        })
+        .map(|ends| Bounds::from_points(&pair.curves[0].part(ends[0], ends[1])))
         .collect();
     let touch = |&(i, j): &(usize, usize)| {
         let gap = boxes[i].min.max(boxes[j].min) - boxes[i].max.min(boxes[j].max);
@@ -105,7 +113,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedContact> {
     // A segment that is monotone along its chord does not intersect itself, so i < j is enough.
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let pairs = pairs.filter(touch);
-    let (found, _) = pair.search(&cuts, &cuts, pairs);
+    let (found, _) = PlaneCurve::search(pair, [&cuts; 2], pairs);
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
@@ -114,9 +122,14 @@ fn crossings(pair: &NormalizedPair) -> Vec<ClassifiedContact> {
 }
 
 /// Cuts a segment until its parts have no reversals, and appends their ends.
-fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
-    let mut piece = Points::from(&pair.curves[0][..]);
-    keep_between(&mut piece, from, to);
+fn cut(
+    pair: &NormalizedPair<impl PlaneCurve>,
+    from: f64,
+    to: f64,
+    depth: usize,
+    cuts: &mut Vec<f64>,
+) {
+    let piece = pair.curves[0].part(from, to);
     let small = piece
         .iter()
         .all(|p| (*p - piece[0]).max_abs() <= pair.slack);

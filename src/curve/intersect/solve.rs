@@ -1,39 +1,27 @@
 //! The complete intersection of a pair of curves: search, classification, removal of duplicates.
 
-use super::super::Curve;
 use super::constants::{ONE_PARAMETER, TWO_CROSSINGS};
 use super::contact_interval::joined;
-use super::intersection::{Intersection, IntersectionKind};
+use super::intersection::IntersectionKind;
 use super::pair::{ClassifiedContact, NormalizedPair, sort};
+use super::plane_curve::PlaneCurve;
 use crate::bernstein::roots::DOUBLE_ROOT;
 use casteljau_kernels::curve::intersect::clipping::Contact;
-use glam::DVec2;
 
-impl NormalizedPair {
+impl<S: PlaneCurve> NormalizedPair<S> {
     /// All intersections of the curves, in order, and the number of steps of the search.
-    pub(crate) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> (Vec<Intersection>, usize) {
-        let (locations, steps) = if self.is_of_lines() {
-            (self.lines(), 0)
-        } else {
-            let (contacts, steps) = self.contacts();
-            (self.snap_and_merge(self.locations(contacts)), steps)
-        };
-        let intersections = locations
-            .into_iter()
-            .map(|ClassifiedContact { t, u, kind }| Intersection {
-                t,
-                u,
-                point: point_at(a, b, t, u),
-                kind,
-            })
-            .collect();
-        (intersections, steps)
+    pub(crate) fn solve(&self) -> (Vec<ClassifiedContact>, usize) {
+        if self.is_of_lines() {
+            return (self.lines(), 0);
+        }
+        let (contacts, steps) = self.contacts();
+        (self.snap_and_merge(self.locations(contacts)), steps)
     }
 
     /// All contacts of the curves, and the number of steps of the search.
     fn contacts(&self) -> (Vec<Contact>, usize) {
         if self.derivative_zeros.iter().all(|zeros| zeros.is_empty()) {
-            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
+            S::search(self, [&[0.0, 1.0]; 2], [(0, 0)].into_iter())
         } else {
             // The curves are cut at the zeros of B′, so that cusps and reversals are ends of segments.
             let [cuts_a, cuts_b] = self
@@ -42,7 +30,7 @@ impl NormalizedPair {
                 .map(|zeros| with_ends(zeros));
             let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
             let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-            self.search(&cuts_a, &cuts_b, pairs)
+            S::search(self, [&cuts_a, &cuts_b], pairs)
         }
     }
 
@@ -103,15 +91,6 @@ fn is_end_of_overlap(location: ClassifiedContact, all: &[ClassifiedContact]) -> 
         };
         near(location, q.times(), DOUBLE_ROOT) || near(location, (t_end, u_end), DOUBLE_ROOT)
     })
-}
-
-/// The point of the intersection; if a curve ends at it, the exact end point.
-fn point_at(a: &Curve<DVec2>, b: &Curve<DVec2>, t: f64, u: f64) -> DVec2 {
-    if (u == 0.0 || u == 1.0) && t != 0.0 && t != 1.0 {
-        b.eval(u)
-    } else {
-        a.eval(t)
-    }
 }
 
 /// The given parameters with 0 and 1 added: the ends of the segments between them.

@@ -2,12 +2,17 @@
 
 use super::constants::WORTH_CLIPPING;
 use super::piece::{Coefficients, Piece};
+use super::weights::Weights;
 use crate::numeric::order::range;
 
 /// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
 /// remaining part, 1 for all; `None` if nothing remains.
 #[inline(always)]
-pub(super) fn clip<C: Coefficients>(a: &Piece<C>, b: &mut Piece<C>, slack: f64) -> Option<f64> {
+pub(super) fn clip<C: Coefficients, W: Weights<C>>(
+    a: &Piece<C, W>,
+    b: &mut Piece<C, W>,
+    slack: f64,
+) -> Option<f64> {
     let n = a.last();
     let [x0, y0] = a.point(0);
     let [mut dx, mut dy] = a.chord();
@@ -30,17 +35,24 @@ pub(super) fn clip<C: Coefficients>(a: &Piece<C>, b: &mut Piece<C>, slack: f64) 
     for (i, s) in sides.get_mut().iter_mut().enumerate() {
         *s = side([bx[i], by[i]]);
     }
-    let (lo, hi) = inside(sides.get(), min - margin, max + margin)?;
+    let strip = (min - margin, max + margin);
+    let (lo, hi) = inside(sides.get(), &b.weights, strip)?;
     let remaining = hi - lo;
     if remaining <= WORTH_CLIPPING {
+        let (lo, hi) = b.weights.widened(lo, hi);
         *b = b.between(lo, hi);
     }
     Some(remaining)
 }
 
-/// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights.
+/// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights. With weights, the part where
+/// the hulls of the points (i/n, (rowᵢ − height) wᵢ) are above 0 for the lower and below 0 for the upper height.
 #[inline(always)]
-fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
+fn inside<C>(
+    row: &[f64],
+    weights: &impl Weights<C>,
+    (low, high): (f64, f64),
+) -> Option<(f64, f64)> {
     let (min, max) = range(row.iter().copied());
     if max < low || min > high {
         return None;
@@ -58,10 +70,10 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
         }
     };
     if let Some((sign, height)) = below(row[0]) {
-        lo = entry(n, |i| sign * row[i] - height);
+        lo = entry(n, |i| (sign * row[i] - height) * weights.weight(i));
     }
     if let Some((sign, height)) = below(row[n]) {
-        hi = 1.0 - entry(n, |i| sign * row[n - i] - height);
+        hi = 1.0 - entry(n, |i| (sign * row[n - i] - height) * weights.weight(n - i));
     }
     // Rounding may swap the ends of an interval that is a single parameter.
     Some((lo, if hi < lo { lo } else { hi }))

@@ -5,6 +5,7 @@ use super::constants::{
 };
 use super::piece::{Coefficients, Piece};
 use super::solver::{ClippingSolver, Contact};
+use super::weights::Weights;
 
 pub(super) enum Crossing {
     /// The segments intersect once, at this contact.
@@ -33,10 +34,10 @@ pub(super) fn cross_product([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
 }
 
 /// Whether A′ × B′ has the same sign for all pairs of parameters: its Bernstein coefficients are the cross products of
-/// the control edges. Then A(t) − B(u) = 0 has at most one solution, because between two solutions A and B would have
+/// the control edges, or sums of these with positive factors. Then A(t) − B(u) = 0 has at most one solution, because between two solutions A and B would have
 /// to advance by the same vector.
 #[inline(always)]
-fn turns_to_one_side<C: Coefficients>(a: &Piece<C>, b: &Piece<C>) -> bool {
+fn turns_to_one_side<C: Coefficients, W: Weights<C>>(a: &Piece<C, W>, b: &Piece<C, W>) -> bool {
     let (mut counter_clockwise, mut clockwise) = (false, false);
     for i in 0..a.last() {
         let edge = a.edge(i);
@@ -50,9 +51,9 @@ fn turns_to_one_side<C: Coefficients>(a: &Piece<C>, b: &Piece<C>) -> bool {
     counter_clockwise != clockwise
 }
 
-impl<C: Coefficients> ClippingSolver<C> {
+impl<C: Coefficients, W: Weights<C>> ClippingSolver<C, W> {
     #[inline(always)]
-    pub(super) fn crossing(&self, a: &Piece<C>, b: &Piece<C>) -> Crossing {
+    pub(super) fn crossing(&self, a: &Piece<C, W>, b: &Piece<C, W>) -> Crossing {
         if !turns_to_one_side(a, b) {
             return Crossing::Many;
         }
@@ -62,7 +63,13 @@ impl<C: Coefficients> ClippingSolver<C> {
 
     /// The crossing of two segments that intersect at most once, if Newton's method finds it.
     #[inline(always)]
-    pub(super) fn newton(&self, a: &Piece<C>, b: &Piece<C>, s: f64, r: f64) -> Option<Contact> {
+    pub(super) fn newton(
+        &self,
+        a: &Piece<C, W>,
+        b: &Piece<C, W>,
+        s: f64,
+        r: f64,
+    ) -> Option<Contact> {
         let (mut s, mut r) = (s, r);
         for _ in 0..NEWTON_STEPS {
             let (step_s, step_r) = step(a, b, s, r)?;
@@ -84,7 +91,7 @@ impl<C: Coefficients> ClippingSolver<C> {
 
     /// Accepts a solution of Newton's method if it lies in both segments, up to rounding.
     #[inline(always)]
-    fn converged(&self, a: &Piece<C>, b: &Piece<C>, s: f64, r: f64) -> Option<Contact> {
+    fn converged(&self, a: &Piece<C, W>, b: &Piece<C, W>, s: f64, r: f64) -> Option<Contact> {
         let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
         let [whole_a, whole_b] = &self.whole;
         let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));
@@ -109,9 +116,9 @@ impl<C: Coefficients> ClippingSolver<C> {
 
 /// The step of Newton's method for A(s) = B(r).
 #[inline(always)]
-pub(super) fn step<C: Coefficients>(
-    a: &Piece<C>,
-    b: &Piece<C>,
+pub(super) fn step<C: Coefficients, W: Weights<C>>(
+    a: &Piece<C, W>,
+    b: &Piece<C, W>,
     s: f64,
     r: f64,
 ) -> Option<(f64, f64)> {

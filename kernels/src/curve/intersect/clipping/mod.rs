@@ -13,17 +13,19 @@ mod constants;
 mod crossing;
 mod piece;
 mod solver;
+mod weights;
 
 pub use constants::CONTACT;
 pub use crossing::crossing_step;
 pub use piece::{Coefficients, Piece};
 pub use solver::{ClippingSolver, Contact};
+pub use weights::{Unweighted, Weights, balancing_speed};
 
 use clip::clip;
-use constants::{SPLIT, WORTH_GOING_ON};
+use constants::WORTH_GOING_ON;
 use crossing::Crossing;
 
-impl<C: Coefficients> ClippingSolver<C> {
+impl<C: Coefficients, W: Weights<C>> ClippingSolver<C, W> {
     /// Finds all contacts of the two curves between the given parameters.
     #[inline(always)]
     pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
@@ -32,7 +34,7 @@ impl<C: Coefficients> ClippingSolver<C> {
         self.clip_pair(a, b);
     }
 
-    fn clip_pair(&mut self, mut a: Piece<C>, mut b: Piece<C>) {
+    fn clip_pair(&mut self, mut a: Piece<C, W>, mut b: Piece<C, W>) {
         loop {
             if !self.work.spend(1) {
                 return self.record_contact(&a, &b);
@@ -58,8 +60,15 @@ impl<C: Coefficients> ClippingSolver<C> {
     }
 
     /// Continues with the halves of the larger segment; two segments without an extent are a contact.
-    fn halve(&mut self, a: &Piece<C>, b: &Piece<C>) {
-        let (size_a, size_b) = (a.extent(), b.extent());
+    fn halve(&mut self, a: &Piece<C, W>, b: &Piece<C, W>) {
+        let size = |piece: &Piece<C, W>| {
+            if W::is_indivisible(piece) {
+                0.0
+            } else {
+                piece.extent()
+            }
+        };
+        let (size_a, size_b) = (size(a), size(b));
         if a.boxes_are_disjoint(b, self.slack) {
             return;
         }
@@ -67,11 +76,11 @@ impl<C: Coefficients> ClippingSolver<C> {
         if is_small(size_a) && is_small(size_b) {
             self.record_contact(a, b);
         } else if size_a > size_b {
-            let (before, after) = a.split(SPLIT);
+            let (before, after) = a.split(a.weights.middle());
             self.clip_pair(before, b.clone());
             self.clip_pair(after, b.clone());
         } else {
-            let (before, after) = b.split(SPLIT);
+            let (before, after) = b.split(b.weights.middle());
             self.clip_pair(a.clone(), before);
             self.clip_pair(a.clone(), after);
         }

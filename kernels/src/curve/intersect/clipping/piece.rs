@@ -1,6 +1,6 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
-use crate::bernstein::de_casteljau::{keep_after, keep_before, split};
+use super::weights::{Unweighted, Weights};
 use crate::bernstein::derivatives::{cubic_with_derivative, with_derivatives};
 use crate::numeric::order::range;
 use crate::numeric::zero::newton_in_bracket;
@@ -35,18 +35,20 @@ impl Coefficients for Vec<f64> {
 
 /// The segment of a plane curve between two parameters; `from` > `to` if it runs backwards.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece<C> {
+pub struct Piece<C, W = Unweighted> {
     /// The x coordinates of the control points.
     pub x: C,
     /// The y coordinates of the control points.
     pub y: C,
+    /// The weights of the control points.
+    pub weights: W,
     /// The parameter of the curve at the start of the segment.
     pub from: f64,
     /// The parameter of the curve at the end of the segment.
     pub to: f64,
 }
 
-impl<C: Coefficients> Piece<C> {
+impl<C: Coefficients, W: Weights<C>> Piece<C, W> {
     /// The degree.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
@@ -104,8 +106,8 @@ impl<C: Coefficients> Piece<C> {
     /// The point and the derivative at s.
     #[inline(always)]
     pub(super) fn taylor(&self, s: f64) -> ([f64; 2], [f64; 2]) {
-        let (x, dx) = value_and_slope(self.x.get(), s);
-        let (y, dy) = value_and_slope(self.y.get(), s);
+        let (x, dx) = self.weights.value_and_slope(&self.x, s);
+        let (y, dy) = self.weights.value_and_slope(&self.y, s);
         ([x, y], [dx, dy])
     }
 
@@ -113,21 +115,17 @@ impl<C: Coefficients> Piece<C> {
     #[inline]
     pub(super) fn between(&self, s0: f64, s1: f64) -> Self {
         let mut piece = self.clone();
-        for row in [piece.x.get_mut(), piece.y.get_mut()] {
-            if s0 > 0.0 {
-                keep_after(row, s0);
-            }
-            // The first cut leaves the segment from s₀ to 1, in which s₁ is at (s₁ − s₀)/(1 − s₀).
-            if s1 < 1.0 {
-                keep_before(
-                    row,
-                    if s0 < 1.0 {
-                        (s1 - s0) / (1.0 - s0)
-                    } else {
-                        0.0
-                    },
-                );
-            }
+        if s0 > 0.0 {
+            W::keep_after(&mut piece, s0);
+        }
+        // The first cut leaves the segment from s₀ to 1, in which s₁ is at (s₁ − s₀)/(1 − s₀).
+        if s1 < 1.0 {
+            let s = if s0 < 1.0 {
+                (s1 - s0) / (1.0 - s0)
+            } else {
+                0.0
+            };
+            W::keep_before(&mut piece, s);
         }
         (piece.from, piece.to) = (self.at(s0), self.at(s1));
         piece
@@ -138,8 +136,7 @@ impl<C: Coefficients> Piece<C> {
         let (mut left, mut right) = (self.clone(), self.clone());
         left.to = self.at(s);
         right.from = left.to;
-        split(left.x.get_mut(), right.x.get_mut(), s);
-        split(left.y.get_mut(), right.y.get_mut(), s);
+        W::split(&mut left, &mut right, s);
         (left, right)
     }
 
@@ -148,6 +145,7 @@ impl<C: Coefficients> Piece<C> {
         let mut piece = self.clone();
         piece.x.get_mut().reverse();
         piece.y.get_mut().reverse();
+        piece.weights.reverse();
         (piece.from, piece.to) = (self.to, self.from);
         piece
     }
@@ -158,6 +156,29 @@ impl<C: Coefficients> Piece<C> {
         let both = piece.x.get_mut().iter_mut().zip(piece.y.get_mut());
         both.for_each(|(x, y)| (*x, *y) = (dx * *x + dy * *y, dx * *y - dy * *x));
         piece
+    }
+
+    /// The parameter at which x, which does not decrease, has a value; 0 or 1 for a value outside the range.
+    pub(super) fn time_at(&self, value: f64) -> f64 {
+        let (x, n) = (self.x.get(), self.last());
+        if value <= x[0] {
+            return 0.0;
+        }
+        if value >= x[n] {
+            return 1.0;
+        }
+        let guess = (value - x[0]) / (x[n] - x[0]);
+        newton_in_bracket([0.0, 1.0], guess, 0.0, |s| {
+            let (v, slope) = self.weights.value_and_slope(&self.x, s);
+            (v - value, slope)
+        })
+    }
+}
+
+impl<C: Coefficients> Piece<C, C> {
+    /// Both coordinates and the weights.
+    pub(super) fn rows_mut(&mut self) -> (&mut [f64], &mut [f64], &mut [f64]) {
+        (self.x.get_mut(), self.y.get_mut(), self.weights.get_mut())
     }
 }
 
@@ -176,20 +197,4 @@ fn value_and_slope_of_any_degree(row: &[f64], s: f64) -> (f64, f64) {
     level[..row.len()].copy_from_slice(row);
     let [value, slope, _] = with_derivatives(&mut level[..row.len()], s);
     (value, slope)
-}
-
-/// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.
-pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
-    let n = row.len() - 1;
-    if value <= row[0] {
-        return 0.0;
-    }
-    if value >= row[n] {
-        return 1.0;
-    }
-    let guess = (value - row[0]) / (row[n] - row[0]);
-    newton_in_bracket([0.0, 1.0], guess, 0.0, |s| {
-        let (v, slope) = value_and_slope(row, s);
-        (v - value, slope)
-    })
 }

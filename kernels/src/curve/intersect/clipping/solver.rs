@@ -1,6 +1,7 @@
 //! The state of a search for contacts.
 
 use super::piece::{Coefficients, Piece};
+use super::weights::{Unweighted, Weights};
 use crate::numeric::work_limit::WorkLimit;
 
 /// A range where two curves are as close as rounding can distinguish: the parameters t₀ ≤ t₁ on the first curve and the
@@ -16,9 +17,9 @@ pub struct Contact {
 }
 
 /// The search and its results.
-pub struct ClippingSolver<C> {
+pub struct ClippingSolver<C, W = Unweighted> {
     /// The whole curves.
-    pub whole: [Piece<C>; 2],
+    pub whole: [Piece<C, W>; 2],
     /// The distance below which points are in contact: the effect of rounding.
     pub slack: f64,
     /// Counts the pairs of segments; above its limit segments are not cut any more.
@@ -27,10 +28,10 @@ pub struct ClippingSolver<C> {
     pub found: Vec<Contact>,
 }
 
-impl<C: Coefficients> ClippingSolver<C> {
+impl<C: Coefficients, W: Weights<C>> ClippingSolver<C, W> {
     /// Expects two curves whose coordinates are at most about 1, the distance that counts as contact, and the maximum
     /// number of pairs of segments.
-    pub fn new(whole: [Piece<C>; 2], slack: f64, limit: usize) -> Self {
+    pub fn new(whole: [Piece<C, W>; 2], slack: f64, limit: usize) -> Self {
         Self {
             whole,
             slack,
@@ -40,7 +41,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     }
 
     /// Records that two whole segments are in contact.
-    pub fn record_contact(&mut self, a: &Piece<C>, b: &Piece<C>) {
+    pub fn record_contact(&mut self, a: &Piece<C, W>, b: &Piece<C, W>) {
         let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
         // A segment may run backwards; t increases in a contact, and each u stays with its t.
         if t[0] > t[1] {
