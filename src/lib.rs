@@ -140,6 +140,8 @@ pub use path::StrokeOptions;
 pub use path::{FillRule, Path, PathBuilder, PathTime};
 #[cfg(feature = "nurbs")]
 pub use rational::{EllipticalArc, NurbsCurve, RationalCurve};
+#[cfg(feature = "surfaces")]
+pub use rational::{NurbsSurface, RationalPatch};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;
