@@ -590,6 +590,24 @@ fn a_profile_that_crosses_its_axis_is_refused() {
     }
 }
 
+#[test]
+fn normals_at_a_tip_along_the_axis_are_radial() {
+    // The tangent of the profile at its start is the axis, so all tangent planes at the tip contain the axis.
+    let dome = profile(
+        &[(0.0, 0.0), (0.0, 0.5), (1.0, 0.7), (0.0, 1.0)],
+        &[1.0, 1.0, 2.0, 1.0],
+    );
+    for angle in [TAU, 2.0] {
+        let surface = NurbsSurface::revolve(&dome, DVec3::ZERO, DVec3::Z, angle).expect("valid");
+        for k in 0..=20 {
+            let u = f64::from(k) / 20.0;
+            let out = surface.eval(u, 0.5).truncate().normalize().extend(0.0);
+            let normal = surface.normal(u, 0.0);
+            assert!((normal - out).length() <= 1e-12, "{u}: {normal} {out}");
+        }
+    }
+}
+
 /// ∬ |∂u × ∂v| over all patches, by a Gauss rule of 6 × 6 points on 8 × 8 parts of each.
 fn area(surface: &NurbsSurface) -> f64 {
     // The positive nodes and the weights of 6 points over [−1, 1].

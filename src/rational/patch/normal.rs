@@ -1,8 +1,9 @@
 //! The normal of rational patches, also where ∂u × ∂v vanishes.
 //!
 //! The normal has the direction of N = w(Au × Av) + wu(Av × A) + wv(A × Au), a polynomial of degrees 3m − 1 and 3n − 1
-//! that does not depend on the origin. At a pole, the origin is the pole itself: then the rows of N at the collapsed edge are
-//! exactly zero, and the first row that is not gives the limit. Source: Saito, Wang and Sederberg, "Hodographs and normals
+//! that does not depend on the origin. At a pole, the origin is the pole: then the rows of N at the collapsed edge are zero up
+//! to rounding, and the first row that is not gives the limit. The last two terms matter where the first one vanishes to a
+//! higher order, as at the tip of a surface of revolution whose profile is tangent to the axis there. Source: Saito, Wang and Sederberg, "Hodographs and normals
 //! of rational curves and surfaces", CAGD 12 (1995).
 
 use super::RationalPatch;
@@ -15,17 +16,14 @@ impl RationalPatch {
     /// The unit normal at (u, v): the direction of ∂S/∂u × ∂S/∂v.
     ///
     /// Where this cross product vanishes, as at a collapsed edge, the normal is the limit from the middle of the patch, as of
-    /// [`Patch::normal`](crate::Patch::normal). It is zero where there is no limit: for a patch that is a point or a curve.
+    /// [`Patch::normal`](crate::Patch::normal); it takes about 15 m² n² multiplications of vectors. It is zero where there is no limit: for a patch that is a point or a curve.
     pub fn normal(&self, u: f64, v: f64) -> DVec3 {
         let point = self.eval(u, v);
         let (numerator, _) = self.numerator_and_denominator(point);
         if numerator.is_regular(u, v) {
             return numerator.normal(u, v);
         }
-        // At a pole this is the pole, without the rounding of the evaluation.
-        let points = self.control_points().iter().copied();
-        let nearest = points.min_by(|a, b| a.distance(point).total_cmp(&b.distance(point)));
-        self.normal_net(nearest.unwrap_or(point)).limit(u, v)
+        self.normal_net(point).limit(u, v)
     }
 
     /// The coefficients of N up to a positive factor.
