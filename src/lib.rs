@@ -53,7 +53,8 @@
 //! - `easing`: CSS timing functions ([`Easing`]).
 //! - `io`: SVG path data ([`Path::from_svg`]); with `surfaces` also their text forms, and meshes as OBJ, STL and GLB.
 //! - `nurbs`: curves with weights ([`RationalCurve`], [`NurbsCurve`]).
-//! - `surfaces`: patches, surfaces, meshes and the teapot. It includes `nurbs`, because projected curves are rational.
+//! - `surfaces`: patches, surfaces, also with weights ([`RationalPatch`], [`NurbsSurface`]), meshes and the teapot. It
+//!   includes `nurbs`.
 //! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
 //!   results are the same. The npm package does without it.
 //!
@@ -140,6 +141,8 @@ pub use path::StrokeOptions;
 pub use path::{FillRule, Path, PathBuilder, PathTime};
 #[cfg(feature = "nurbs")]
 pub use rational::{EllipticalArc, NurbsCurve, RationalCurve};
+#[cfg(feature = "surfaces")]
+pub use rational::{NurbsSurface, RationalPatch};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

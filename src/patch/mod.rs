@@ -4,7 +4,7 @@
 //! control points of a curve in v.
 
 mod area;
-mod curvature;
+pub(crate) mod curvature;
 mod de_casteljau;
 mod flatness;
 pub(crate) mod net;

@@ -46,6 +46,12 @@ impl NormalNet {
                 net[l * columns + k] += along_u.cross(along_v);
             }
         }
+        Self::from_weighted(net, degree_u, degree_v)
+    }
+
+    /// The net of the given degrees, from coefficients that are multiplied by their binomial coefficients.
+    pub(crate) fn from_weighted(mut net: Net, degree_u: usize, degree_v: usize) -> Self {
+        let columns = degree_u + 1;
         for (index, coefficient) in net.iter_mut().enumerate() {
             *coefficient /=
                 binomial(degree_u, index % columns) * binomial(degree_v, index / columns);
@@ -138,7 +144,7 @@ fn direction(vector: DVec3) -> Option<DVec3> {
 }
 
 /// Each coefficient of a net of these degrees, multiplied by its binomial coefficients.
-fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
+pub(crate) fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
     let columns = degree_u + 1;
     net.iter()
         .enumerate()

@@ -14,14 +14,22 @@ mod length;
 mod nearest;
 mod numerators;
 mod nurbs;
+#[cfg(feature = "surfaces")]
+mod patch;
 mod shape;
 pub(crate) mod spline;
 mod split;
+#[cfg(feature = "surfaces")]
+mod surface;
 mod transform;
 mod weighted;
 
 pub use ellipse::EllipticalArc;
 pub use nurbs::NurbsCurve;
+#[cfg(feature = "surfaces")]
+pub use patch::RationalPatch;
+#[cfg(feature = "surfaces")]
+pub use surface::NurbsSurface;
 
 use crate::curve::Curve;
 use crate::geometry::check::{check_points, max_abs};

@@ -88,3 +88,11 @@ impl<P: Point> Mul<f64> for Homogeneous<P> {
 }
 
 impl<P: Point> Vector for Homogeneous<P> {}
+
+/// A net with rows and columns exchanged, where `columns` is the length of a row.
+#[cfg(feature = "surfaces")]
+pub(super) fn transposed<T: Copy>(net: &[T], columns: usize) -> Vec<T> {
+    (0..columns)
+        .flat_map(|i| net.iter().skip(i).step_by(columns).copied())
+        .collect()
+}

@@ -4,6 +4,7 @@ mod forms;
 mod golden;
 mod intersect;
 mod nurbs;
+mod surface;
 
 use crate::support::Rng;
 use casteljau::glam::{DAffine2, DMat3, DVec2, DVec3};

@@ -57,7 +57,7 @@ impl<P: Point> NurbsCurve<P> {
 }
 
 /// Parameters from 0 to 1 whose differences are proportional to the square roots of the distances.
-fn centripetal<P: Point>(points: &[P]) -> Vec<f64> {
+pub(in crate::rational) fn centripetal<P: Point>(points: &[P]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut ts = vec![0.0];
     ts.extend(points.windows(2).map(|pair| {
@@ -71,7 +71,12 @@ fn centripetal<P: Point>(points: &[P]) -> Vec<f64> {
 }
 
 /// The control points for which the curve has the given points at the given parameters.
-fn solved<P: Point>(points: &[P], ts: &[f64], knots: &[f64], p: usize) -> Vec<P> {
+pub(in crate::rational) fn solved<P: Point>(
+    points: &[P],
+    ts: &[f64],
+    knots: &[f64],
+    p: usize,
+) -> Vec<P> {
     let count = points.len();
     // Row i has the p + 1 values of the B-splines that are not 0 at tᵢ, the first of which has the index `starts[i]`.
     let mut starts = Vec::with_capacity(count);

@@ -5,9 +5,12 @@
 
 mod construct;
 mod elevate;
-mod interpolate;
+pub(super) mod interpolate;
 mod queries;
 mod refine;
+
+#[cfg(feature = "surfaces")]
+pub(super) use queries::locate;
 
 use super::weighted::WeightedPoint;
 use super::{RationalCurve, check_weights};
@@ -313,7 +316,7 @@ impl<P: Point> NurbsCurve<P> {
     }
 
     /// Control points with weights.
-    fn weighted(&self) -> Vec<WeightedPoint<P>> {
+    pub(super) fn weighted(&self) -> Vec<WeightedPoint<P>> {
         let parts = self.points.iter().zip(&self.weights);
         parts
             .map(|(&point, &weight)| WeightedPoint { point, weight })

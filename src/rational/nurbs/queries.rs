@@ -15,21 +15,25 @@ use crate::rational::RationalCurve;
 use crate::spline::Spline;
 use glam::DVec2;
 
+/// The interval between joints that contains t, and the place of t in it from 0 to 1; the end belongs to the last interval.
+pub(in crate::rational) fn locate(joints: &[f64], t: f64) -> (usize, f64) {
+    let k = joints[1..joints.len() - 1].partition_point(|&u| u <= t);
+    let (from, to) = (joints[k], joints[k + 1]);
+    // Exact at both ends.
+    (
+        k,
+        if t == to {
+            1.0
+        } else {
+            (t - from) / (to - from)
+        },
+    )
+}
+
 impl<P: Point> NurbsCurve<P> {
     /// The segment that contains t and the parameter on it; the end belongs to the last segment.
     fn locate(&self, t: f64) -> (usize, f64) {
-        let last = self.segments.len() - 1;
-        let k = self.joints[1..=last].partition_point(|&u| u <= t);
-        let (from, to) = (self.joints[k], self.joints[k + 1]);
-        // Exact at both ends.
-        (
-            k,
-            if t == to {
-                1.0
-            } else {
-                (t - from) / (to - from)
-            },
-        )
+        locate(&self.joints, t)
     }
 
     /// The t of a parameter on a segment.
