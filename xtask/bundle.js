@@ -60,14 +60,15 @@ const coreSurfaces = {
   },
 };
 
-/** Leaves surfaces.js, whose bundle stands alone, an import of the elements that show surfaces. */
-const surfacesExternal = {
-  name: "surfaces-external",
+/** Leaves surfaces.js and nurbs.js, whose bundles stand alone, imports of the elements that use them. */
+const standaloneExternal = {
+  name: "standalone-external",
   setup(build) {
-    build.onResolve({ filter: /[\\/]surfaces\.js$/ }, ({ path, resolveDir }) =>
-      resolve(resolveDir, path) === resolve(sources, "surfaces.js")
-        ? { path: "./surfaces.js", external: true, sideEffects: false }
-        : undefined,
+    build.onResolve({ filter: /[\\/](surfaces|nurbs)\.js$/ }, ({ path, resolveDir }) =>
+      ["surfaces.js", "nurbs.js"]
+        .filter((name) => resolve(resolveDir, path) === resolve(sources, name))
+        .map((name) => ({ path: `./${name}`, external: true, sideEffects: false }))
+        .at(0),
     );
   },
 };
@@ -195,6 +196,7 @@ const SHARING = {
   "elements-coordinates": "elements/companions/coordinates-view.ts",
   "elements-easing": "elements/companions/easing-view.ts",
   "elements-equation": "elements/companions/equation-view.ts",
+  "elements-rational": "elements/applet/rational.ts",
   "elements-surface": "elements/surface/drawing.ts",
 };
 
@@ -236,7 +238,7 @@ async function sharing(entries, folder, options) {
   const pattern = /import"[./]+chunk-\w+\.js";|chunk-\w+\.js(?:\.map)?|import\(`\$\{/g;
   for (const name of namesOfScripts(files)) {
     edit(files, name, pattern, edited);
-    // The import that surfacesExternal leaves has the same text in every folder.
+    // The import that standaloneExternal leaves has the same text in every folder.
     if (name.startsWith("elements/")) edit(files, name, /"\.\/surfaces\.js"/g, () => '"../surfaces.js"');
   }
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
@@ -249,6 +251,8 @@ async function transpile() {
   const entryPoints = names.map((name) => resolve(sources, name));
   const plugins = mode === "development" ? [forDevelopment] : [];
   await build({ entryPoints, outbase: sources, outdir: "target/js", target: "es2022", charset: "utf8", plugins });
+  // The module "curves" has no functions of rational curves: as in dist/, elements get these from the bundle that stands alone.
+  await writeFile("target/js/nurbs.js", 'export * from "casteljau/nurbs";\n');
 }
 
 /** The plugins of a bundle: those of a release, or the one for development. @param {...any} release */
@@ -260,7 +264,7 @@ await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, {
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
-  sharing(SHARING, "", { plugins: [surfacesExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
+  sharing(SHARING, "", { plugins: [standaloneExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
   sharing({ index: "index.ts" }, "node/", {
     plugins: [fromFile],
     platform: "node",

@@ -4,7 +4,7 @@ import type { Curve } from "../index.js";
 import { generator, randomChain, randomPlaces } from "./random.js";
 import { pairs } from "./plane.js";
 import { degreeOf, figureOf } from "./figure.js";
-import { MODES, MAX_POINTS, numberIn, placeIn, wholeIn, wordIn } from "./state.js";
+import { MODES, MAX_POINTS, numberIn, placeIn, resizedWeights, weightsOf, wholeIn, wordIn } from "./state.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";
 import type { JointMode } from "./state.js";
@@ -14,7 +14,7 @@ import type { JointMode } from "./state.js";
  * none.
  */
 export function chainOf(state: State): { spline: Spline; degree: number; rest: readonly Point2[] } | null {
-  if (state.basis !== "bezier") return null;
+  if (state.basis !== "bezier" || weightsOf(state)) return null; // joints of rational curves are not held
   const degree = degreeOf(state);
   const whole = state.degree === "n" ? state.shown : state.points.length;
   const segments = Math.floor((whole - 1) / degree);
@@ -52,7 +52,7 @@ function withList(state: State, points: readonly Point2[]): State {
   const change = points.length - state.points.length;
   const shown =
     state.shown === state.points.length ? points.length : Math.min(Math.max(state.shown + change, 2), points.length);
-  return { ...state, points, shown };
+  return { ...state, points, shown, weights: resizedWeights(state.weights, points.length) };
 }
 
 /** A copy of a list with some of its items replaced by others. */
@@ -117,14 +117,16 @@ export function withOwnMatrix(state: State, before: State): State {
 }
 
 /** Segments can be cut where their halves have points of the same kind. */
-export function canInsert({ basis }: State) {
-  return basis === "bezier" || basis === "hermite";
+export function canInsert(state: State) {
+  return (state.basis === "bezier" || state.basis === "hermite") && !weightsOf(state);
 }
 
 /** The selected segment cut at t; the curve stays as it is. */
 export function inserted(state: State, t: unknown = state.t): State {
   if (!canInsert(state))
-    throw new RangeError(`insert: expected the basis bezier or hermite, whose segments can be cut, got ${state.basis}`);
+    throw new RangeError(
+      `insert: expected the basis bezier or hermite without weights, whose segments can be cut, got ${weightsOf(state) ? "weights" : state.basis}`,
+    );
   const at = numberIn(t, "t", 0, 1);
   const { pieces, degree } = figureOf(state);
   const segment = Math.min(state.segment, pieces.length - 1);
@@ -157,7 +159,8 @@ export function removed(state: State, index: unknown, bare = false): State {
   const inside = chain && state.degree !== "n" && at < state.points.length - chain.rest.length;
   if (!bare && inside) return healed(state, chain, at);
   if (state.points.length <= 2) throw new RangeError("remove: expected more than 2 points, got 2");
-  return withList(state, spliced(state.points, at, 1));
+  const weights = state.weights.length ? spliced(state.weights, at, 1) : state.weights;
+  return withList({ ...state, weights }, spliced(state.points, at, 1));
 }
 
 function healed(state: State, { spline, degree, rest }: NonNullable<ReturnType<typeof chainOf>>, at: number): State {

@@ -28,10 +28,17 @@ const helpOf = (...names: ActionName[]) =>
     return help ? [help] : [];
   });
 
-/** All keys and what they do. */
-export const keyList = (): (readonly [string, string])[] => [
+/**
+ * All keys and what they do.
+ *
+ * @param weights whether there are weights
+ */
+export const keyList = (weights = false): (readonly [string, string])[] => [
   ["Tab", translated("next point")],
   ["← ↑ → ↓", translated("move the point by 1, with Shift by 10, with Alt by 0.1")],
+  ...(weights
+    ? [["← →", translated("at a weight: smaller or larger by 5 %, with Shift ten times, with Alt a tenth")] as const]
+    : []),
   ["Enter", translated("at a joint: hold it another way")],
   ["Delete", translated("take the point away, the curve heals; with Shift only the point")],
   ...helpOf("insert", "undo", "redo", "randomize", "toggle"),
@@ -104,6 +111,9 @@ export const placeWords = ([x, y]: readonly number[]): string => `${rounded(x)},
 
 const rounded = (x: number) => Number(x.toFixed(1));
 
+/** Weights range over powers of ten. */
+export const weightWords = (weight: number): string => String(Number(weight.toPrecision(4)));
+
 /** A description reads out no more points than this. */
 const MAX_NAMED = 24;
 
@@ -113,9 +123,12 @@ const MAX_NAMED = 24;
  * @param messages those of the layers
  */
 export function description(state: State, figure: Figure, joints: readonly JointFacts[], messages: readonly string[]) {
-  const { pieces, points, names, kinds, degree } = figure;
-  const kind =
-    state.basis === "bezier"
+  const { pieces, rational, points, names, kinds, degree } = figure;
+  const kind = rational.length
+    ? rational.length === 1
+      ? translated("1 rational Bézier curve of degree {0}", degree)
+      : translated("{0} rational Bézier curves of degree {1}", rational.length, degree)
+    : state.basis === "bezier"
       ? pieces.length === 1
         ? translated("1 Bézier curve of degree {0}", degree)
         : translated("{0} Bézier curves of degree {1}", pieces.length, degree)
@@ -129,7 +142,7 @@ export function description(state: State, figure: Figure, joints: readonly Joint
   const more = points.length - MAX_NAMED;
   const modes = modesOf(state);
   return [
-    pieces.length ? kind : translated("Too few points for a curve"),
+    pieces.length + rational.length ? kind : translated("Too few points for a curve"),
     [...places, ...(more > 0 ? [translated("and {0} more", more)] : [])].join("; "),
     ...joints.map((facts, k) => {
       const { at, verdict } = facts;

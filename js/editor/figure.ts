@@ -1,7 +1,8 @@
 // The curves that the points mean: pieces in Bézier form, for every basis and degree.
 import { Curve } from "../geometry/curve/curve.js";
 import { Spline } from "../geometry/spline/spline.js";
-import { MAX_DEGREE } from "./state.js";
+import { MAX_DEGREE, weightsOf } from "./state.js";
+import type { RationalCurve } from "../nurbs.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";
 import type { Labels } from "./state.js";
@@ -13,10 +14,20 @@ export interface Piece {
   indices: number[];
 }
 
+export interface RationalPiece {
+  curve: RationalCurve<2>;
+  /** The points that it is made of */
+  indices: number[];
+}
+
 export interface Figure {
   /** The shown ones */
   points: readonly Point2[];
   pieces: Piece[];
+  /** Of points with weights, which have no other pieces; none before casteljau/nurbs is loaded */
+  rational: RationalPiece[];
+  /** Of the shown points; null for curves without weights */
+  weights: readonly number[] | null;
   /** The pieces as one chain; null where they do not meet, or there are none */
   spline: Spline | null;
   /** Of the points, in the notation that is set */
@@ -37,12 +48,40 @@ const TANGENTS = [
   [0, 0, -1, 1],
 ];
 
-export function figureOf(state: State): Figure {
+/** @param Rational the class of curves with weights, once it is loaded */
+export function figureOf(state: State, Rational: typeof RationalCurve | null = null): Figure {
   const points = state.points.slice(0, state.shown);
   const degree = degreeOf(state);
+  const weights = weightsOf(state)?.slice(0, state.shown) ?? null;
+  const names = points.map((_, i) => nameOf(state.labels, i));
+  if (weights) {
+    const groups = groupsOf(points, degree);
+    const kinds = kindsOf(points, groups, degree);
+    const rational = Rational ? rationalPieces(Rational, points, weights, groups) : [];
+    return { points, pieces: [], rational, weights, spline: null, kinds, names, degree, matrix: null };
+  }
   const matrix = matrixOf(state, degree);
   const { pieces, spline, kinds } = PLANS[state.basis](points, degree, matrix ?? []);
-  return { points, pieces, spline, kinds, names: points.map((_, i) => nameOf(state.labels, i)), degree, matrix };
+  return { points, pieces, rational: [], weights, spline, kinds, names, degree, matrix };
+}
+
+function rationalPieces(
+  Rational: typeof RationalCurve,
+  points: readonly Point2[],
+  weights: readonly number[],
+  groups: number[][],
+): RationalPiece[] {
+  return groups.map((indices) => {
+    const own = indices.map((i) => weights[i]);
+    return {
+      curve: new Rational(
+        indices.map((i) => points[i]),
+        own,
+        { dimension: 2 },
+      ) as RationalCurve<2>,
+      indices,
+    };
+  });
 }
 
 /** The degree of the pieces. */

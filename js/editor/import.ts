@@ -50,7 +50,7 @@ function withPath(state: State, d: string) {
     return pairs(curve.controlPoints()).slice(k === 0 ? 0 : 1);
   });
   return withPoints(
-    { ...state, basis: "bezier", degree: 3, joints: ["free"], shown: state.points.length },
+    { ...state, basis: "bezier", weights: [], degree: 3, joints: ["free"], shown: state.points.length },
     fitted(points, state.box),
   );
 }

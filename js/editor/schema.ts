@@ -60,6 +60,10 @@ export const FIELDS: Record<string, Field> = {
     get: ({ points }) => points.map(([x, y]) => [x, y]),
     write: ({ points }) => points.map((point) => point.join(",")).join(" "),
   },
+  weights: field("weights", (value, { points }) => weightsIn(value, points.length), {
+    parse: (text) => words(text).map(numberOf),
+    get: ({ weights }) => [...weights],
+  }),
   basis: field("basis", (value) => states.wordIn(value, "basis", states.BASES), { parse: trimmed }),
   matrix: field(
     "matrix",
@@ -113,6 +117,14 @@ export const FIELDS: Record<string, Field> = {
     write: ({ view }) => VIEW.map((name) => view[name]).join(" "),
   },
 };
+
+/** None, or one for each point. */
+function weightsIn(value: unknown, count: number): number[] {
+  if (Array.isArray(value) && value.length === 0) return [];
+  return list(value, "weights", count).map((x, i) =>
+    states.numberIn(x, `weights[${i}]`, states.MIN_WEIGHT, states.MAX_WEIGHT),
+  );
+}
 
 function viewIn(value: unknown): import("./state.js").View {
   if (typeof value !== "object" || value === null || "more" in value)

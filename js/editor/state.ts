@@ -23,6 +23,8 @@ export interface State {
   /** How many points are shown */
   shown: number;
   basis: Basis;
+  /** Of the points, as many as these, for rational curves of the basis "bezier"; none for curves without weights */
+  weights: readonly number[];
   /** 16 numbers, row-major, for the basis "matrix" */
   matrix: readonly number[];
   /** "n": one curve through the first point to the last */
@@ -87,6 +89,9 @@ export const MAX_DEGREE = 64;
 export const MAX_POINTS = 500;
 /** Points farther away than this cannot be seen from anywhere near the picture. */
 const FARTHEST = 1e6;
+/** Larger and smaller weights draw the same picture. */
+export const MAX_WEIGHT = 1000;
+export const MIN_WEIGHT = 1 / MAX_WEIGHT;
 /** So far beyond both ends t goes where the extrapolation is shown. */
 export const BEYOND = 0.5;
 /** The closest view, as a share of the box: nearer than this, neighbouring numbers lie visibly apart. */
@@ -105,6 +110,7 @@ export function firstState(): State {
     points,
     shown: points.length,
     basis: "bezier",
+    weights: [],
     matrix: BEZIER,
     degree: 3,
     joints: ["free"],
@@ -131,7 +137,18 @@ export function withPoints(state: State, value: unknown): State {
     throw new RangeError(`points: expected 2 to ${MAX_POINTS} points, got ${value.length}`);
   const points = Array.from(value, (point, i) => placeIn(point, `points[${i}]`));
   const shown = state.shown === state.points.length ? points.length : Math.min(state.shown, points.length);
-  return { ...state, points, shown };
+  return { ...state, points, shown, weights: resizedWeights(state.weights, points.length) };
+}
+
+/** A weight for each point: further points get 1. No weights stay none. */
+export function resizedWeights(weights: readonly number[], count: number): readonly number[] {
+  if (!weights.length || weights.length === count) return weights;
+  return Array.from({ length: count }, (_, i) => weights[i] ?? 1);
+}
+
+/** The weights that are in use; null for curves without weights. */
+export function weightsOf({ basis, weights }: Pick<State, "basis" | "weights">): readonly number[] | null {
+  return basis === "bezier" && weights.length ? weights : null;
 }
 
 export function placeIn(value: unknown, name: string): Point2 {

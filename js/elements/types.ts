@@ -1,6 +1,7 @@
 // The public types of the elements. They do not mention the libraries that the elements use.
 
 import type { Curve, Spline } from "../index.js";
+import type { RationalCurve } from "../nurbs.js";
 import type { Surface } from "../surfaces.js";
 
 /**
@@ -156,8 +157,12 @@ export interface AppletFigure {
   names: string[];
   /** For each point whether it is on the curve, off it, or waits for more points */
   kinds: ("on" | "off" | "wait")[];
-  /** The segments in Bézier form, each with the points that define it */
+  /** The segments in Bézier form, each with the points that define it; none with weights */
   pieces: { curve: Curve; indices: number[] }[];
+  /** Instead of these, the segments of points with weights, once `casteljau/nurbs` is loaded */
+  rational: { curve: RationalCurve<2>; indices: number[] }[];
+  /** The weights of the points; null without weights */
+  weights: number[] | null;
   /** The segments as one spline; null if they do not meet */
   spline: Spline | null;
   /** The continuity at each inner joint */
@@ -177,6 +182,11 @@ export interface AppletFigure {
 export interface AppletProperties {
   /** All control points in a box of 670 × 480, y down; as an attribute "x,y x,y …" */
   points: [number, number][];
+  /**
+   * The weights of all control points for the basis "bezier", 0.001 to 1000: the segments are then rational curves, and each weight is
+   * dragged on the leg of the control polygon before its point. Empty: curves without weights
+   */
+  weights: number[];
   /** The number of points that are shown; null for all */
   mode: number | null;
   /** How the points determine the curve */
@@ -234,7 +244,7 @@ export interface AppletProperties {
   /** Moves all points to random positions; equal seeds give equal points */
   randomize: (seed?: number) => void;
   /** Shows both parts at t, and returns those of the selected segment */
-  split: (t?: number) => [Curve, Curve];
+  split: (t?: number) => [Curve, Curve] | [RationalCurve<2>, RationalCurve<2>];
   /** Splits the selected segment at t; the shape stays the same */
   insertJoint: (t?: number) => void;
   /** Removes a point */
@@ -258,6 +268,7 @@ export interface AppletProperties {
       point?: [number, number];
       t?: number;
       points?: [number, number][];
+      weights?: number[];
       basis?: string;
       matrix?: number[];
     },

@@ -13,7 +13,8 @@ const MAX_WORK = 2e4;
 export function bounded(figure: Figure): Figure {
   const work = (figure.degree + 1) ** 2;
   const count = Math.max(1, Math.floor(MAX_WORK / work));
-  if (figure.pieces.length <= count) return figure;
+  if (Math.max(figure.pieces.length, figure.rational.length) <= count) return figure;
   const pieces = figure.pieces.slice(0, count);
-  return { ...figure, pieces, spline: figure.spline && Spline.fromCurves(pieces.map(({ curve }) => curve)) };
+  const rational = figure.rational.slice(0, count);
+  return { ...figure, pieces, rational, spline: figure.spline && Spline.fromCurves(pieces.map(({ curve }) => curve)) };
 }

@@ -28,10 +28,17 @@ export function contextOn({ ctx, theme, px }: import("../ui/pen.js").Paper<Role>
   return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], reserved: [] };
 }
 
+/** A rational curve is drawn as cubics, which are so near to it on the picture, in its units. */
+const TRACE_ERROR = 0.02;
+
+type Rational = { cubics: (tolerance: number) => { controlPoints: () => Float64Array }[] };
+
 /** Begins a path along curves. */
 export function along({ lens }: DrawContext, curves: readonly Curve[]) {
   lens.beginPath();
-  for (const curve of curves) lens.curve(curve.controlPoints());
+  for (const curve of curves)
+    for (const piece of "cubics" in curve ? (curve as Rational).cubics(TRACE_ERROR / lens.scale) : [curve])
+      lens.curve(piece.controlPoints());
 }
 
 /** Begins a path through points. */

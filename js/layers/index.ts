@@ -38,7 +38,7 @@ export interface Layer {
 export type LayerMessage = { name: string; words: string };
 
 /** From the back to the front. */
-const ALL: readonly Layer[] = [
+export const ALL_LAYERS: readonly Layer[] = [
   construction.hull,
   envelope.envelope,
   weights,
@@ -69,28 +69,44 @@ const ALL: readonly Layer[] = [
 ];
 
 /** The layers that can be switched, from the back to the front. */
-export const LAYERS = ALL.filter(({ name }) => name) as readonly (Layer & { name: LayerName; title: () => string })[];
+export const LAYERS = switchable(ALL_LAYERS);
+
+export type SwitchableLayer = Layer & { name: LayerName; title: () => string };
+
+export function switchable(layers: readonly Layer[]) {
+  return layers.filter(({ name }) => name) as readonly SwitchableLayer[];
+}
 
 /**
  * Draws everything on a cleared canvas.
  *
  * @param paper its context is scaled to the box; the view is seen to here
+ * @param layers from the back to the front
  * @returns the messages of the layers
  */
-export function drawFigure(paper: import("../ui/pen.js").Paper<Role>, state: State, figure: Figure): LayerMessage[] {
+export function drawFigure(
+  paper: import("../ui/pen.js").Paper<Role>,
+  state: State,
+  figure: Figure,
+  layers: readonly Layer[] = ALL_LAYERS,
+): LayerMessage[] {
   const context = contextOn(paper, state);
   const { ctx } = paper;
   ctx.clearRect(0, 0, state.box.width, state.box.height);
   ctx.lineJoin = ctx.lineCap = "round";
   const part = bounded(figure);
-  const messages = ALL.filter(({ name }) => !name || state.layers.has(name as LayerName)).flatMap((layer) =>
-    drawLayer(layer, context, layer.costly ? part : figure, state),
-  );
+  const messages = layers
+    .filter(({ name }) => !name || state.layers.has(name as LayerName))
+    .flatMap((layer) => drawLayer(layer, context, layer.costly ? part : figure, state));
   writeWords(context);
   if (part !== figure)
     messages.push({
       name: "",
-      words: translated("Layers are drawn on the first {0} of {1} pieces", part.pieces.length, figure.pieces.length),
+      words: translated(
+        "Layers are drawn on the first {0} of {1} pieces",
+        part.pieces.length + part.rational.length,
+        figure.pieces.length + figure.rational.length,
+      ),
     });
   return messages;
 }

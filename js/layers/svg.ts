@@ -1,6 +1,7 @@
 // The same picture as SVG: what is drawn is written down instead.
 import { FONT_FAMILY, LIGHT } from "../ui/tokens.js";
 import { drawFigure } from "./index.js";
+import type { Layer } from "./index.js";
 import { LEVELS } from "./theme.js";
 import type { Theme } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
@@ -13,17 +14,19 @@ export interface SvgWishes {
   label?: string;
   /** Whether the paper is painted too; false by default */
   opaque?: boolean;
+  /** From the back to the front; by default those of curves without weights */
+  layers?: readonly Layer[];
 }
 
 /** The picture as a text of SVG that needs nothing else. */
 export function svgFigure(
   state: State,
   figure: Figure,
-  { theme, label = "Bézier curve", opaque = false }: SvgWishes = {},
+  { theme, label = "Bézier curve", opaque = false, layers }: SvgWishes = {},
 ): string {
   const colours = { ...lightTheme(), ...theme } as Theme;
   const recorder = new Recorder();
-  drawFigure({ ctx: recorder as any, theme: colours, px: 1 }, state, figure);
+  drawFigure({ ctx: recorder as any, theme: colours, px: 1 }, state, figure, layers);
   const { width, height } = state.box;
   const paper = opaque ? `<path fill="${escaped(colours.paper)}" d="M0 0H${width}V${height}H0Z"/>` : "";
   return (

@@ -120,6 +120,7 @@ const UNUSABLE = {
   joints: ["g7", "g1 x"],
   basis: ["", "Bezier", "constructor", "__proto__"],
   degree: ["0", "65", "2.5", "x", ""],
+  weights: ["1 2 3", "x", "1 1 1 0 1 1 1", "1 1 1 1 1 1 1e4"],
   matrix: ["1 2 3", "", "a b c d e f g h i j k l m n o p"],
   t: ["2", "-1", "x", "", "NaN"],
   show: ["polygon x", "hasOwnProperty"],

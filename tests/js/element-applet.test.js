@@ -89,6 +89,7 @@ const UNUSABLE = {
   joints: "g1 x",
   basis: "__proto__",
   degree: "2.5",
+  weights: "1 2",
   matrix: "1 2 3",
   t: "",
   show: "hasOwnProperty",

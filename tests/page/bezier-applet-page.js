@@ -13,7 +13,7 @@ export const appletPage = (attributes = "", inside = "", more = "") =>
  *
  * @param {import("node:test").TestContext} t
  * @param {string} attributes
- * @param {import("playwright-core").BrowserContextOptions & { inside?: string, more?: string }} [options]
+ * @param {import("playwright-core").BrowserContextOptions & { inside?: string, more?: string, fresh?: boolean }} [options]
  */
 export async function openApplet(t, attributes = "", { inside, more, ...options } = {}) {
   const page = await openPage(

@@ -4,7 +4,9 @@ import { FONT_FAMILY } from "#js/ui/tokens.js";
 import { FIELDS } from "#js/editor/schema.js";
 import { figureOf } from "#js/editor/figure.js";
 import { svgFigure } from "#js/layers/svg.js";
-import { firstState } from "#js/editor/state.js";
+import { RATIONAL_LAYERS } from "#js/layers/rational.js";
+import { firstState, weightsOf } from "#js/editor/state.js";
+import { RationalCurve } from "#js/nurbs.js";
 
 /** The page's own colours where it has them: they follow dark and light. */
 const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--stage)" };
@@ -27,7 +29,8 @@ const attributesOf = (tag) =>
 export function posterOf(attributes) {
   const given = Object.entries(FIELDS).filter(([name]) => name in attributes);
   const state = given.reduce((now, [name, { parse, put }]) => put(now, parse(attributes[name])), firstState());
-  return svgFigure(state, figureOf(state), { theme: THEME, label: attributes.label });
+  const layers = weightsOf(state) ? RATIONAL_LAYERS : undefined;
+  return svgFigure(state, figureOf(state, RationalCurve), { theme: THEME, label: attributes.label, layers });
 }
 
 /** Attributes that most shapes have: site.css gives them by class, which keeps the pages small. */

@@ -5,13 +5,14 @@ import { actionOf } from "../../editor/actions.js";
 import * as commands from "../../editor/commands.js";
 import { codeOf } from "../../editor/code.js";
 import { blobOf } from "./export.js";
+import { ALL_LAYERS, switchable } from "../../layers/index.js";
 import { svgFigure } from "../../layers/svg.js";
 import { FIELDS } from "../../editor/schema.js";
 import { textIn, withText } from "../../editor/import.js";
 import { Player } from "../../ui/playback.js";
 import { jointsOf } from "../../editor/joints.js";
 import * as states from "../../editor/state.js";
-import { MODE_NAMES, placeWords } from "../../editor/descriptions.js";
+import { MODE_NAMES, placeWords, weightWords } from "../../editor/descriptions.js";
 import { translated } from "../../editor/translations.js";
 import type { ActionName } from "../../editor/actions.js";
 import type { State } from "../../editor/state.js";
@@ -83,6 +84,7 @@ export class AppletActions {
       theme: this.stage?.theme,
       label: this.host.name,
       opaque: true,
+      layers: this.layers,
     });
   }
 
@@ -92,7 +94,7 @@ export class AppletActions {
 
   /** The picture as a PNG. */
   toBlob() {
-    return this.stage ? blobOf(this.host.editor.state, this.host.currentFigure(), this.stage.theme) : null;
+    return this.stage ? blobOf(this.host.editor.state, this.host.currentFigure(), this.stage.theme, this.layers) : null;
   }
 
   /** Something the user does at once, and what is announced of it; undefined: what the layers and joints say. */
@@ -178,6 +180,18 @@ export class AppletActions {
     return there.map((index) => translated("{0} at {1}", names[index], placeWords(points[index]))).join(". ");
   }
 
+  /** The words for the weight of a point. */
+  weightWords(index: number) {
+    const { names, weights } = this.host.currentFigure();
+    return translated("Weight of {0}: {1}", names[index], weightWords(weights?.[index] ?? 1));
+  }
+
+  /** What is drawn of this figure, from the back to the front. */
+  get layers() {
+    const { rational, editor } = this.host;
+    return rational && states.weightsOf(editor.state) ? rational.RATIONAL_LAYERS : ALL_LAYERS;
+  }
+
   zoom(factor: number) {
     const { x, y, width, height } = this.host.editor.state.view;
     this.host.editor.show(states.zoomed(this.host.editor.state, factor, [x + width / 2, y + height / 2]));
@@ -227,6 +241,7 @@ export class AppletActions {
       joints: jointsOf(figure),
       modes: this.host.joints,
       messages: this.messages,
+      layers: switchable(this.layers),
       groups: wanted,
       shows: (group) => !wanted.size || wanted.has(group),
       isComplete: !wanted.size,

@@ -87,7 +87,8 @@ export class AppletView extends AppletActions {
   /** The last point touched; its segment is the one that t is about. */
   #choose(index: number) {
     if (index < 0) return;
-    const { pieces } = this.host.currentFigure();
+    const figure = this.host.currentFigure();
+    const pieces = figure.weights ? figure.rational : figure.pieces;
     const state = this.host.editor.state;
     this.choose(index);
     if (pieces[state.segment]?.indices.includes(index)) return;
@@ -123,18 +124,26 @@ export class AppletView extends AppletActions {
   #stagePort(): import("./stage.js").StagePort {
     return {
       now: () => ({ state: this.host.editor.state, figure: this.host.currentFigure() }),
+      rational: () => this.host.rational,
+      layers: () => this.layers,
       fixed: () => this.host.readonly,
       begun: () => this.host.editor.commit(),
       move: (index, to, drag) => void this.host.attempt(() => this.#pull(index, to, drag)),
       restored: () => this.host.editor.revert(),
-      ended: (moved) => {
+      ended: (moved, weighed) => {
         this.host.editor.commit();
-        if (moved.length) this.speaker?.say(this.places(moved));
+        const words = [this.places(moved), ...weighed.map((index) => this.weightWords(index))].filter(Boolean);
+        if (words.length) this.speaker?.say(words.join(". "));
       },
       grabbed: (index) => this.#choose(index),
       slide: (index, to) => {
         this.host.attempt(() => this.#changeOn((state) => commands.withPointAt(state, index, to)));
         this.speaker?.say(this.places([index]));
+      },
+      weigh: (index, to) => this.#weigh((now, { withWeightPointAt }) => withWeightPointAt(now, index, to)),
+      slideWeight: (index, weight) => {
+        this.#weigh((now, { withWeight }) => withWeight(now, index, weight));
+        this.speaker?.say(this.weightWords(index));
       },
       slid: () => this.host.editor.commit(),
       doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
@@ -164,6 +173,15 @@ export class AppletView extends AppletActions {
       off: () => this.host.hotkeys === "off",
       pointOf: (event) => this.#pointOf(event),
       nudge: (index, step) => this.#nudge(index, step),
+      weightOf: (event) => {
+        const leg = this.stage?.weights?.indexOf(event.composedPath()[0]) ?? -1;
+        return leg < 0 ? -1 : leg + 1;
+      },
+      nudgeWeight: (index, steps) => {
+        if (this.host.readonly) return;
+        this.#weigh((now, { steppedWeight }) => steppedWeight(now, index, steps));
+        this.speaker?.say(this.weightWords(index));
+      },
       settled: () => void (this.stage?.dragging || this.host.editor.commit()),
       escape: () => this.stage?.cancel() ?? false,
       remove: (index, bare) => {
@@ -173,6 +191,12 @@ export class AppletView extends AppletActions {
       run: (name) => void (this.host.readonly || this.run(name)),
       help: this.actions.help,
     };
+  }
+
+  /** A part of a change of weights. */
+  #weigh(change: (state: states.State, rational: import("./loading.js").Rational) => states.State) {
+    const { rational } = this.host;
+    if (rational) this.host.attempt(() => this.#changeOn((state) => change(state, rational)));
   }
 
   #nudge(index: number, [dx, dy]: [number, number]) {
@@ -193,6 +217,7 @@ export class AppletView extends AppletActions {
       message: this.message,
       good: host.good && !host.problems.length,
       cursor: this.tapping ? "place" : states.isHome(host.editor.state) ? "" : "grab",
+      weights: states.weightsOf(host.editor.state) !== null,
       panel: this.panelled ? this.panelPort() : null,
     });
   }

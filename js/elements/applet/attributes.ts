@@ -117,7 +117,7 @@ export class AppletAttributes extends LitElement {
       if (value === this.#known.get(name)) continue;
       this.#known.set(name, value);
       this.#problems.delete(name);
-      if (name === "mode" && value === "") this.removeAttribute(name);
+      if ((name === "mode" || name === "weights") && value === "") this.removeAttribute(name);
       else this.setAttribute(name, value);
     }
     this.#writing = false;

@@ -11,7 +11,7 @@ import type { Point2 } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
 
 /** What a figure is made of: as long as these are the same, it is. */
-const MAKINGS: readonly (keyof State)[] = ["points", "shown", "basis", "degree", "matrix", "labels"];
+const MAKINGS: readonly (keyof State)[] = ["points", "weights", "shown", "basis", "degree", "matrix", "labels"];
 
 export class AppletEditing extends AppletAttributes {
   /** @internal What could not be done. */
@@ -19,6 +19,7 @@ export class AppletEditing extends AppletAttributes {
   /** @internal Whether the message is good news. */
   good = false;
   #made: { state: State; figure: Figure } | null = null;
+  #rational: import("./loading.js").Rational | null = null;
 
   constructor() {
     super();
@@ -27,6 +28,18 @@ export class AppletEditing extends AppletAttributes {
       else this.requestUpdate();
       if (event === "change") this.fire("change");
     });
+  }
+
+  /** @internal What draws and edits curves with weights, once it is loaded. */
+  get rational() {
+    return this.#rational;
+  }
+
+  /** @internal */
+  set rational(rational) {
+    this.#rational = rational;
+    this.#made = null;
+    this.editor.show({ ...this.editor.state }); // the figure is another
   }
 
   /** All points, also the hidden ones; a copy. */
@@ -93,11 +106,12 @@ export class AppletEditing extends AppletAttributes {
    *
    * @returns of the selected segment
    */
-  split(t: number = this.t): [import("../../index.js").Curve, import("../../index.js").Curve] {
+  split(t: number = this.t): ReturnType<import("../types.js").AppletProperties["split"]> {
     const next = FIELDS.show.put(FIELDS.t.put(this.editor.state, t), [
       ...new Set([...this.editor.state.layers, "halves"]),
     ]);
-    const { pieces } = figureOf(next);
+    const { pieces: polynomial, rational } = figureOf(next, this.#rational?.RationalCurve);
+    const pieces = rational.length ? rational : polynomial;
     if (!pieces.length) throw new RangeError("split: expected a curve, got too few points for one");
     this.#call(() => next);
     return pieces[Math.min(next.segment, pieces.length - 1)].curve.split(t);
@@ -130,10 +144,18 @@ export class AppletEditing extends AppletAttributes {
       index,
       point,
       ...values
-    }: { index?: number; point?: Point2; t?: number; points?: Point2[]; basis?: string; matrix?: number[] },
+    }: {
+      index?: number;
+      point?: Point2;
+      t?: number;
+      points?: Point2[];
+      weights?: number[];
+      basis?: string;
+      matrix?: number[];
+    },
     done = true,
   ) {
-    if (this.readonly && (index !== undefined || values.points)) return;
+    if (this.readonly && (index !== undefined || values.points || values.weights)) return;
     const given = values as Record<string, unknown>;
     const change = (state: State) => {
       const next = Object.entries(FIELDS).reduce(
@@ -153,7 +175,7 @@ export class AppletEditing extends AppletAttributes {
   currentFigure(): Figure {
     const { state } = this.editor;
     const same = this.#made && MAKINGS.every((name) => this.#made?.state[name] === state[name]);
-    if (!this.#made || !same) this.#made = { state, figure: figureOf(state) };
+    if (!this.#made || !same) this.#made = { state, figure: figureOf(state, this.#rational?.RationalCurve) };
     return this.#made.figure;
   }
 

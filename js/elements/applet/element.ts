@@ -3,7 +3,8 @@ import { adoptProperties } from "../adopt.js";
 import { AppletEditing } from "./editing.js";
 import { FIELDS } from "../../editor/schema.js";
 import { missing } from "../loading.js";
-import { loadDrawing } from "./loading.js";
+import { loadDrawing, loadRational } from "./loading.js";
+import { weightsOf } from "../../editor/state.js";
 import { reportOf } from "./report.js";
 
 /** Root margin for lazy loading. */
@@ -74,7 +75,21 @@ export class BezierApplet extends AppletEditing {
     this.requestUpdate();
   }
 
+  /** What shows the figure: also what curves with weights need, where there are any. */
   async #loaded() {
+    const view = await this.#viewed();
+    await this.#weighted();
+    return view;
+  }
+
+  async #weighted() {
+    if (this.rational || !weightsOf(this.editor.state)) return;
+    const rational = await loadRational();
+    this.rational ??= rational; // two have waited
+    if (this.message === missing()) this.say("");
+  }
+
+  async #viewed() {
     if (this.#view) return this.#view;
     const { AppletView, style } = await loadDrawing();
     if (this.#view) return this.#view; // two have waited
@@ -91,6 +106,7 @@ export class BezierApplet extends AppletEditing {
   updated() {
     if (this.#near && this.isConnected) this.#view?.start();
     if (!this.editor.isOpen) this.reflectState();
+    if (this.#view && this.#near) this.#weighted().catch(() => this.say(missing()));
     if (this.#announcedState === this.editor.state) return;
     this.#announcedState = this.editor.state;
     this.#view?.speaker?.say();

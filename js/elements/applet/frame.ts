@@ -26,6 +26,7 @@ import { instructions } from "../../editor/descriptions.js";
  * @param parts.message an error message
  * @param parts.good whether the message is good news
  * @param parts.cursor how the picture can be used
+ * @param parts.weights whether there are weights
  * @param parts.panel null: none
  */
 export function frame({
@@ -33,12 +34,14 @@ export function frame({
   message,
   good,
   cursor,
+  weights,
   panel: port,
 }: {
   name: string;
   message: string;
   good: boolean;
   cursor: string;
+  weights: boolean;
   panel: import("./panel.js").PanelPort | null;
 }) {
   return html`<slot name="label"></slot>
@@ -47,7 +50,7 @@ export function frame({
         ${picture(cursor)}
       </div>
       <p class=${good ? "message good" : "message"} part="message" ?hidden=${!message}>${message}</p>
-      ${port ? panel(port) : nothing} ${keys()}
+      ${port ? panel(port) : nothing} ${keys(weights)}
       <p class="away" role="status"></p>
       <span class="probe" hidden></span>
     </div>

@@ -13,6 +13,9 @@ export interface KeyPort {
   /** The point that has the focus; −1 for none */
   pointOf: (event: Event) => number;
   nudge: (index: number, step: [number, number]) => void;
+  /** The point whose weight has the focus; −1 for none */
+  weightOf: (event: Event) => number;
+  nudgeWeight: (index: number, steps: number) => void;
   /** The key is up again */
   settled: () => void;
   escape: () => boolean;
@@ -62,8 +65,10 @@ export function listenToPage(host: HTMLElement, port: KeyPort): () => void {
  */
 function pressed(event: KeyboardEvent, port: KeyPort): boolean {
   const index = port.pointOf(event);
-  const arrow = index < 0 ? null : arrowStep(event);
-  if (arrow) return used(port.nudge(index, arrow));
+  const arrow = arrowStep(event);
+  const weight = arrow ? port.weightOf(event) : -1;
+  if (arrow && weight >= 0) return used(port.nudgeWeight(weight, arrow[0] - arrow[1]));
+  if (arrow && index >= 0) return used(port.nudge(index, arrow));
   if (event.key === "Escape") return port.escape();
   if (port.off() || event.isComposing) return false;
   const step = historyStep(event);

@@ -5,7 +5,6 @@ import { actionOf } from "../../editor/actions.js";
 import { hasPart } from "../attribute-text.js";
 import { once } from "../loading.js";
 import { savings } from "./saving.js";
-import { LAYERS } from "../../layers/index.js";
 import { tools } from "./tools.js";
 import { BASES, BASIS_NAMES, LABELS, LAYER_NAMES, MODES, rangeOfT, withLayer } from "../../editor/state.js";
 import { jointWords, MODE_NAMES } from "../../editor/descriptions.js";
@@ -22,6 +21,8 @@ export interface PanelPort {
   modes: import("../../editor/state.js").JointMode[];
   /** The messages of the layers */
   messages: readonly { name: string; words: string }[];
+  /** The layers that this figure can have */
+  layers: readonly import("../../layers/index.js").SwitchableLayer[];
   /** The groups of controls that are wanted; none means all */
   groups: ControlGroups;
   /** Whether a group of controls is wanted */
@@ -71,7 +72,7 @@ function joints({ joints: facts, modes, hold, readonly }: PanelPort) {
 function parameter(port: PanelPort) {
   const { state, figure, playing, act, put, shows } = port;
   const [min, max] = rangeOfT(state);
-  const count = figure.pieces.length;
+  const count = figure.pieces.length + figure.rational.length;
   const segments = Array.from({ length: count }, (_, k) => String(k));
   const names = Object.fromEntries(segments.map((k) => [k, String(Number(k) + 1)]));
   const called = playing ? translated("Pause") : translated("Play t");
@@ -133,12 +134,14 @@ const MEASURES: Record<
   ticks: [() => translated("Equal lengths"), "ticks", { min: 1, max: 50, step: 1 }],
 };
 
-function layers({ state, set, put, messages, groups }: PanelPort) {
-  const titles = Object.fromEntries(LAYERS.map(({ name, title }) => [name, title()]));
+function layers({ state, set, put, messages, groups, layers }: PanelPort) {
+  const titles = Object.fromEntries(layers.map(({ name, title }) => [name, title()]));
   const layer = (name: (typeof LAYER_NAMES)[number]) =>
-    box(titles[name] ?? name, state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
-  const measures = Object.entries(MEASURES).filter(([layerName]) => state.layers.has(layerName as any));
-  return html`<fieldset><legend>${translated("Show")}</legend><div class="layers">${LAYER_NAMES.filter((name) => hasPart(groups, "show", name)).map(layer)}</div>
+    box(titles[name], state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
+  const measures = Object.entries(MEASURES).filter(
+    ([layerName]) => titles[layerName] && state.layers.has(layerName as any),
+  );
+  return html`<fieldset><legend>${translated("Show")}</legend><div class="layers">${LAYER_NAMES.filter((name) => titles[name] && hasPart(groups, "show", name)).map(layer)}</div>
     <div class="measure">${measures.map(([, [label, name, range]]) => slider(label(), name, state[name], range, (value, done) => put(name, value, done)))}</div>
     ${messages.length ? html`<ul class="messages">${messages.map(({ words }) => html`<li>${words}</li>`)}</ul>` : nothing}
   </fieldset>`;

@@ -6,7 +6,7 @@ import type { State } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
 
 export function reportOf(state: State, figure: Figure) {
-  const { pieces, spline, names, kinds, degree, matrix } = figure;
+  const { pieces, rational, weights, spline, names, kinds, degree, matrix } = figure;
   return {
     points: figure.points.map(([x, y]) => [x, y] as [number, number]),
     shown: state.shown,
@@ -14,10 +14,12 @@ export function reportOf(state: State, figure: Figure) {
     degree,
     matrix,
     t: state.t,
-    segment: Math.min(state.segment, Math.max(0, pieces.length - 1)),
+    segment: Math.min(state.segment, Math.max(0, pieces.length + rational.length - 1)),
     names,
     kinds,
     pieces,
+    rational,
+    weights: weights ? [...weights] : null,
     spline,
     get continuity() {
       return continuityOf(figure);

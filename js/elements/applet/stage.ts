@@ -12,22 +12,32 @@ import { isHome, scaleOf, toPlane } from "../../editor/state.js";
 import type { State } from "../../editor/state.js";
 import type { Point2 } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
+import type { Layer } from "../../layers/index.js";
 
 /** A tap that wanders farther is none. */
 const TAP_PX = 8;
 
 export interface StagePort {
   now: () => { state: State; figure: Figure };
+  /** What curves with weights need, once it is loaded */
+  rational: () => import("./loading.js").Rational | null;
+  /** From the back to the front */
+  layers: () => readonly Layer[];
   /** Whether nothing can be moved */
   fixed: () => boolean;
   begun: () => void;
   move: (index: number, to: Point2, drag: { from: Point2; event?: PointerEvent }) => void;
   restored: () => void;
-  ended: (moved: number[]) => void;
+  /** The points that have been moved, and those whose weights have changed */
+  ended: (moved: number[], weighed: number[]) => void;
   grabbed: (index: number) => void;
   /** What a screen reader does to a slider */
   slide: (index: number, to: Point2) => void;
   slid: () => void;
+  /** The handle of the weight of a point has been dragged */
+  weigh: (index: number, to: Point2) => void;
+  /** Its slider has been moved */
+  slideWeight: (index: number, weight: number) => void;
   doubleTap: (at: Point2) => unknown;
   /** On an empty place */
   tap: (at: Point2) => unknown;
@@ -46,6 +56,8 @@ export class Stage {
   #probe;
   #port;
   #handles;
+  /** Of the weights: that on the leg after point k is the one of point k + 1. */
+  #weights: import("./weight-handles.js").WeightHandles | null = null;
   #drags;
   #context;
   #theme;
@@ -72,6 +84,10 @@ export class Stage {
 
   get handles() {
     return this.#handles;
+  }
+
+  get weights() {
+    return this.#weights;
   }
 
   get dragging() {
@@ -139,7 +155,12 @@ export class Stage {
     this.#drawnFixed = this.#port.fixed();
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
-    const messages = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
+    const messages = drawFigure(
+      { ctx: this.#context, theme: this.#theme, px: this.px },
+      state,
+      figure,
+      this.#port.layers(),
+    );
     this.place();
     this.#port.drawn(messages);
   }
@@ -152,6 +173,11 @@ export class Stage {
       nameOf: (i) => (state.labels === "none" ? nameOf("P0", i) : names[i]),
       kindOf: (i) => kinds[i],
     });
+    const rational = this.#port.rational();
+    if (rational) {
+      this.#weights ??= new rational.WeightHandles(this.#overlay);
+      this.#weights?.update(figure, state);
+    }
     for (const input of this.#overlay.getElementsByTagName("input")) input.disabled = this.#port.fixed();
   }
 
@@ -200,6 +226,8 @@ export class Stage {
   }
 
   #slide(input: HTMLInputElement) {
+    const weight = this.#weights?.indexOf(input) ?? -1;
+    if (this.#weights && weight >= 0) return this.#port.slideWeight(weight + 1, this.#weights.weightOf(weight));
     const index = this.#handles.indexOf(input);
     const { state } = this.#port.now();
     const [x, y] = state.points[index];
@@ -207,23 +235,38 @@ export class Stage {
     this.#port.slide(index, input.dataset.axis === "x" ? [value, y] : [x, state.box.height - value]); // more is higher up
   }
 
+  /** Drags know the handles of the points, and after these those of the weights. */
   #dragPort(): import("../../ui/drag.js").DragPort {
     const port = this.#port;
+    const weightOf = (index: number) => index - this.#handles.count;
+    const weights = (index: number) => (weightOf(index) >= 0 ? this.#weights : null);
     return {
-      placeOf: (index) => clamped(port.now().state.view, port.now().figure.points[index]),
+      placeOf: (index) =>
+        clamped(port.now().state.view, weights(index)?.placeOf(weightOf(index)) ?? port.now().figure.points[index]),
       toBox: (event) => this.#placeAt(event),
-      boxOf: (index) => this.#handles.boxOf(index),
-      count: () => (port.fixed() ? 0 : this.#handles.count),
+      boxOf: (index) => weights(index)?.boxOf(weightOf(index)) ?? this.#handles.boxOf(index),
+      count: () => (port.fixed() ? 0 : this.#handles.count + (this.#weights?.count ?? 0)),
       grabbed: (index) => {
+        if (weights(index)) return weights(index)?.focus(weightOf(index));
         this.#handles.focus(index);
         port.grabbed(index);
       },
       schedule: () => this.schedule(),
-      move: (index, to, drag) =>
-        index < port.now().figure.points.length && port.move(index, clamped(port.now().state.view, to), drag),
+      move: (index, to, drag) => {
+        const { state, figure } = port.now();
+        const place = clamped(state.view, to);
+        const weight = weightOf(index);
+        if (weight < 0) {
+          if (index < figure.points.length) port.move(index, place, drag);
+        } else if (weight < (this.#weights?.count ?? 0)) port.weigh(weight + 1, place);
+      },
       begun: port.begun,
       restored: port.restored,
-      ended: port.ended,
+      ended: (moved) =>
+        port.ended(
+          moved.filter((index) => weightOf(index) < 0),
+          moved.filter((index) => weightOf(index) >= 0).map((index) => weightOf(index) + 1),
+        ),
     };
   }
 

@@ -11,7 +11,11 @@ export function tools({ zoom, act }: Pick<import("./panel.js").PanelPort, "zoom"
   </div>`;
 }
 
-/** All keys. */
-export const keys = () => html`<dialog aria-labelledby="keys"><h2 id="keys">${translated("Keys")}</h2>
-  <dl>${keyList().map(([key, words]) => html`<dt><kbd>${key}</kbd></dt><dd>${words}</dd>`)}</dl>
+/**
+ * All keys.
+ *
+ * @param weights whether there are weights
+ */
+export const keys = (weights: boolean) => html`<dialog aria-labelledby="keys"><h2 id="keys">${translated("Keys")}</h2>
+  <dl>${keyList(weights).map(([key, words]) => html`<dt><kbd>${key}</kbd></dt><dd>${words}</dd>`)}</dl>
   <form method="dialog"><button>${translated("Close")}</button></form></dialog>`;
