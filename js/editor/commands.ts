@@ -1,6 +1,6 @@
 // What can be done to the points: each function returns a new state. Where joints are held, the core does it.
+import { Curve } from "../geometry/curve/curve.js";
 import { Spline } from "../geometry/spline/spline.js";
-import type { Curve } from "../index.js";
 import { generator, randomChain, randomPlaces } from "./random.js";
 import { pairs } from "./plane.js";
 import { degreeOf, figureOf } from "./figure.js";
@@ -117,17 +117,16 @@ export function withOwnMatrix(state: State, before: State): State {
 }
 
 /** Segments can be cut where their halves have points of the same kind. */
-export function canInsert(state: State) {
-  return (state.basis === "bezier" || state.basis === "hermite") && !weightsOf(state);
+export function canInsert({ basis }: State) {
+  return basis === "bezier" || basis === "hermite";
 }
 
 /** The selected segment cut at t; the curve stays as it is. */
 export function inserted(state: State, t: unknown = state.t): State {
   if (!canInsert(state))
-    throw new RangeError(
-      `insert: expected the basis bezier or hermite without weights, whose segments can be cut, got ${weightsOf(state) ? "weights" : state.basis}`,
-    );
+    throw new RangeError(`insert: expected the basis bezier or hermite, whose segments can be cut, got ${state.basis}`);
   const at = numberIn(t, "t", 0, 1);
+  if (weightsOf(state)) return insertedRational(state, at);
   const { pieces, degree } = figureOf(state);
   const segment = Math.min(state.segment, pieces.length - 1);
   if (segment < 0) throw new RangeError("insert: expected a curve, got too few points for one");
@@ -140,6 +139,28 @@ export function inserted(state: State, t: unknown = state.t): State {
     ...withList(state, points),
     degree: state.degree === "n" ? degree : state.degree,
     joints: spliced(modes, segment, 0, "g1"),
+  };
+}
+
+/** The selected segment of points with weights cut at t: de Casteljau's algorithm on the points (wP, w). */
+function insertedRational(state: State, at: number): State {
+  const { points, weights, shown } = state;
+  const degree = degreeOf(state);
+  const count = Math.floor((shown - 1) / degree);
+  if (count < 1) throw new RangeError("insert: expected a curve, got too few points for one");
+  const from = Math.min(state.segment, count - 1) * degree;
+  const homogeneous = points.slice(from, from + degree + 1).map(([x, y], i) => {
+    const w = weights[from + i];
+    return [w * x, w * y, w];
+  });
+  const [first, second] = new Curve(homogeneous, { dimension: 3 }).split(at);
+  const inner = [...first.points(), ...second.points().slice(1)].slice(1, -1); // the ends stay as they are
+  return {
+    ...withList(
+      { ...state, weights: spliced(weights, from + 1, degree - 1, ...inner.map(({ z }) => z)) },
+      spliced(points, from + 1, degree - 1, ...inner.map(({ x, y, z }): Point2 => [x / z, y / z])),
+    ),
+    degree,
   };
 }
 

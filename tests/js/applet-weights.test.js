@@ -93,8 +93,30 @@ test("weights follow their points: appended ones have 1, removed ones leave, pat
   assert.deepEqual(randomized(state, 1).weights, CHAIN.weights);
   assert.deepEqual(withText(state, "M0 0C1 2 3 4 5 6").weights, []);
   assert.deepEqual(withText(state, "1,2 3,4 5,6").weights, [1, 2, 3]);
-  assert.throws(() => inserted(state), /without weights.*got weights/);
   assert.deepEqual(withPointAt(state, 2, [7, 7]).points[2], [7, 7]);
+});
+
+test("cut at t, a rational curve keeps its shape, its ends and the other weights", () => {
+  const state = { ...stateOf(CHAIN), segment: 1 };
+  const cut = inserted(state, 0.25);
+  assert.deepEqual([cut.points.length, cut.weights.length, cut.shown, cut.joints], [7, 7, 7, state.joints]);
+  assert.deepEqual([cut.weights.slice(0, 3), cut.weights[6]], [[1, 2, 3], 5]);
+  assert.deepEqual([cut.points.slice(0, 3), cut.points[6]], [CHAIN.points.slice(0, 3), CHAIN.points[4]]);
+  const [, whole] = figure(state).rational;
+  const [, first, second] = figure(cut).rational;
+  for (const t of [0, 0.3, 1]) {
+    const places = [first.curve.eval(t), second.curve.eval(t)].flatMap(({ x, y }) => [x, y]);
+    near(
+      places,
+      [whole.curve.eval(t / 4), whole.curve.eval(0.25 + 0.75 * t)].flatMap(({ x, y }) => [x, y]),
+      1e-10,
+    );
+  }
+  assert.equal(inserted(stateOf({ ...CHAIN, degree: "n" }), 0.5).degree, 4);
+  assert.throws(
+    () => inserted(stateOf({ ...CHAIN, degree: 6 })),
+    /^RangeError: insert: expected a curve, got too few points/,
+  );
 });
 
 test("the handle of a weight is Farin's point, and dragging it along its leg changes this weight alone", () => {

@@ -167,11 +167,13 @@ test("points move as ever; layers that have no meaning for weights are not offer
   assert.match(labels, /Curvature comb/);
   assert.doesNotMatch(labels, /Offset curve|Recursive halving|String art/);
   assert.equal(await page.locator("bezier-applet .measure input").count(), 0);
-  assert.ok(await button(page, /Split at t/).isDisabled());
   await page.waitForFunction(() =>
     /^1 rational Bézier curve of degree 2\..*Weights: 1, 0\.75, 1/.test(
       a.shadowRoot.querySelector("#description").textContent,
     ),
   );
   await assertAccessibleInBothThemes(page);
+  await button(page, /Split at t/).click();
+  await page.waitForFunction(() => a.shadowRoot.querySelectorAll("[data-weight]").length === 4);
+  assert.deepEqual([(await weights(page)).length, await ask(page, () => a.figure.rational.length)], [5, 2]);
 });
