@@ -16,6 +16,7 @@ const WORDS = "words";
 export const SHARED = {
   "bezier-applet": {
     points: POINTS,
+    weights: NUMBERS,
     mode: NUMBER,
     joints: WORDS,
     basis: WORDS,
