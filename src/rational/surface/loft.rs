@@ -125,7 +125,8 @@ fn mean_parameters(across: &[WeightedPoint<DVec3>], count: usize) -> Vec<f64> {
             }
         }
     }
-    sums.iter_mut().for_each(|sum| *sum /= as_f64(columns.max(1)));
+    sums.iter_mut()
+        .for_each(|sum| *sum /= as_f64(columns.max(1)));
     sums
 }
 
