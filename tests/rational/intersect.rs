@@ -390,7 +390,7 @@ fn a_projective_map_keeps_the_intersections() {
         let same = overlaps(&found) == overlaps(&expected) && found.len() == expected.len();
         different += usize::from(!same);
     }
-    // The map rounds the points: a tangency may become two crossings or none.
+    // The map rounds the points, so that there may be two crossings or none in the place of a tangency.
     assert!(
         rounds > 2000 && with_overlap > 300,
         "{rounds} {with_overlap}"
