@@ -16,10 +16,12 @@ use crate::curve::intersect::pair::{ClassifiedContact, NormalizedPair};
 use crate::curve::intersect::plane_curve::PlaneCurve;
 use crate::curve::intersect::self_intersections::{crossings, self_locations_of};
 use crate::curve::{Curve, Intersection, IntersectionKind, SelfIntersection};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
+use crate::spline::spline_set::SplineSegment;
 use casteljau_kernels::curve::intersect::clipping::{
     ClippingSolver, Contact, Piece, balancing_speed,
 };
@@ -79,6 +81,14 @@ impl RationalCurve<DVec2> {
     /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1. See
     /// [`Curve::self_intersections`]; conics have none.
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
+        let contacts = self.self_contacts().into_iter();
+        contacts
+            .map(|Intersection { t, u, point, .. }| SelfIntersection { t, u, point })
+            .collect()
+    }
+
+    /// [`self_intersections`](Self::self_intersections) with the kind of contact.
+    fn self_contacts(&self) -> Vec<Intersection> {
         let balanced = Balanced::of(self);
         let locations = match balanced.curve.as_polynomial() {
             Some(curve) => curve.self_locations(),
@@ -88,9 +98,28 @@ impl RationalCurve<DVec2> {
             let (t, u) = (balanced.original(location.t), balanced.original(location.u));
             // B(0) and B(1) are exact: control points.
             let point = self.eval(if u == 1.0 { 1.0 } else { t });
-            SelfIntersection { t, u, point }
+            Intersection {
+                t,
+                u,
+                point,
+                kind: location.kind,
+            }
         };
         locations.into_iter().map(at).collect()
+    }
+}
+
+impl SplineSegment for RationalCurve<DVec2> {
+    fn contacts_with(&self, other: &Self) -> Vec<Intersection> {
+        self.intersections(other)
+    }
+
+    fn contacts_with_itself(&self) -> Vec<Intersection> {
+        self.self_contacts()
+    }
+
+    fn control_box(&self) -> Bounds<DVec2> {
+        self.control_bounds()
     }
 }
 

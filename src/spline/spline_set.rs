@@ -20,9 +20,33 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// tangency is known only to the square root of the rounding error.
 const ONE_JOINT: f64 = 1e-7;
 
+/// A segment of a spline, polynomial or rational.
+pub(crate) trait SplineSegment {
+    /// Its intersections with another segment.
+    fn contacts_with(&self, other: &Self) -> Vec<Intersection>;
+    /// The points that it passes twice.
+    fn contacts_with_itself(&self) -> Vec<Intersection>;
+    /// The box of its control points.
+    fn control_box(&self) -> Bounds<DVec2>;
+}
+
+impl SplineSegment for Curve<DVec2> {
+    fn contacts_with(&self, other: &Self) -> Vec<Intersection> {
+        self.intersections(other)
+    }
+
+    fn contacts_with_itself(&self) -> Vec<Intersection> {
+        self.self_contacts()
+    }
+
+    fn control_box(&self) -> Bounds<DVec2> {
+        self.control_bounds()
+    }
+}
+
 /// The segments of several splines in one list of curves.
-pub(crate) struct SplineSet {
-    curves: Vec<Curve<DVec2>>,
+pub(crate) struct SplineSet<C = Curve<DVec2>> {
+    curves: Vec<C>,
     /// For each curve, the index of its spline and its segment index there.
     segment_keys: Vec<(usize, usize)>,
     /// For each spline, its number of segments and whether it is closed.
@@ -58,12 +82,18 @@ impl SplineSet {
     pub(crate) fn of_curve(curve: &Curve<DVec2>) -> Self {
         Self::with(vec![curve.clone()], vec![(0, 0)], vec![(1, false)])
     }
+}
 
-    fn with(
-        curves: Vec<Curve<DVec2>>,
-        segment_keys: Vec<(usize, usize)>,
-        sizes: Vec<(usize, bool)>,
-    ) -> Self {
+impl<C: SplineSegment> SplineSet<C> {
+    /// A set with one spline.
+    #[cfg(feature = "nurbs")]
+    pub(crate) fn of_segments(segments: Vec<C>, closed: bool) -> Self {
+        let count = segments.len();
+        let keys = (0..count).map(|k| (0, k)).collect();
+        Self::with(segments, keys, vec![(count, closed)])
+    }
+
+    fn with(curves: Vec<C>, segment_keys: Vec<(usize, usize)>, sizes: Vec<(usize, bool)>) -> Self {
         let boxes: Vec<Bounds<DVec2>> = curves.iter().map(enlarged_box).collect();
         Self {
             curves,
@@ -95,7 +125,7 @@ impl SplineSet {
         // In the worst case all pairs of boxes overlap, and all pairs are compared.
         let mut work = WorkLimit::new(usize::MAX);
         self.tree.pairs_with(&other.tree, &mut work, |i, j| {
-            for intersection in self.curves[i].intersections(&other.curves[j]) {
+            for intersection in self.curves[i].contacts_with(&other.curves[j]) {
                 found.push(self.intersection_of(other, (i, j), intersection));
             }
         });
@@ -131,13 +161,13 @@ impl SplineSet {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
         for (i, curve) in self.curves.iter().enumerate() {
-            for intersection in curve.self_contacts() {
+            for intersection in curve.contacts_with_itself() {
                 found.push(self.intersection_of(self, (i, i), intersection));
             }
         }
         self.tree.pairs_within(&mut work, |i, j, _| {
             let (i, j) = (i.min(j), i.max(j));
-            for intersection in self.curves[i].intersections(&self.curves[j]) {
+            for intersection in self.curves[i].contacts_with(&self.curves[j]) {
                 found.push(self.intersection_of(self, (i, j), intersection));
             }
         });
@@ -163,17 +193,17 @@ impl SplineSet {
 }
 
 /// The box of a curve, enlarged by rounding.
-fn enlarged_box(curve: &Curve<DVec2>) -> Bounds<DVec2> {
-    let bounds = curve.control_bounds();
+fn enlarged_box(curve: &impl SplineSegment) -> Bounds<DVec2> {
+    let bounds = curve.control_box();
     bounds.enlarged(bounds.min.abs().max(bounds.max.abs()) * ROUNDING)
 }
 
 /// Sorts the intersections, merges overlaps that continue across joints, and removes duplicates found on both sides of
 /// a joint.
-fn joined(
+fn joined<C: SplineSegment>(
     mut found: Vec<SplineIntersection>,
-    a: &SplineSet,
-    b: &SplineSet,
+    a: &SplineSet<C>,
+    b: &SplineSet<C>,
 ) -> Vec<SplineIntersection> {
     let order = |p: &SplineIntersection, q: &SplineIntersection| {
         (p.a, p.b)

@@ -2,6 +2,7 @@
 
 use super::within;
 use crate::support::Rng;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error, NurbsCurve, Spline};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -336,4 +337,36 @@ fn invalid_arguments_are_named() {
         message(Some(&[1.0, -1.0, 1.0]), &knots),
         "weights[1]: expected a number above 0, from 2^-500 to 2^500, got -1"
     );
+}
+
+#[test]
+fn circles_meet_lines_circles_and_themselves() {
+    let circle = NurbsCurve::circle(DVec2::ZERO, 1.0).expect("finite");
+    let other = NurbsCurve::circle(DVec2::new(1.0, 0.0), 1.0).expect("finite");
+    let found = circle.intersections(&other);
+    assert_eq!(found.len(), 2);
+    for at in &found {
+        assert!(
+            (at.point.x - 0.5).abs() < 1e-14 && (at.point.y.abs() - 0.75_f64.sqrt()).abs() < 1e-14
+        );
+        assert!((circle.eval(at.t) - at.point).length() < 1e-14);
+        assert!((other.eval(at.u) - at.point).length() < 1e-14);
+    }
+    // A line through a joint of the circle meets it there once.
+    let line = NurbsCurve::from(&Curve::line(DVec2::new(-2.0, 0.0), DVec2::new(2.0, 0.0)));
+    let found = circle.intersections(&line);
+    assert_eq!(found.len(), 3, "both ends of the circle count: {found:?}");
+    let touching = NurbsCurve::circle(DVec2::new(0.0, 2.0), 1.0).expect("finite");
+    let found = circle.intersections(&touching);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!((found[0].point - DVec2::Y).length() < 1e-7);
+    // Three quarters of the circle overlap it.
+    let part = circle.subsegment(0.1..0.85).expect("inside");
+    let found = circle.intersections(&part);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(
+        matches!(found[0].kind, IntersectionKind::Overlap { t_end, .. } if (t_end - 0.85).abs() < 1e-9)
+    );
+    let ends = circle.self_intersections();
+    assert_eq!((ends.len(), ends[0].t, ends[0].u), (1, 0.0, 1.0));
 }

@@ -6,6 +6,7 @@
 mod construct;
 mod elevate;
 pub(super) mod interpolate;
+mod intersect;
 mod queries;
 mod refine;
 

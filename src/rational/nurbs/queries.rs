@@ -37,7 +37,7 @@ impl<P: Point> NurbsCurve<P> {
     }
 
     /// The t of a parameter on a segment.
-    fn time(&self, k: usize, s: f64) -> f64 {
+    pub(super) fn time(&self, k: usize, s: f64) -> f64 {
         let (from, to) = (self.joints[k], self.joints[k + 1]);
         if s == 1.0 { to } else { from + s * (to - from) }
     }
