@@ -14,7 +14,7 @@ use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
-use crate::numeric::list::{Points, Scalars};
+use crate::numeric::list::{Points, Scalars, points_of};
 
 impl<P: Point> RationalCurve<P> {
     /// The point of the curve that is nearest to p: the global minimum of |B(t) − p| for t in \[0, 1\], end points included.
@@ -72,7 +72,7 @@ impl<P: Point> Derivatives<P> {
         };
         let first = rate(points);
         let second = rate(&first);
-        Self([points.iter().copied().collect(), first, second])
+        Self([points_of(points), first, second])
     }
 
     /// The point and the first two derivatives at t. With A = wB: B′ = (A′ − w′B)/w and B″ = (A″ − 2w′B′ − w″B)/w.
