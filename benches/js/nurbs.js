@@ -1,4 +1,5 @@
-// NURBS curves in space, compared with verb-nurbs and three.js. run.js leaves this file out until the package exports casteljau/nurbs.
+// NURBS curves in space, compared with verb-nurbs and three.js.
+import { NurbsCurve } from "casteljau/nurbs";
 import { Vector3, Vector4 } from "three";
 import { NURBSCurve } from "three/addons/curves/NURBSCurve.js";
 import { distanceToSegment } from "./distance.js";
@@ -7,21 +8,6 @@ import { parameters, random } from "./inputs.js";
 import { verb } from "./verb.js";
 
 /** @typedef {{ x: number, y: number, z: number }} Point */
-
-/**
- * What the rows call. When the package has it, this type goes, and the import is an ordinary one.
- *
- * @typedef {object} Nurbs
- * @property {(t: number) => Point} eval
- * @property {(t: number, order?: number) => Point} derivativeAt
- * @property {() => number} length
- * @property {(t: number) => [Nurbs, Nurbs]} split
- * @property {(point: number[]) => { point: Point, distance: number }} nearest
- * @property {(tolerance: number) => { points: Float64Array }} flatten
- */
-const MODULE = "casteljau/nurbs";
-/** @type {{ NurbsCurve: new (data: { degree: number, points: number[][], weights: number[], knots: number[] }) => Nurbs }} */
-const { NurbsCurve } = await import(MODULE);
 
 const CALLS = 1000;
 const CURVES = 64;
@@ -108,7 +94,7 @@ function nearestCheck() {
 /**
  * The largest distance of samples of a curve from a polyline.
  *
- * @param {Nurbs} curve
+ * @param {NurbsCurve<3>} curve
  * @param {number[][]} vertices
  */
 function largestDistance(curve, vertices) {

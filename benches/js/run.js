@@ -22,7 +22,7 @@ import { withVerdict } from "./targets.js";
 const root = new URL("../../", import.meta.url);
 const read = (/** @type {string} */ name) => readFileSync(new URL(name, root), "utf8");
 
-/** The files whose rows compare this package with a peer; nurbs.js needs an entry point that the package may not have yet. */
+/** The files whose rows compare this package with a peer. */
 const FILES = [
   "again",
   "curve",
@@ -32,7 +32,7 @@ const FILES = [
   "intersect",
   "length",
   "nearest",
-  ...("./nurbs" in JSON.parse(read("package.json")).exports ? ["nurbs"] : []),
+  "nurbs",
   "offset",
   "path",
   "regions",

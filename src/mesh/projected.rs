@@ -8,7 +8,7 @@ use crate::curve::trace::{CUBIC_HALVINGS, PathSink, hidden_by_rounding};
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use crate::rational::spline::{cubic_of_same_tangents, error_bound};
-use glam::{DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat4, DVec3, DVec4};
 
 /// The smallest depth that is drawn, as a fraction of the largest depth.
 const NEAR_RATIO: f64 = 1e-3;
@@ -72,10 +72,10 @@ impl Projection {
     }
 
     /// The polynomial curve for a piece in front of the eye; `None` if it is not close enough, unless `must` is set.
-    fn flat_curve(&self, piece: &Curve<DVec3>, must: bool) -> Option<Curve<DVec2>> {
+    fn flat_curve(&self, piece: &Curve<DVec3>, must: bool) -> Option<Curve<DVec3>> {
         let points = piece.control_points().iter();
-        let (flat, weights): (Points<DVec2>, Scalars) =
-            points.map(|&p| (p.truncate() / p.z, p.z)).unzip();
+        let (flat, weights): (Points<DVec3>, Scalars) =
+            points.map(|&p| ((p / p.z).with_z(0.0), p.z)).unzip();
         if flat.len() == 2 || weights.iter().all(|&w| w == weights[0]) {
             return Some(Curve::from_points(flat));
         }
@@ -91,13 +91,13 @@ impl Projection {
 
 impl<T: PathSink + ?Sized> ProjectedSubpath<'_, T> {
     /// Draws a curve, joined to the previous one if that was drawn; nothing if coordinates overflow.
-    fn draw(&mut self, flat: &Curve<DVec2>, tolerance: f64) {
+    fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
         if !flat.max_abs().is_finite() {
             self.down = false;
             return;
         }
         if !self.down {
-            self.sink.move_to(flat.start());
+            self.sink.move_to(flat.start().to_2d());
         }
         flat.trace_on(self.sink, Some(tolerance));
         self.down = true;
