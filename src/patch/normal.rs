@@ -9,9 +9,10 @@
 
 use super::net::transpose;
 use crate::bernstein::evaluate::evaluate;
+use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
-use casteljau_kernels::bernstein::de_casteljau::keep_between;
+use casteljau_kernels::bernstein::de_casteljau::{keep_after, keep_between};
 pub(crate) use casteljau_kernels::bernstein::weights::binomial;
 use glam::DVec3;
 
@@ -112,13 +113,23 @@ impl NormalNet {
 fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
     let at = |row: &[DVec3]| {
         let some = row.iter().any(|&p| p != DVec3::ZERO);
-        some.then(|| direction(evaluate(row, t))).flatten()
+        some.then(|| direction(value(row, t))).flatten()
     };
     if from_end {
         net.rchunks(columns).find_map(at)
     } else {
         net.chunks(columns).find_map(at)
     }
+}
+
+/// The value of a row at t. The degree of N is above that of curves.
+fn value(row: &[DVec3], t: f64) -> DVec3 {
+    if row.len() <= MAX_DEGREE + 1 {
+        return evaluate(row, t);
+    }
+    let mut rest = Net::from(row);
+    keep_after(&mut rest, t);
+    rest[0]
 }
 
 /// Every row restricted to the interval from t to another parameter. From an end to ½ the whole row is returned, which
