@@ -7,7 +7,7 @@
 //! the formula is derived by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*,
 //! §6.9 for products).
 
-use super::net::transpose;
+use super::net::{transpose, unit_size};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
@@ -62,6 +62,12 @@ impl NormalNet {
             degree_u,
             degree_v,
         }
+    }
+
+    /// The net, scaled so that its largest coordinate is ±1.
+    pub(crate) fn of_unit_size(mut self) -> Self {
+        unit_size(&mut self.net);
+        self
     }
 
     /// Whether N is zero everywhere, so that the patch is a point or a curve.
