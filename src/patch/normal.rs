@@ -7,11 +7,12 @@
 //! the formula is derived by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*,
 //! §6.9 for products).
 
-use super::net::transpose;
+use super::net::{transpose, unit_size};
 use crate::bernstein::evaluate::evaluate;
+use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
-use casteljau_kernels::bernstein::de_casteljau::keep_between;
+use casteljau_kernels::bernstein::de_casteljau::{keep_after, keep_between};
 pub(crate) use casteljau_kernels::bernstein::weights::binomial;
 use glam::DVec3;
 
@@ -63,6 +64,12 @@ impl NormalNet {
         }
     }
 
+    /// The net, scaled so that its largest coordinate is ±1.
+    pub(crate) fn of_unit_size(mut self) -> Self {
+        unit_size(&mut self.net);
+        self
+    }
+
     /// Whether N is zero everywhere, so that the patch is a point or a curve.
     pub(crate) fn vanishes(&self) -> bool {
         self.net.iter().all(|&p| direction(p).is_none())
@@ -112,13 +119,23 @@ impl NormalNet {
 fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
     let at = |row: &[DVec3]| {
         let some = row.iter().any(|&p| p != DVec3::ZERO);
-        some.then(|| direction(evaluate(row, t))).flatten()
+        some.then(|| direction(value(row, t))).flatten()
     };
     if from_end {
         net.rchunks(columns).find_map(at)
     } else {
         net.chunks(columns).find_map(at)
     }
+}
+
+/// The value of a row at t. The degree of N is above that of curves.
+fn value(row: &[DVec3], t: f64) -> DVec3 {
+    if row.len() <= MAX_DEGREE + 1 {
+        return evaluate(row, t);
+    }
+    let mut rest = Net::from(row);
+    keep_after(&mut rest, t);
+    rest[0]
 }
 
 /// Every row restricted to the interval from t to another parameter. From an end to ½ the whole row is returned, which

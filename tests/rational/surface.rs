@@ -216,6 +216,17 @@ fn normals_at_poles_are_limits() {
 }
 
 #[test]
+fn normals_at_poles_do_not_depend_on_the_degree() {
+    let sphere = NurbsSurface::sphere(DVec3::ONE, 2.0, DVec3::Z).expect("valid");
+    let mut patch = sphere.patches()[0].clone();
+    while patch.degree_u() < 24 {
+        patch = patch.elevate().expect("a low degree");
+        let off = (patch.normal(0.3, 0.0) + DVec3::Z).length();
+        assert!(off <= 1e-10, "{}: {off:e}", patch.degree_u());
+    }
+}
+
+#[test]
 fn equal_weights_give_the_polynomial_patch() {
     let mut rng = Rng(33);
     for _ in 0..50 {

@@ -185,6 +185,15 @@ fn normal_at_a_collapsed_side_is_the_limit() {
 }
 
 #[test]
+fn normal_at_a_collapsed_side_of_high_degree_is_the_limit() {
+    let mut high = cap();
+    while high.degree_u() < 36 {
+        high = high.elevate().expect("a low degree");
+    }
+    assert_near(high.normal(0.3, 0.0), -DVec3::Z, 1e-10);
+}
+
+#[test]
 fn normal_at_a_degenerate_corner_is_the_limit() {
     // Both handles at (0, 0) have length 0, or they are parallel: flat in z = 0, so the normal is z from every direction.
     for copies in [&[(1, 0), (4, 0), (5, 0)][..], &[(4, 1)]] {

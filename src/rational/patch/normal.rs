@@ -40,11 +40,10 @@ impl RationalPatch {
             along_v(a).cross(&whole(a)).scaled(&along_u(w)),
             whole(a).cross(&along_u(a)).scaled(&along_v(w)),
         ];
-        let mut net: Net = (0..terms[0].net.len())
+        let net: Net = (0..terms[0].net.len())
             .map(|i| terms[0].net[i] + terms[1].net[i] + terms[2].net[i])
             .collect();
-        unit_size(&mut net);
-        NormalNet::from_weighted(net, 3 * m - 1, 3 * n - 1)
+        NormalNet::from_weighted(net, 3 * m - 1, 3 * n - 1).of_unit_size()
     }
 }
 
