@@ -1,4 +1,4 @@
-import { circleWeight } from "../figures/lib/rational.js";
+import { circleWeight } from "../figures/lib/circle.js";
 import { verdict } from "./utils/curves.js";
 
 export const live = true;
