@@ -71,7 +71,12 @@ testTasks([
   [
     "circle-weight",
     () => conic(0.4),
-    [{ weight: 0.5 }, { weight: 0.74 }, { weight: 0.71, points: conic(1, [60, 23]).points }],
+    [
+      { weight: 0.5 },
+      { weight: 0.74 },
+      { weight: 0.71, points: conic(1, [60, 23]).points },
+      { weight: 1, points: conic(1, [67, 70]).points }, // a segment
+    ],
     { weight: 0.7, points: conic(1).points },
   ],
   ["weight-two", () => conic(0.4), [{ weight: 1 }, { weight: 2.1 }], { weight: 1.96 }],
@@ -79,7 +84,12 @@ testTasks([
   [
     "double-knot",
     nurbs,
-    [{ weight: 8 }, { first: 0.49, second: 0.51 }, { first: 0.5, second: 0.5, points: FIVE.with(1, FIVE[2]) }],
+    [
+      { weight: 8 },
+      { first: 0.49, second: 0.51 },
+      { first: 0.5, second: 0.5, points: FIVE.with(1, FIVE[2]) },
+      { first: 0.3, second: 0.6, points: FIVE.map(([x]) => [x, 40]) }, // a line, through P2 with any knots
+    ],
     { first: 0.2, second: 0.2, points: FIVE },
   ],
   // The parabola y = x² for x from −1 to 3: sharpest at its vertex, t = ¼.
