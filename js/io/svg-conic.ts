@@ -50,10 +50,13 @@ function exactWords(radii: number[], degrees: number): string[][] {
   );
 }
 
-/** The radii are rounded, or rounded down by one unit of the last digit. */
+/** The radii are rounded, or smaller by one unit of the last digit, but not below 0. */
 function shortWords(radii: number[], degrees: number, precision: number): string[][] {
   const angle = shortNumber(degrees, Math.min(precision + MORE_DIGITS, MAX_DIGITS));
-  return [0, 10 ** -precision].map((less) => [...radii.map((r) => shortNumber(r - less, precision)), angle]);
+  return [0, 10 ** -precision].map((less) => [
+    ...radii.map((r) => shortNumber(Math.max(r - less, 0), precision)),
+    angle,
+  ]);
 }
 
 /**

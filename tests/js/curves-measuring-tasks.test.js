@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve } from "casteljau";
+import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
 import { arcOf, maxRadialError, standardHandle } from "../../www/figures/lib/circle.js";
-import { nurbsCurve, rationalBasis, rationalCurve } from "../../www/figures/lib/rational.js";
+import { rationalBasis } from "../../www/figures/lib/rational.js";
 import { feet } from "../../www/figures/lib/nearest.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
@@ -36,7 +37,9 @@ const conic = (weight, /** @type {[number, number]} */ p1 = [67, 23]) => ({
   points: [[20, 70], p1, [114, 70]],
   weight,
   get middle() {
-    return rationalCurve(this.points, [1, this.weight, 1])(0.5);
+    const [p0, p1, p2] = this.points;
+    const { x, y } = RationalCurve.conic(p0, p1, p2, this.weight).eval(0.5);
+    return [x, y];
   },
 });
 const onCircle = (t) => ({
@@ -58,12 +61,9 @@ const nurbs = () => ({
   weight: 1,
   first: 0.35,
   second: 0.65,
-  get parameters() {
-    return [...Array.from({ length: 201 }, (_, i) => i / 200), this.first, this.second];
-  },
   get curve() {
     const knots = [0, 0, 0, this.first, this.second, 1, 1, 1];
-    return nurbsCurve(this.points, [1, 1, this.weight, 1, 1], knots);
+    return new NurbsCurve({ degree: 2, points: this.points, weights: [1, 1, this.weight, 1, 1], knots });
   },
 });
 
@@ -71,7 +71,12 @@ testTasks([
   [
     "circle-weight",
     () => conic(0.4),
-    [{ weight: 0.5 }, { weight: 0.74 }, { weight: 0.71, points: conic(1, [60, 23]).points }],
+    [
+      { weight: 0.5 },
+      { weight: 0.74 },
+      { weight: 0.71, points: conic(1, [60, 23]).points },
+      { weight: 1, points: conic(1, [67, 70]).points }, // a segment
+    ],
     { weight: 0.7, points: conic(1).points },
   ],
   ["weight-two", () => conic(0.4), [{ weight: 1 }, { weight: 2.1 }], { weight: 1.96 }],
@@ -79,7 +84,12 @@ testTasks([
   [
     "double-knot",
     nurbs,
-    [{ weight: 8 }, { first: 0.49, second: 0.51 }, { first: 0.5, second: 0.5, points: FIVE.with(1, FIVE[2]) }],
+    [
+      { weight: 8 },
+      { first: 0.49, second: 0.51 },
+      { first: 0.5, second: 0.5, points: FIVE.with(1, FIVE[2]) },
+      { first: 0.3, second: 0.6, points: FIVE.map(([x]) => [x, 40]) }, // a line, through P2 with any knots
+    ],
     { first: 0.2, second: 0.2, points: FIVE },
   ],
   // The parabola y = x² for x from −1 to 3: sharpest at its vertex, t = ¼.
@@ -126,18 +136,19 @@ testTasks([
   ],
 ]);
 
-test("the NURBS curves of the figures: points of geomdl, and basis functions with the sum 1", () => {
+test("the basis functions of the figure: with points of geomdl, and the sum 1", () => {
   const { curves } = JSON.parse(readFileSync(new URL("../data/nurbs.json", import.meta.url), "utf8"));
   const plane = curves.filter(({ points, degree, knots }) => points[0].length === 2 && knots[0] === knots[degree]);
   assert.ok(plane.length >= 8);
-  for (const { id, points, weights, knots, samples } of plane) {
-    const curve = nurbsCurve(points, weights, knots);
-    for (const { t, point } of samples) {
-      const parts = rationalBasis(weights, knots, t);
-      assert.ok(Math.abs(parts.reduce((a, b) => a + b) - 1) < 1e-14, `${id}, sum at ${t}`);
-      const blended = [0, 1].map((axis) => parts.reduce((sum, part, i) => sum + part * points[i][axis], 0));
-      for (const found of [curve(t), blended])
-        assert.ok(Math.hypot(found[0] - point[0], found[1] - point[1]) < 1e-13, `${id} at ${t}: ${found}`);
+  for (const { id, degree, points, weights, knots, samples } of plane) {
+    const ts = samples.map(({ t }) => t);
+    const basis = rationalBasis(new NurbsCurve({ degree, points, weights, knots }), ts);
+    for (const [k, { t, point }] of samples.entries()) {
+      const sum = (/** @type {(i: number) => number} */ factor) =>
+        basis.reduce((total, values, i) => total + values[k] * factor(i), 0);
+      assert.ok(Math.abs(sum(() => 1) - 1) < 1e-14, `${id}, sum at ${t}`);
+      const found = [0, 1].map((axis) => sum((i) => points[i][axis]));
+      assert.ok(Math.hypot(found[0] - point[0], found[1] - point[1]) < 1e-13, `${id} at ${t}: ${found}`);
     }
   }
 });

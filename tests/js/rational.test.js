@@ -184,6 +184,8 @@ test("rational curves: arcs of ellipses are arcs in SVG, and are read as the sam
       for (const t of STEPS) assert.ok(read.nearest(arc.eval(t)).distance <= max, `${text} at ${t}`);
     }
   }
+  const onLine = RationalCurve.conic([20, 70], [67, 70], [114, 70], 0.5);
+  assert.doesNotMatch(onLine.toSVG({ precision: 2 }), /-/, "no negative radius");
   // A parabola, a hyperbola, other degrees, and half an ellipse but for a rounding.
   const others = [RationalCurve.conic([0, 0], [1, 1], [2, 0], 1), RationalCurve.conic([0, 0], [1, 1], [2, 0], 5)];
   for (const curve of [...others, cubic, quarter.elevate()]) assert.doesNotMatch(curve.toSVG({ precision: 3 }), /A/);

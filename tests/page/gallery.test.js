@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
 
 for (const [path, part, count] of /** @type {const} */ ([
-  ["/recipes/", "figure[data-recipe]", 13],
+  ["/recipes/", "figure[data-recipe]", 14],
   ["/figures/", "main > section > :not(h2)", 21],
 ])) {
   test(`${path} begins with a picture for each section, without scripts, too`, async (t) => {

@@ -139,6 +139,20 @@ test("shape builder: faces are chosen by pointer and keyboard", async (t) => {
   assert.match(await output.innerText(), /^1 of 7 faces, area [1-9]/);
 });
 
+test("an exact circle: arcs in SVG, cubics on the canvas; the radius follows its handle", async (t) => {
+  const { page, figure, output } = await openRecipe(t, "exact-circle");
+  const path = figure.locator("svg path");
+  assert.equal((await path.getAttribute("d"))?.match(/60 60 0 0 1/g)?.length, 4);
+  const inked = () => figure.locator("canvas").evaluate(inkedAfterInput);
+  const before = await inked();
+  const circumference = 2 * Math.PI * 60 * 3; // pixels of the canvas
+  assert.ok(Math.abs(before / (6 * circumference) - 1) < 0.1, `${before} pixels of a line that is 6 wide`);
+  await figure.locator(".handle").last().press("ArrowLeft");
+  assert.match(await output.innerText(), /Length: 345\.575192, 2πr: 345\.575192$/);
+  await dragBy(page, figure.locator(".handle").last(), -40, 0);
+  assert.ok((await inked()) < 0.9 * before, `${await inked()} and ${before}`);
+});
+
 test("the outline of a stroke: wider is larger, dashes are contours", async (t) => {
   const { page, figure, output } = await openRecipe(t, "stroke-outline");
   const [, area] = numbersIn(await output.innerText());

@@ -30,3 +30,9 @@ test("the module of surfaces is loaded where a surface is, and not for other ele
     assert.ok(!modules.includes("surfaces"), `${path}: ${modules.join(", ")}`);
   }
 });
+
+test("the module of rational curves is loaded where a figure has them", async (t) => {
+  for (const path of ["/curves/", "/figures/"]) assert.ok((await modulesOf(t, path)).includes("nurbs"), path);
+  for (const path of ["/", "/surfaces/", "/recipes/", "/easing/", "/glyph/"])
+    assert.ok(!(await modulesOf(t, path)).includes("nurbs"), path);
+});

@@ -1,5 +1,6 @@
 // Pictures of the recipes for the grid of /recipes/: what each shows first, drawn by the package while the site is built.
 import { Curve, easing, InkStroke, Path, Spline } from "casteljau";
+import { NurbsCurve } from "casteljau/nurbs";
 import { cameraPicture, inkPicture, shapesPicture } from "./home-pictures.js";
 import { surfacePoster } from "./surface-posters.js";
 
@@ -85,6 +86,17 @@ function shapeBuilder() {
     .join("");
 }
 
+/** A circle and its control polygon, a square. */
+function exactCircle() {
+  const circle = NurbsCurve.circle([WIDTH / 2, HEIGHT / 2], 78);
+  const points = circle.points();
+  const polygon = lines(points.map(({ x, y }) => /** @type {Point} */ ([x, y])));
+  return `${path("lever", polygon)}${path("line", circle)}${points
+    .slice(1)
+    .map((point) => dot("anchor", point))
+    .join("")}`;
+}
+
 function strokeOutline() {
   const line = Path.fromSVG("M40 160L90 50C150 30 170 150 200 140S270 60 285 70");
   return `${path("letter", line.stroke(34, { join: "round", cap: "round" }))}${path("lever", line)}`;
@@ -149,6 +161,7 @@ const PICTURES = {
   "icon-intersections": iconIntersections,
   "boolean-operations": booleanOperations,
   "shape-builder": shapeBuilder,
+  "exact-circle": exactCircle,
   "stroke-outline": strokeOutline,
   "brush-stroke": brushStroke,
   ink: () => path("fill", inkPicture()),

@@ -1,24 +1,26 @@
 // A quadratic NURBS curve: five points, the weight of the middle one, two inner knots, and the rational basis functions.
 import { html, svg } from "lit";
+import { NurbsCurve } from "casteljau/nurbs";
 import { Figure } from "./lib/figure.js";
 import { decimal, short } from "./lib/numbers.js";
 import { polyline, ring, slider } from "./lib/parts.js";
-import { handles, marks, planeOf } from "./lib/plane.js";
-import { nurbsCurve, rationalBasis } from "./lib/rational.js";
+import { drawn, handles, marks, pairs, planeOf } from "./lib/plane.js";
+import { rationalBasis } from "./lib/rational.js";
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 
 const SIZE = { width: 134, height: 78 };
 /** @type {Point[]} */
 const POINTS = [
-  [14, 68],
+  [14, 64],
   [24, 24],
   [67, 16],
   [110, 24],
-  [120, 68],
+  [120, 64],
 ];
+const DEGREE = 2;
 const MAX_WEIGHT = 8;
-/** Steps of t in each span of the knots. */
+/** Steps of t in each segment. */
 const STEPS = 60;
 const PLOT = { height: 150, left: 30, right: 14, top: 14, bottom: 38 };
 
@@ -52,30 +54,18 @@ export class FigNurbs extends Figure {
     return [0, 0, 0, this.first, this.second, 1, 1, 1];
   }
 
-  /** The curve as a function of t. */
   get curve() {
-    return nurbsCurve(this.points, this.weights, this.knots);
-  }
-
-  /** Parameters from 0 to 1, with all knots among them. */
-  get parameters() {
-    const ends = [...new Set(this.knots)];
-    return [
-      0,
-      ...ends
-        .slice(1)
-        .flatMap((end, k) => Array.from({ length: STEPS }, (_, i) => ends[k] + ((end - ends[k]) * (i + 1)) / STEPS)),
-    ];
+    return new NurbsCurve({ degree: DEGREE, points: this.points, weights: this.weights, knots: this.knots });
   }
 
   picture() {
     const plane = planeOf(this.wide, SIZE);
     const { curve } = this;
-    const joints = [...new Set([this.first, this.second])].map((knot) => plane.place(curve(knot)));
+    const joints = pairs(curve.evalAt(curve.joints().slice(1, -1))).map(plane.place);
     return html`
       <svg viewBox="0 0 ${plane.size.join(" ")}" role="img" aria-label="A quadratic NURBS curve of five points; the knots ${this.knots.map((knot) => short(knot)).join(", ")}; the weight of P2 is ${decimal(this.weight)}">
         ${polyline("polygon", this.points.flatMap(plane.place))}
-        ${polyline("curve", this.parameters.map(curve).flatMap(plane.place))}
+        <path class="curve" d=${drawn(plane, curve)} />
         ${joints.map(([x, y]) => ring(x, y, "var(--ink)", 5))}
         ${marks(plane, this.points, nameOf, { kind: kindOf })}
       </svg>
@@ -87,18 +77,20 @@ export class FigNurbs extends Figure {
     const { height, left, right, top, bottom } = PLOT;
     const x = (/** @type {number} */ t) => left + t * (this.wide - left - right);
     const y = (/** @type {number} */ value) => height - bottom - value * (height - top - bottom);
-    const values = this.parameters.map((t) => ({ t, parts: rationalBasis(this.weights, this.knots, t) }));
+    const { curve, knots } = this;
+    const ts = parametersOf(curve);
+    const basis = rationalBasis(curve, ts);
     const multiplicity = new Map();
     for (const knot of this.knots) multiplicity.set(knot, (multiplicity.get(knot) ?? 0) + 1);
     return html`
-      <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="How much each point counts, over t; the knots below">
+      <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="The factor of each point over t, with the knots below">
         ${[...multiplicity.keys()].map((knot) => svg`<path class="gridline" d="M${x(knot)} ${top}V${height - bottom}" />`)}
         <path class="axis" d="M${left} ${top}V${height - bottom}H${this.wide - right}" />
         <text class="quiet end" x=${left - 6} y=${top + 6}>1</text><text class="quiet end" x=${left - 6} y=${y(0) + 4}>0</text>
         ${this.points.map((_, i) =>
           polyline(
             i === 2 ? "curve" : i % 2 ? "level2" : "level1",
-            values.flatMap(({ t, parts }) => [x(t), y(parts[i])]),
+            ts.flatMap((t, k) => (t >= knots[i] && t <= knots[i + DEGREE + 1] ? [x(t), y(basis[i][k])] : [])),
           ),
         )}
         ${[...multiplicity].map(([knot, count]) =>
@@ -122,7 +114,7 @@ export class FigNurbs extends Figure {
       <div class="frame">
         <div class="stage">${this.picture()}</div>
         <div class="stage">${this.plot()}</div>
-        <p class="facts">Knots <b class="knots">${knots}</b>: 5 points and degree 2 need 5 + 2 + 1 = 8. The thick line is the part of P2.</p>
+        <p class="facts">Knots <b class="knots">${knots}</b>: 5 points and degree 2 need 5 + 2 + 1 = 8. The thick line is the factor of P2.</p>
         <div class="controls">
           ${slider({ name: html`<i>w</i>₂`, value: this.weight, min: 0.1, max: MAX_WEIGHT, step: 0.1, text: decimal(this.weight, 1), change: (weight) => (this.weight = weight) })}
           ${slider({ name: "first knot", value: this.first, ...range, text: decimal(this.first), change: set("first") })}
@@ -131,6 +123,16 @@ export class FigNurbs extends Figure {
       </div>
     `;
   }
+}
+
+/** Parameters of a curve, with all joints among them. @param {NurbsCurve} curve */
+function parametersOf(curve) {
+  const joints = [...curve.joints()];
+  const steps = joints.slice(1).flatMap((end, k) => {
+    const start = joints[k];
+    return Array.from({ length: STEPS }, (_, i) => start + ((end - start) * (i + 1)) / STEPS);
+  });
+  return [joints[0], ...steps];
 }
 
 customElements.define("fig-nurbs", FigNurbs);

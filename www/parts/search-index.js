@@ -31,7 +31,7 @@ function words(text) {
 export function searchIndex(documents) {
   const index = new MiniSearch({
     fields: ["title", "page", "text", "peers"],
-    storeFields: ["address", "title", "page", "text"],
+    storeFields: ["address", "title", "page", "text", "peers"],
     tokenize: words,
     processTerm: normalized,
   });
@@ -44,8 +44,11 @@ export function searchIndex(documents) {
       prefix: true,
       fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 2 : term.length > 3),
       // A section that has the words in this order is more likely to be meant.
-      boostDocument: (/** @type {number} */ _id, /** @type {string} */ _term, /** @type {any} */ { title, text }) =>
-        normalized(`${title} ${text}`).includes(phrase) ? 3 : 1,
+      boostDocument: (
+        /** @type {number} */ _id,
+        /** @type {string} */ _term,
+        /** @type {any} */ { title, text, peers },
+      ) => (normalized(`${title} ${text} ${peers}`).includes(phrase) ? 3 : 1),
     };
     const all = index.search(text, { ...options, combineWith: "AND" });
     const found = all.length > 0 ? all : index.search(text, options);

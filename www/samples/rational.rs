@@ -1,39 +1,26 @@
-use casteljau::{Curve, Spline, glam::DVec3};
-use std::f64::consts::FRAC_1_SQRT_2;
+use casteljau::{NurbsCurve, RationalCurve, glam::DVec2};
 
 pub(crate) fn sample(out: &mut String) {
-    // A quarter of the unit circle with the weights 1, 1, 2, as the curve of the points (w x, w y, w) in space.
-    let points = [(1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 2.0, 2.0)];
-    let arc = Curve::new(&points.map(DVec3::from)).unwrap();
+    // A quarter of the unit circle with the weights 1, 1, 2.
+    let points = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+    let quarter = RationalCurve::new(&points, &[1.0, 1.0, 2.0]).unwrap();
     for t in [0.0, 0.25, 0.5, 1.0] {
-        let point = arc.eval(t);
-        let (x, y) = (point.x / point.z, point.y / point.z);
-        let radius = x.hypot(y);
+        let point = quarter.eval(t);
+        let (x, y, radius) = (point.x, point.y, point.length());
         writeln!(out, "t = {t}: ({x:.4}, {y:.4}), radius {radius:.12}");
     }
 
-    // The whole circle: nine points, every other weight is the root of 1/2, and twelve knots.
-    let w = FRAC_1_SQRT_2;
-    let points = [
-        (1.0, 0.0, 1.0),
-        (w, w, w),
-        (0.0, 1.0, 1.0),
-        (-w, w, w),
-        (-1.0, 0.0, 1.0),
-        (-w, -w, w),
-        (0.0, -1.0, 1.0),
-        (w, -w, w),
-        (1.0, 0.0, 1.0),
-    ]
-    .map(DVec3::from);
-    let knots = [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0, 4.0, 4.0];
-    let circle = Spline::from_bspline(&points, 2, Some(&knots), false).unwrap();
-    let mut error: f64 = 0.0;
-    for i in 0..=1000 {
-        let point = circle.eval(f64::from(i) / 250.0);
-        error = error.max(((point.x / point.z).hypot(point.y / point.z) - 1.0).abs());
+    // The same arc with the first and the last weight 1.
+    let standard = quarter.reparametrize().unwrap();
+    let middle = standard.weights()[1];
+    writeln!(out, "weight of the middle point: {middle:.4}");
+
+    // The whole circle, and one more knot, which does not change it.
+    let circle = NurbsCurve::circle(DVec2::ZERO, 1.0).unwrap();
+    let refined = circle.insert_knot(0.1, 1).unwrap();
+    for curve in [circle, refined] {
+        let (points, arcs) = (curve.control_points().len(), curve.segments().len());
+        let length = curve.length();
+        writeln!(out, "{points} points, {arcs} arcs, length {length:.12}");
     }
-    let arcs = circle.segment_count();
-    let small = error < 1e-15;
-    writeln!(out, "{arcs} arcs, error below 1e-15: {small}");
 }

@@ -1,4 +1,4 @@
-import { circleWeight } from "../figures/lib/rational.js";
+import { circleWeight } from "../figures/lib/circle.js";
 import { verdict } from "./utils/curves.js";
 
 export const live = true;
@@ -16,7 +16,8 @@ export const predict = {
 export function check(_figure, { points, weight }) {
   const circle = circleWeight(points);
   const w = weight.toFixed(2);
-  if (circle === null) return verdict(false, "Both legs must be equally long for a circle: move P1 back.");
+  if (circle === null)
+    return verdict(false, "For a circle both legs must be equally long, and P1 off the chord: move P1 back.");
   if (Math.abs(weight - circle) <= ALLOWED) return verdict(true, `w = ${w}: an arc of a circle.`);
   const side = weight < circle ? "flatter than the circle" : "more pointed than the circle";
   return verdict(false, `w = ${w}: the arc is ${side}.`);
@@ -24,5 +25,5 @@ export function check(_figure, { points, weight }) {
 
 /** @param {{ points: any[], weight: number }} element */
 export const reveal = (element) => {
-  element.weight = Math.round(100 * (circleWeight(element.points) ?? 1)) / 100;
+  element.weight = Math.round(100 * (circleWeight(element.points) ?? Math.SQRT1_2)) / 100;
 };

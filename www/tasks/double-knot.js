@@ -11,15 +11,19 @@ export const predict = {
   options: ["A large weight of P2", "Two equal knots", "Neither: P2 only attracts the curve"],
   answer: 1,
   because:
-    "A large weight brings the curve close to P2, but not to it. At a double knot of a quadratic all parts except that of P2 are 0. There two Bézier curves meet.",
+    "A large weight brings the curve close to P2, but not to it. At a double knot of a quadratic all factors except that of P2 are 0. There two Bézier curves meet.",
 };
 
-/** @param {unknown} _figure @param {{ points: [number, number][], weight: number, first: number, second: number, parameters: number[], curve: (t: number) => [number, number] }} element the site's figure of a NURBS curve */
-export function check(_figure, { points, weight, first, second, parameters, curve }) {
-  const nearest = Math.min(...parameters.map((t) => distance(curve(t), points[2])));
-  const hasMoved = distance(points[1], points[2]) <= ONE_PLACE || distance(points[2], points[3]) <= ONE_PLACE;
-  if (hasMoved) return verdict(false, "Two points are in one place. Move them apart, and try the sliders.");
+/** @param {unknown} _figure @param {{ points: [number, number][], weight: number, first: number, second: number, curve: import("casteljau/nurbs").NurbsCurve }} element the site's figure of a NURBS curve */
+export function check(_figure, { points, weight, first, second, curve }) {
+  const { distance: nearest } = curve.nearest(points[2]);
+  const isOnePlace = distance(points[1], points[2]) <= ONE_PLACE || distance(points[2], points[3]) <= ONE_PLACE;
   const gap = second - first;
+  if (isOnePlace || (nearest <= ALLOWED && gap > 0))
+    return verdict(
+      false,
+      "The points have moved to where the curve meets P2 anyway. Move them back, and use the sliders.",
+    );
   const words = `The curve is ${nearest.toFixed(3)} away from P2. The weight of P2 is ${weight.toFixed(1)}, and the inner knots are ${gap.toFixed(2)} apart.`;
   return verdict(nearest <= ALLOWED, words);
 }
