@@ -7,8 +7,6 @@ import { assertSame } from "./harness.js";
 import { parameters, random } from "./inputs.js";
 import { verb } from "./verb.js";
 
-/** @typedef {{ x: number, y: number, z: number }} Point */
-
 const CALLS = 1000;
 const CURVES = 64;
 const DEGREE = 3;
@@ -55,7 +53,7 @@ const ours = inputs.map((input) => new NurbsCurve({ degree: DEGREE, knots: KNOTS
 const ts = parameters(CALLS).map((t) => END * t);
 const queries = Array.from({ length: CALLS }, () => [SIZE * next(), SIZE * next(), SIZE * next()]);
 
-const coordinates = (/** @type {Point} */ { x, y, z }) => [x, y, z];
+const coordinates = (/** @type {{ x: number, y: number, z?: number }} */ { x, y, z = 0 }) => [x, y, z];
 
 const evalCheck = () =>
   ts.forEach((t, i) => {
@@ -94,7 +92,7 @@ function nearestCheck() {
 /**
  * The largest distance of samples of a curve from a polyline.
  *
- * @param {NurbsCurve<3>} curve
+ * @param {NurbsCurve} curve
  * @param {number[][]} vertices
  */
 function largestDistance(curve, vertices) {
