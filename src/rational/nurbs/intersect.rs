@@ -4,6 +4,7 @@ use super::NurbsCurve;
 use crate::curve::{Intersection, IntersectionKind, SelfIntersection};
 use crate::numeric::float::whole_and_rest;
 use crate::rational::RationalCurve;
+use crate::rational::intersect::sorted;
 use crate::spline::spline_set::SplineSet;
 use glam::DVec2;
 
@@ -38,7 +39,7 @@ impl NurbsCurve<DVec2> {
             }
             at
         };
-        found.into_iter().map(|found| at(found.at)).collect()
+        sorted(found.into_iter().map(|found| at(found.at)).collect())
     }
 
     /// The points that the curve passes twice, sorted by t; t < u. The joint of neighbouring segments does not count, nor
