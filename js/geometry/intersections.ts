@@ -1,8 +1,8 @@
 // Intersections of curves, splines and paths, read from the arena.
 import { arena } from "../wasm/arena.js";
-import { packedPath, splineData, typeOf } from "./brand.js";
+import { isRational, packedPath, splineData, typeOf } from "./brand.js";
 import { require2D } from "./check.js";
-import { packedShape } from "./path/packed-shape.js";
+import { packedShape, subpathsOf } from "./path/packed-shape.js";
 import { packedSplines } from "../wasm/packed-path.js";
 import { core } from "../wasm/init.js";
 import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
@@ -82,12 +82,13 @@ export function readSelfIntersections(length: number): SelfIntersection[] {
 }
 
 /**
- * The intersections of a 2D spline with a curve, a spline or a path.
+ * The intersections of a 2D spline with a curve, a spline, a path or a value of `casteljau/nurbs`.
  *
  * @internal
  * @throws {TypeError} for any other value, and for a 3D one
  */
 export function intersectSplines(spline: SplineData, other: unknown): Intersection<number, number | PathTime>[] {
+  if (isRational(other)) return other.casteljauIntersections(spline);
   const packed = packedPath(other);
   if (packed) return intersectPacked(packedSplines([spline]), packed, timeOnSpline, timeOnPath);
   const data = splineData(other, "other", "a Curve, a Spline or a Path");
@@ -107,12 +108,17 @@ export function selfIntersectSpline(spline: SplineData): SelfIntersection[] {
 }
 
 /**
- * The intersections of a packed path with a curve, a spline or a path.
+ * The intersections of a packed path with a curve, a spline, a path or a value of `casteljau/nurbs`.
  *
  * @internal
  * @throws {TypeError} for any other value, and for a 3D one
  */
 export function intersectPathWith(packed: Float64Array, other: unknown): Intersection<PathTime, number | PathTime>[] {
+  if (isRational(other)) {
+    return subpathsOf(packed).flatMap((spline, subpath) =>
+      withPathTimes(other.casteljauIntersections(spline), "t", subpath),
+    ) as any;
+  }
   const otherPacked = packedShape(other, "other");
   if (typeOf(other) === "path") return intersectPacked(packed, otherPacked, timeOnPath, timeOnPath);
   return intersectPacked(packed, otherPacked, timeOnPath, timeOnSpline);
@@ -126,6 +132,19 @@ export function intersectPathWith(packed: Float64Array, other: unknown): Interse
 export function selfIntersectPath(packed: Float64Array): PathIntersection[] {
   writeArguments(packed);
   return readPathIntersections(core().path_intersect(false), timeOnPath, timeOnPath);
+}
+
+/**
+ * Intersections of a subpath with t or u as a location on its path.
+ *
+ * @internal
+ */
+export function withPathTimes(found: Intersection[], name: "t" | "u", subpath: number): Intersection<any, any>[] {
+  return found.map((intersection: Record<string, any>) => {
+    const located = { ...intersection };
+    for (const key of [name, `${name}End`]) if (key in located) located[key] = { subpath, t: located[key] };
+    return located as Intersection<any, any>;
+  });
 }
 
 function timeOnPath(subpath: number, t: number): PathTime {

@@ -69,7 +69,7 @@ impl RationalCurve<DVec2> {
             ClassifiedContact::new(times, kind).on(|t| self.eval(t), |u| other.eval(u))
         };
         locations.map_or_else(Vec::new, |(locations, _)| {
-            locations.into_iter().map(at).collect()
+            sorted(locations.into_iter().map(at).collect())
         })
     }
 
@@ -121,6 +121,13 @@ impl SplineSegment for RationalCurve<DVec2> {
     fn control_box(&self) -> Bounds<DVec2> {
         self.control_bounds()
     }
+}
+
+/// Intersections sorted by t, then by u: parameters that differ before they are mapped to those of the curves may be rounded to
+/// the same t.
+pub(super) fn sorted(mut found: Vec<Intersection>) -> Vec<Intersection> {
+    found.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.u.total_cmp(&b.u)));
+    found
 }
 
 /// A curve with another parameter s, for which the weights of both ends are about equal.

@@ -28,7 +28,7 @@ fn spline(a: &Arena, at: usize) -> (Spline<DVec2>, usize) {
     )
 }
 
-fn write(a: &mut Arena, found: &[Intersection]) -> usize {
+pub(super) fn write(a: &mut Arena, found: &[Intersection]) -> usize {
     found.iter().fold(0, |at, &intersection| {
         write_intersection(a, at, intersection)
     })
@@ -45,7 +45,7 @@ pub(crate) fn write_intersection(a: &mut Arena, at: usize, intersection: Interse
     a.write_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
 }
 
-fn write_selves(a: &mut Arena, found: &[SelfIntersection]) -> usize {
+pub(super) fn write_selves(a: &mut Arena, found: &[SelfIntersection]) -> usize {
     let crossing = |intersection: &SelfIntersection| {
         let SelfIntersection { t, u, point } = *intersection;
         let kind = IntersectionKind::Cross;

@@ -3,18 +3,36 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::{rational, spline};
+use super::{intersect, rational, spline};
 use crate::curve::Nearest;
 use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use crate::rational::NurbsCurve;
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Decodes a curve as 3D (see [`Arena::points_in_space`]), and the index where it ends.
 fn curve(a: &Arena, dimension: usize) -> Result<(NurbsCurve<DVec3>, usize), Error> {
-    let [degree, closed, count, knots] = [0, 1, 2, 3].map(|k| a.count(k));
-    let points: Vec<DVec3> = a.points_in_space(4, count, dimension);
-    let at = 4 + count * dimension;
+    curve_at(a, 0, dimension, |at, count| {
+        a.points_in_space(at, count, dimension)
+    })
+}
+
+/// Decodes a plane curve at index `at` of the arena, and the index where it ends.
+fn plane_curve(a: &Arena, at: usize) -> Result<(NurbsCurve<DVec2>, usize), Error> {
+    curve_at(a, at, 2, |at, count| a.points(at, count).to_vec())
+}
+
+/// Decodes a curve whose points are read by `points`, from their index and their number.
+fn curve_at<P: Point>(
+    a: &Arena,
+    at: usize,
+    dimension: usize,
+    points: impl FnOnce(usize, usize) -> Vec<P>,
+) -> Result<(NurbsCurve<P>, usize), Error> {
+    let [degree, closed, count, knots] = [0, 1, 2, 3].map(|k| a.count(at + k));
+    let points = points(at + 4, count);
+    let at = at + 4 + count * dimension;
     let weights = a.numbers(at, count);
     let (at, end) = (at + count, at + count + knots);
     let knots = a.numbers(at, knots);
@@ -214,5 +232,24 @@ pub fn nurbs_to_spline(dimension: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let result = curve(a, dimension)?.0.to_spline(tolerance)?;
         Ok(spline::write(a, &result, dimension))
+    })
+}
+
+/// Arguments: two plane curves. Writes their intersections; see `intersect.rs`.
+#[wasm_bindgen]
+pub fn nurbs_intersect() -> isize {
+    arena::answer(|a| {
+        let (first, end) = plane_curve(a, 0)?;
+        let found = first.intersections(&plane_curve(a, end)?.0);
+        Ok(intersect::write(a, &found))
+    })
+}
+
+/// Writes the self-intersections of a plane curve; see `intersect.rs`.
+#[wasm_bindgen]
+pub fn nurbs_self_intersections() -> isize {
+    arena::answer(|a| {
+        let found = plane_curve(a, 0)?.0.self_intersections();
+        Ok(intersect::write_selves(a, &found))
     })
 }

@@ -145,7 +145,7 @@ groups! {
         RationalCurve points (rational): split halve subsegment reverse elevate reparametrize transform project;
         RationalCurve points (rational): bounds control_bounds extrema nearest length time_at_length flatten to_spline;
         RationalCurve points (rational): approx_eq;
-        RationalCurve one (rational): area inflections to_elliptical_arc to_svg trace;
+        RationalCurve one (rational): intersections intersections_with_curve self_intersections area inflections to_elliptical_arc to_svg trace;
     }
     nurbs_curves {
         NurbsCurve points (nurbs accessors): degree control_points weights knots is_closed domain segments joints start end;
@@ -153,7 +153,7 @@ groups! {
         NurbsCurve points (nurbs): subsegment transform project eval eval_at sample derivative_at tangent normal curvature;
         NurbsCurve points (nurbs): bounds control_bounds extrema nearest length time_at_length flatten to_spline approx_eq;
         NurbsCurve points (nurbs): arc;
-        NurbsCurve one (nurbs): circle ellipse area to_svg trace;
+        NurbsCurve one (nurbs): intersections self_intersections circle ellipse area to_svg trace;
     }
     paths_queries {
         Path one (paths accessors): new subpath_count segment_count is_empty subpaths segments;

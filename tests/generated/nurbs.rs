@@ -3,6 +3,7 @@
 use crate::arguments::Space;
 use crate::check::*;
 use crate::geometry::*;
+use crate::rational::{are_contacts, are_passed_twice, contact_slack};
 use crate::recorder::Recorder;
 use casteljau::glam::DVec2;
 use casteljau::{NurbsCurve, Spline};
@@ -193,6 +194,20 @@ pub(crate) fn flatten<P: Space>(curve: NurbsCurve<P>, tolerance: f64) -> Checked
 pub(crate) fn to_spline<P: Space>(curve: NurbsCurve<P>, tolerance: f64) -> Checked {
     let spline = answer!(curve.to_spline(tolerance), "tolerance");
     same(spline.eval(0.0), curve.start(), "the start")
+}
+
+pub(crate) fn intersections(curve: NurbsCurve<DVec2>, other: NurbsCurve<DVec2>) -> Checked {
+    let found = value!(curve.intersections(&other));
+    let degree = curve.degree().max(other.degree());
+    let slack = 16.0 * contact_slack(degree, &[curve.weights(), other.weights()]);
+    let (a, b) = (|t| curve.eval(t), |u| other.eval(u));
+    are_contacts(&found, [curve.domain(), other.domain()], a, b, slack)
+}
+
+pub(crate) fn self_intersections(curve: NurbsCurve<DVec2>) -> Checked {
+    let found = value!(curve.self_intersections());
+    let slack = 16.0 * contact_slack(curve.degree(), &[curve.weights()]);
+    are_passed_twice(&found, curve.domain(), |t| curve.eval(t), slack)
 }
 
 pub(crate) fn trace(curve: NurbsCurve<DVec2>, tolerance: f64) -> Checked {

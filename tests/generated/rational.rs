@@ -4,8 +4,10 @@ use crate::arguments::Space;
 use crate::check::*;
 use crate::geometry::*;
 use crate::recorder::Recorder;
+use casteljau::curve::{Intersection, IntersectionKind, SelfIntersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, RationalCurve};
+use std::iter::zip;
 
 finite! {
     // tests/rational
@@ -195,6 +197,88 @@ pub(crate) fn to_spline<P: Space>(curve: RationalCurve<P>, tolerance: f64) -> Ch
         at_most(curve.nearest(p)?.distance, slack, "the distance")?;
     }
     Ok(())
+}
+
+/// The largest distance of a curve at an intersection from its point, for weights whose ratios are at most 10⁴: rounding of
+/// the parameter moves the point by its speed, which the ratio enlarges. Larger ratios have no bound.
+pub(crate) fn contact_slack(degree: usize, weights: &[&[f64]]) -> f64 {
+    let ratios = weights
+        .iter()
+        .map(|w| max(w.iter().copied()) / min(w.iter().copied()));
+    let ratio = max(ratios);
+    if ratio > 1e4 {
+        return f64::INFINITY;
+    }
+    ratio * 64.0 * slack(size(), degree)
+}
+
+/// Checks that both curves are at the stated points at the stated parameters, which are in the domains, and that the list is
+/// sorted.
+pub(crate) fn are_contacts(
+    found: &[Intersection],
+    domains: [[f64; 2]; 2],
+    a: impl Fn(f64) -> DVec2,
+    b: impl Fn(f64) -> DVec2,
+    slack: f64,
+) -> Checked {
+    let times = found.iter().map(|contact| (contact.t, contact.u));
+    ensure!(times.is_sorted(), "the list is not sorted");
+    for contact in found {
+        at_most(a(contact.t).distance(contact.point), slack, "the point")?;
+        let mut pairs = vec![[contact.t, contact.u]];
+        if let IntersectionKind::Overlap { t_end, u_end } = contact.kind {
+            pairs.push([t_end, u_end]);
+        }
+        for [t, u] in pairs {
+            let mut inside = zip([t, u], domains);
+            let is_inside = inside.all(|(t, [from, to])| (from..=to).contains(&t));
+            ensure!(is_inside, "({t}, {u}) is out of range");
+            at_most(a(t).distance(b(u)), slack, format_args!("({t}, {u})"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Checks that the curve passes the stated points twice.
+pub(crate) fn are_passed_twice(
+    found: &[SelfIntersection],
+    [from, to]: [f64; 2],
+    curve: impl Fn(f64) -> DVec2,
+    slack: f64,
+) -> Checked {
+    ensure!(found.is_sorted_by(|a, b| a.t <= b.t), "not sorted");
+    for &SelfIntersection { t, u, point, .. } in found {
+        let in_range = from <= t && t < u && u <= to;
+        ensure!(in_range, "({t}, {u}) is out of range");
+        at_most(curve(t).distance(point), slack, "the point")?;
+        at_most(curve(u).distance(point), slack, format_args!("({t}, {u})"))?;
+    }
+    Ok(())
+}
+
+pub(crate) fn intersections(curve: RationalCurve<DVec2>, other: RationalCurve<DVec2>) -> Checked {
+    let found = value!(curve.intersections(&other));
+    let degree = curve.degree().max(other.degree());
+    let slack = contact_slack(degree, &[curve.weights(), other.weights()]);
+    let (a, b) = (|t| curve.eval(t), |u| other.eval(u));
+    are_contacts(&found, [[0.0, 1.0]; 2], a, b, slack)
+}
+
+pub(crate) fn intersections_with_curve(
+    rational: RationalCurve<DVec2>,
+    curve: Curve<DVec2>,
+) -> Checked {
+    let found = value!(rational.intersections_with_curve(&curve));
+    let degree = rational.degree().max(curve.degree());
+    let slack = contact_slack(degree, &[rational.weights()]);
+    let (a, b) = (|t| rational.eval(t), |u| curve.eval(u));
+    are_contacts(&found, [[0.0, 1.0]; 2], a, b, slack)
+}
+
+pub(crate) fn self_intersections(curve: RationalCurve<DVec2>) -> Checked {
+    let found = value!(curve.self_intersections());
+    let slack = contact_slack(curve.degree(), &[curve.weights()]);
+    are_passed_twice(&found, [0.0, 1.0], |t| curve.eval(t), slack)
 }
 
 pub(crate) fn trace(curve: RationalCurve<DVec2>, tolerance: f64) -> Checked {

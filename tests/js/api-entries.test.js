@@ -70,7 +70,7 @@ const fields = (name) =>
   name === "Mesh" ? ["positions", "normals", "uvs", "patchIds", "indices", "quads", "patchRanges"] : [];
 
 /** By these, the entry points recognise each other's values. */
-const INTERNAL = ["casteljauData", "casteljauType"];
+const INTERNAL = ["casteljauData", "casteljauIntersections", "casteljauType"];
 
 /** @param {object} value a class or a prototype */
 function publicNames(value) {

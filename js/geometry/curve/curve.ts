@@ -21,6 +21,8 @@ import type { PointArrays } from "../points.js";
 import type { PathTime } from "../path/path-queries.js";
 import type { ThreeCurves } from "../../io/three.js";
 import type { CorePath } from "../path/core-path.js";
+import type { NurbsCurve } from "../rational/nurbs-curve.js";
+import type { RationalCurve } from "../rational/rational-curve.js";
 import type { CoreSpline } from "../spline/core-spline.js";
 import type { Spline } from "../spline/spline.js";
 
@@ -223,8 +225,8 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   }
 
   /**
-   * All intersections with another curve, a spline (then u is the spline's t) or a path (then u is a location {subpath,
-   * t}), sorted by t, then by u; with a path by its subpaths first.
+   * All intersections with another curve, a spline, a rational or NURBS curve (then u is its t) or a path (then u is a
+   * location {subpath, t}), sorted by t, then by u; with a path by its subpaths first.
    *
    * End points count. At a "tangent" intersection both have the same or opposite directions; an "overlap" is a shared
    * part. 2D only.
@@ -236,10 +238,10 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * coordinate L, the size S of the box around both curves and the higher degree n; up to four times this where they run
    * along each other. The distance of each curve at its parameter from `point` is at most 64 (n + 2) ulps of L.
    *
-   * @param other a curve, a spline or a path
+   * @param other a curve, a spline, a path, or a rational or NURBS curve of `casteljau/nurbs`
    * @throws {TypeError} for a 3D curve
    */
-  intersections<S extends CoreCurve | CoreSpline | CorePath>(
+  intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
     ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {

@@ -1,7 +1,7 @@
 // Curves, splines and paths of any entry point as packed paths. This file imports none of their classes, so that all of
 // them can import it.
 import { packedPath, splineData } from "../brand.js";
-import { packedSplines } from "../../wasm/packed-path.js";
+import { extents, packedSplines } from "../../wasm/packed-path.js";
 import type { SplineData } from "../brand.js";
 
 /**
@@ -29,4 +29,18 @@ export function checkedSplineData(spline: unknown, name: string, expected = "a S
  */
 export function packedShape(shape: unknown, name: string): Float64Array {
   return packedPath(shape) ?? packedSplines([checkedSplineData(shape, name, "a Path, a Spline or a Curve")]);
+}
+
+/**
+ * The subpaths as splines.
+ *
+ * @internal
+ */
+export function subpathsOf(packed: Float64Array): SplineData[] {
+  return Array.from(extents(packed), ({ closed, degrees, points, end }) => ({
+    flat: packed.slice(points, end),
+    dimension: 2,
+    degrees: [...packed.subarray(degrees, points)],
+    closed,
+  }));
 }

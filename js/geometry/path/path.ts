@@ -16,6 +16,8 @@ import { packedPaths } from "../../wasm/packed-path.js";
 import type { PointLike } from "../check.js";
 import type { ThreeShapes } from "../../io/three.js";
 import type { PathClass, Shape } from "./core-path.js";
+import type { NurbsCurve } from "../rational/nurbs-curve.js";
+import type { RationalCurve } from "../rational/rational-curve.js";
 import type { RegionOptions } from "./fill-rule.js";
 import type { BooleanOperation } from "./path-boolean.js";
 import { arcsOf } from "./path-arcs.js";
@@ -433,7 +435,7 @@ export class Path extends CorePath<Spline<2>> {
   }
 
   /**
-   * All intersections with another path, a spline or a curve. `t` is a location {subpath, t} on this path; `u` is a
+   * All intersections with another path, a spline or a curve of any kind. `t` is a location {subpath, t} on this path; `u` is a
    * location on another path, or the t of a spline or a curve. They are sorted by the subpath of this path, the subpath
    * of the other one, t and u.
    *
@@ -444,9 +446,9 @@ export class Path extends CorePath<Spline<2>> {
    * Pairs of segments are found with a tree of boxes, in about n log n time for n segments. In the worst case each pair
    * of segments is compared, with the limits of `Curve.intersections`.
    *
-   * @param other a curve, a spline or a path
+   * @param other a curve, a spline, a path, or a rational or NURBS curve of `casteljau/nurbs`
    */
-  intersections<S extends Shape>(
+  intersections<S extends Shape | RationalCurve | NurbsCurve>(
     other: S,
     ...surplus: never[]
   ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {

@@ -2,17 +2,20 @@ import * as check from "../check.js";
 import { core } from "../../wasm/init.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { CheckedPoints, readPolyline, readResult, writeArguments } from "../../wasm/transfer.js";
-import { extents, packedSpline } from "../../wasm/packed-path.js";
+import { packedSpline } from "../../wasm/packed-path.js";
 import { directionOfDegrees } from "../../io/svg-arc.js";
 import { svgOfRational } from "../../io/svg-conic.js";
 import { checkTolerance, traceOn } from "../../io/svg-write.js";
 import { affine } from "../affine.js";
 import { pointAndDirections } from "../arc-length.js";
-import { nurbsData, packedPath, rationalData, requireJSON, splineData, typeOf } from "../brand.js";
+import { nurbsData, packedPath, requireJSON } from "../brand.js";
 import { readNearest } from "../curve-queries.js";
 import { showInNode } from "../inspected.js";
+import { subpathsOf } from "../path/packed-shape.js";
 import { boxAt, dimensionOf, flatten, nested, pointList, requireList, samePoints, writePoint } from "../points.js";
 import { coreSplineOf, readSplineData } from "../spline/core-spline.js";
+import { intersectNurbs, intersectSplineWithNurbs, selfIntersectNurbs } from "./intersections.js";
+import { nurbsDataOf, nurbsOfSpline, readNurbsData, writeNurbs } from "./nurbs-data.js";
 import { projective } from "./projective.js";
 import { checkedWeights, defaultTolerance, rationalCurveOf } from "./rational-curve.js";
 import type { PointAtLength } from "../arc-length.js";
@@ -20,7 +23,9 @@ import type { NurbsData, SplineData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
 import type { Extrema, Nearest } from "../curve-queries.js";
+import type { Intersection, SelfIntersection } from "../intersections.js";
 import type { CorePath } from "../path/core-path.js";
+import type { PathTime } from "../path/path-queries.js";
 import type { Bounds, Point, PointArrays } from "../points.js";
 import type { CoreSpline } from "../spline/core-spline.js";
 import type { RationalCurve } from "./rational-curve.js";
@@ -220,20 +225,22 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * See `isRational`.
+   *
+   * @internal
+   */
+  casteljauIntersections(spline: SplineData): Intersection[] {
+    return intersectSplineWithNurbs(spline, this.#data);
+  }
+
+  /**
    * @internal
    * Writes the curve, and then further numbers, to the arena.
    * @returns the dimension
    */
   _write(further: ArrayLike<number> = []): number {
-    const { degree, closed, flat, weights, knots, dimension } = this.#data;
-    const head = [degree, Number(closed), weights.length, knots.length];
-    const view = writeArguments(new Float64Array(head), flat.length + weights.length + knots.length + further.length);
-    let at = head.length;
-    for (const numbers of [flat, weights, knots, further]) {
-      view.set(numbers, at);
-      at += numbers.length;
-    }
-    return dimension;
+    writeNurbs([this.#data], further);
+    return this.dimension;
   }
 
   /**
@@ -540,6 +547,37 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * All intersections with a curve, a rational curve, another NURBS curve or a spline (then u is its t), or a path (then u is a
+   * location {subpath, t}), sorted by t, then by u, which are in the domains; with a path by its subpaths first.
+   *
+   * An intersection at a joint is reported once, and so is one at the start of a curve of several segments that ends there, as a
+   * circle does; a shared part that runs across joints is one overlap. Kinds and limits are those of
+   * `RationalCurve.intersections`, for each pair of segments. 2D only.
+   *
+   *     const circle = NurbsCurve.circle([0, 0], 5);
+   *     circle.intersections(new Curve([[3, -9], [3, 9]])).map(({ point }) => point.y); // about [4, -4]
+   *
+   * @param other a curve, a rational curve, a NURBS curve, a spline or a path, of any entry point
+   * @throws {TypeError} for a 3D curve
+   */
+  intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
+    other: S,
+    ...surplus: never[]
+  ): Intersection<number, S extends CorePath ? PathTime : number>[] {
+    check.noSurplus(surplus, "intersections", 1);
+    return intersectNurbs(this.#data, other) as any;
+  }
+
+  /**
+   * The points that the curve passes twice, sorted by t; t < u. Joints and the start of a closed curve do not count as passed
+   * twice; the end point of an open curve that ends at its start does. 2D only.
+   */
+  selfIntersections(...surplus: never[]): SelfIntersection[] {
+    check.noSurplus(surplus, "selfIntersections", 0);
+    return selfIntersectNurbs(this.#data);
+  }
+
+  /**
    * A polyline whose distance from the curve is nowhere greater than `tolerance`; every joint is a vertex.
    *
    * @param tolerance in the unit of the points
@@ -709,19 +747,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   static from<D extends 2 | 3 = 2 | 3>(
     shape: CoreCurve<D> | RationalCurve<D> | NurbsCurve<D> | CoreSpline<D> | CorePath,
   ): NurbsCurve<D> {
-    if (typeOf(shape) === "nurbscurve") return nurbsOf(nurbsData(shape, "shape")) as NurbsCurve<D>;
-    if (typeOf(shape) === "rationalcurve") {
-      const { flat, dimension, weights } = rationalData(shape, "shape");
-      const degree = weights.length - 1;
-      const knots = new Float64Array(2 * degree + 2).fill(1, degree + 1);
-      return nurbsOf({ degree, flat, dimension, weights, knots, closed: false }) as NurbsCurve<D>;
-    }
-    const { flat, dimension, degrees, closed } = pathSpline(shape) ?? splineData(shape, "shape", EXPECTED);
-    writeArguments(Float64Array.of(degrees.length, Number(closed), ...degrees), flat.length).set(
-      flat,
-      degrees.length + 2,
-    );
-    return readNurbs(core().nurbs_from_spline(dimension), dimension) as NurbsCurve<D>;
+    return nurbsOf(pathData(shape) ?? nurbsDataOf(shape, "shape", EXPECTED)) as NurbsCurve<D>;
   }
 
   /**
@@ -763,17 +789,7 @@ const nurbsOf = (data: NurbsData) => nurbsFrom(new CheckedNurbs(data) as any);
 
 /** Reads a curve from the arena. */
 function readNurbs(end: number, dimension: 2 | 3, from = 0): NurbsCurve {
-  const numbers = readResult(from, end);
-  const [degree, closed, count] = numbers;
-  const [weights, knots] = [4 + count * dimension, 4 + count * (dimension + 1)];
-  return nurbsOf({
-    degree,
-    dimension,
-    flat: numbers.slice(4, weights),
-    weights: numbers.slice(weights, knots),
-    knots: numbers.slice(knots),
-    closed: closed === 1,
-  });
+  return nurbsOf(readNurbsData(end, dimension, from));
 }
 
 function checkedData(options: NurbsOptions): NurbsData {
@@ -841,11 +857,10 @@ function arcBetween(
   return readNurbs(core().nurbs_arc(dimension, start, end), dimension);
 }
 
-/** The spline of a path of one subpath; undefined for any other value. */
-function pathSpline(shape: unknown): SplineData | undefined {
+/** The curve of a path of one subpath; undefined for any other value. */
+function pathData(shape: unknown): NurbsData | undefined {
   const packed = packedPath(shape);
   if (!packed) return undefined;
   if (packed[0] !== 1) throw new RangeError(`shape: expected a path of one subpath, got one of ${packed[0]}`);
-  const [{ closed, degrees, points, end }] = extents(packed);
-  return { flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed };
+  return nurbsOfSpline(subpathsOf(packed)[0]);
 }

@@ -25,15 +25,21 @@ import {
   writePoint,
 } from "../points.js";
 import { coreSplineOf, readSplineData } from "../spline/core-spline.js";
+import { intersectNurbs, intersectSplineWithNurbs, selfIntersectNurbs } from "./intersections.js";
+import { nurbsOfRational } from "./nurbs-data.js";
 import { projective } from "./projective.js";
 import type { PointAtLength } from "../arc-length.js";
 import type { RationalData, SplineData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
 import type { Extrema, Nearest } from "../curve-queries.js";
+import type { Intersection, SelfIntersection } from "../intersections.js";
+import type { CorePath } from "../path/core-path.js";
+import type { PathTime } from "../path/path-queries.js";
 import type { Bounds, Point, PointArrays } from "../points.js";
 import type { CoreSpline } from "../spline/core-spline.js";
 import type { SvgOptions } from "../../io/svg-write.js";
+import type { NurbsCurve } from "./nurbs-curve.js";
 
 /** Whether Node knows how to show the instances. */
 let isShown = false;
@@ -152,6 +158,15 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   casteljauData(): RationalData {
     return { flat: this.#flat, dimension: this.#dimension, weights: this.#weights };
+  }
+
+  /**
+   * See `isRational`.
+   *
+   * @internal
+   */
+  casteljauIntersections(spline: SplineData): Intersection[] {
+    return intersectSplineWithNurbs(spline, nurbsOfRational(this.casteljauData()));
   }
 
   /**
@@ -529,6 +544,40 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     check.noSurplus(surplus, "nearest", 1);
     unwrapCount(core().rational_nearest(d, this._write(coordinates)));
     return readNearest(d);
+  }
+
+  /**
+   * All intersections with a curve, another rational curve, a NURBS curve or a spline (then u is its t), or a path (then u is a
+   * location {subpath, t}), sorted by t, then by u; with a path by its subpaths first.
+   *
+   * End points count; kinds and limits are those of `Curve.intersections`. Arcs of one conic section overlap however they are
+   * parametrized. 2D only.
+   *
+   * Curves intersect where their distance is below rounding: about 2ε (L + 2(n + 1) S), with ε = 2.2e-16, the largest
+   * coordinate L, the size S of the box around both curves and the higher degree n. Where weights differ much, the rounding of
+   * t moves the point by more than that, and a tangency there may be missed.
+   *
+   *     const quarter = RationalCurve.conic([1, 0], [1, 1], [0, 1], Math.SQRT1_2);
+   *     quarter.intersections(new Curve([[0, 0], [3, 4]]))[0].point; // about { x: 0.6, y: 0.8 }
+   *
+   * @param other a curve, a rational curve, a NURBS curve, a spline or a path, of any entry point
+   * @throws {TypeError} for a 3D curve
+   */
+  intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
+    other: S,
+    ...surplus: never[]
+  ): Intersection<number, S extends CorePath ? PathTime : number>[] {
+    check.noSurplus(surplus, "intersections", 1);
+    return intersectNurbs(nurbsOfRational(this.casteljauData()), other) as any;
+  }
+
+  /**
+   * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
+   * Parts that the curve retraces are not reported; conics have none. 2D only.
+   */
+  selfIntersections(...surplus: never[]): SelfIntersection[] {
+    check.noSurplus(surplus, "selfIntersections", 0);
+    return selfIntersectNurbs(nurbsOfRational(this.casteljauData()));
   }
 
   /**

@@ -26,6 +26,8 @@ import type { PointArrays } from "../points.js";
 import type { PathTime } from "../path/path-queries.js";
 import type { ThreeCurves } from "../../io/three.js";
 import type { CorePath } from "../path/core-path.js";
+import type { NurbsCurve } from "../rational/nurbs-curve.js";
+import type { RationalCurve } from "../rational/rational-curve.js";
 import type { SplineJSON } from "./core-spline.js";
 
 /** Options of `Spline.fit`. */
@@ -211,15 +213,15 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
   }
 
   /**
-   * All intersections with a curve, another spline or a path (then u is a location {subpath, t}), sorted by t, then by
+   * All intersections with a curve of any kind, another spline or a path (then u is a location {subpath, t}), sorted by t, then by
    * u, which run from 0 to the numbers of segments; with a path by its subpaths first. An intersection at a joint is
    * reported once; a shared part that runs across joints is one overlap. 2D only.
    *
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
-   * @param other a curve, a spline or a path
+   * @param other a curve, a spline, a path, or a rational or NURBS curve of `casteljau/nurbs`
    */
-  intersections<S extends CoreCurve | CoreSpline | CorePath>(
+  intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
     ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {

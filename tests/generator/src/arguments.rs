@@ -108,12 +108,18 @@ impl<'a> Maker<'a> {
             "curve2" => curve(rng, 2, 24),
             "curve3" => curve(rng, 3, 24),
             "cubic" => curve(rng, any, 3),
-            "other" => {
-                let Value::Curve(dimension, first) = &self.result.arguments[0].1 else {
-                    panic!("another curve needs a first one");
-                };
-                Value::Curve(*dimension, geometry::related(rng, mode, *dimension, first))
-            }
+            "other" => match &self.result.arguments[0].1 {
+                Value::Curve(dimension, first) => {
+                    Value::Curve(*dimension, geometry::related(rng, mode, *dimension, first))
+                }
+                Value::RationalCurve(first) => {
+                    Value::RationalCurve(geometry::related_rational(rng, mode, first))
+                }
+                Value::NurbsCurve(first) => {
+                    Value::NurbsCurve(geometry::related_nurbs(rng, mode, first))
+                }
+                _ => panic!("another curve needs a first one"),
+            },
             "rationalcurve" => Value::RationalCurve(geometry::rational(rng, mode, any)),
             "rationalcurve2" => Value::RationalCurve(geometry::rational(rng, mode, 2)),
             "nurbscurve" => Value::NurbsCurve(geometry::nurbs(rng, mode, any)),

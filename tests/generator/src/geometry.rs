@@ -148,6 +148,34 @@ pub(crate) fn rational(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalD
     }
 }
 
+/// A rational curve whose points are those of [`related`], half of the time with the weights of the first curve.
+pub(crate) fn related_rational(rng: &mut Rng, mode: Mode, first: &RationalData) -> RationalData {
+    let points = related(rng, mode, first.dimension, &first.points);
+    let has_same_weights = points.len() == first.points.len() && rng.chance(0.5);
+    RationalData {
+        degree: points.len() - 1,
+        weights: if has_same_weights {
+            first.weights.clone()
+        } else {
+            weights(rng, points.len())
+        },
+        points,
+        ..first.clone()
+    }
+}
+
+/// A NURBS curve with the knots of the first one and the points of [`related`], or any other one.
+pub(crate) fn related_nurbs(rng: &mut Rng, mode: Mode, first: &RationalData) -> RationalData {
+    let points = related(rng, mode, first.dimension, &first.points);
+    if points.len() != first.points.len() {
+        return nurbs(rng, mode, first.dimension);
+    }
+    RationalData {
+        points,
+        ..first.clone()
+    }
+}
+
 /// A NURBS curve of up to eight segments, with knots of every multiplicity up to the degree.
 pub(crate) fn nurbs(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalData {
     let degree = rng.pick(&[1, 2, 2, 3, 3, 3, 4, 7]);

@@ -16,8 +16,11 @@ const surfaceOf = ({ text }) => Surface.parse(text);
 export function argumentsOf(given) {
   const a = {};
   for (const [name, value] of Object.entries(given)) a[name] = value ?? undefined;
-  for (const name of ["curve", "other"]) if (a[name]?.points && !a[name].degrees) a[name] = curveOf(a[name]);
+  for (const name of ["curve", "other"])
+    if (a[name]?.points && !a[name].degrees && !a[name].weights) a[name] = curveOf(a[name]);
   for (const name of ["spline", "other"]) if (a[name]?.degrees) a[name] = splineOf(a[name]);
+  if (given.other?.knots?.length) a.other = new NurbsCurve(given.other);
+  else if (given.other?.weights) a.other = rationalOf(given.other);
   if (a.rationalcurve) a.rationalcurve = rationalOf(a.rationalcurve);
   if (a.nurbscurve) a.nurbscurve = new NurbsCurve(a.nurbscurve);
   if (a.path) a.path = pathOf(a.path);
@@ -124,7 +127,8 @@ const RATIONAL = {
     `
     toJSON; toString; degree; dimension; controlPoints; points; weights; eval t; evalAt ts; sample segments; derivativeAt t k;
     tangent t; normal t; curvature t; split t; halve; subsegment t0 t1; reverse; elevate; reparametrize; bounds; controlBounds;
-    extrema; inflections; length; timeAtLength s; pointAtLength s; area; nearest p; flatten tolerance
+    extrema; inflections; intersections other; selfIntersections; length; timeAtLength s; pointAtLength s; area; nearest p;
+    flatten tolerance
   `,
   ),
   "RationalCurve.constructor": (a) => new RationalCurve(a.points, a.weights, dimensionOf(a.points)),
@@ -135,6 +139,7 @@ const RATIONAL = {
   "RationalCurve.equals": (a) => a.rationalcurve.equals(a.rationalcurve.reverse(), a.tolerance),
   "RationalCurve.transform": (a) => a.rationalcurve.transform(matrix(a)),
   "RationalCurve.project": (a) => a.rationalcurve.transform(a.map),
+  "RationalCurve.intersectionsWithCurve": (a) => a.rationalcurve.intersections(a.curve),
   "RationalCurve.toSpline": (a) => a.rationalcurve.toSpline({ tolerance: a.tolerance }),
   "RationalCurve.trace": (a) => traced((target) => a.rationalcurve.trace(target, { tolerance: a.tolerance })),
   "RationalCurve.toSVG": (a) => a.rationalcurve.toSVG({ tolerance: a.tolerance }),
@@ -151,7 +156,7 @@ const NURBS = {
     toJSON; toString; degree; dimension; closed; domain; controlPoints; points; weights; knots; greville; segments; joints; eval t;
     evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; removeKnot t; refine ts;
     elevate; split t; subsegment t0 t1; reverse; bounds; controlBounds; extrema; length; timeAtLength s; pointAtLength s; area;
-    nearest p; flatten tolerance
+    nearest p; flatten tolerance; intersections other; selfIntersections
   `,
   ),
   "NurbsCurve.constructor": (a) => new NurbsCurve(a.nurbscurve.toJSON()),
