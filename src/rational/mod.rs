@@ -114,7 +114,7 @@ impl<P: Point> RationalCurve<P> {
     }
 
     /// The curve of valid points with weights, or of points of which some are not finite.
-    #[cfg(any(feature = "surfaces", feature = "wasm"))]
+    #[cfg(feature = "surfaces")]
     pub(crate) fn from_valid(parts: impl Iterator<Item = (P, f64)>) -> Self {
         let (points, weights) = parts.unzip();
         Self { points, weights }
