@@ -13,7 +13,7 @@ use crate::bernstein::wronskian::Wronskian;
 use crate::curve::elevate::elevate_once;
 use crate::curve::hodograph::{VANISHING_RATIO, common_zeros};
 use crate::curve::intersect::pair::{ClassifiedContact, NormalizedPair};
-use crate::curve::intersect::plane_curve::PlaneCurve;
+use crate::curve::intersect::plane_curve::{PlaneCurve, search_with};
 use crate::curve::intersect::self_intersections::{crossings, self_locations_of};
 use crate::curve::{Curve, Intersection, IntersectionKind, SelfIntersection};
 use crate::geometry::bounds::Bounds;
@@ -225,14 +225,14 @@ impl PlaneCurve for RationalCurve<DVec2> {
     }
 
     fn search(
-        pair: &NormalizedPair<Self>,
+        [a, b]: &[Self; 2],
+        slack: f64,
         cuts: [&[f64]; 2],
         pairs: impl Iterator<Item = (usize, usize)>,
     ) -> (Vec<Contact>, usize) {
-        let [a, b] = &pair.curves;
         let degree = a.degree().max(b.degree());
         let whole = [a.piece(degree), b.piece(degree)];
-        pair.search_with(whole, cuts, pairs, ClippingSolver::run)
+        search_with(whole, slack, cuts, pairs, ClippingSolver::run)
     }
 }
 

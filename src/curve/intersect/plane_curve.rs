@@ -1,7 +1,6 @@
 //! What intersections ask of a curve, which may be polynomial or rational.
 
 use super::constants::{MAX_PAIRS, MAX_PAIRS_PER_DEGREE};
-use super::pair::NormalizedPair;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::elevate::elevate_once;
@@ -41,9 +40,11 @@ pub(crate) trait PlaneCurve: Sized {
     /// The parameters inside (0, 1) where the derivative vanishes.
     fn derivative_zeros(&self) -> Scalars;
 
-    /// The contacts of the given pairs of segments, which lie between cuts, unsorted, and the number of steps of the search.
+    /// The contacts, points closer than `slack`, of the given pairs of segments of two curves, which lie between cuts, unsorted, and
+    /// the number of steps of the search.
     fn search(
-        pair: &NormalizedPair<Self>,
+        curves: &[Self; 2],
+        slack: f64,
         cuts: [&[f64]; 2],
         pairs: impl Iterator<Item = (usize, usize)>,
     ) -> (Vec<Contact>, usize);
@@ -85,40 +86,38 @@ impl PlaneCurve for Curve<DVec2> {
     }
 
     fn search(
-        pair: &NormalizedPair<Self>,
+        [a, b]: &[Self; 2],
+        slack: f64,
         cuts: [&[f64]; 2],
         pairs: impl Iterator<Item = (usize, usize)>,
     ) -> (Vec<Contact>, usize) {
-        let [a, b] = &pair.curves;
         if a.degree().max(b.degree()) <= 3 {
             // Lower degrees are elevated to 3, for which the search is compiled with arrays.
             let whole = [cubic(&a.points), cubic(&b.points)];
-            return pair.search_with(whole, cuts, pairs, intersect_cubics);
+            return search_with(whole, slack, cuts, pairs, intersect_cubics);
         }
         let degree = a.degree().max(b.degree());
         let whole = [piece(&a.points, degree), piece(&b.points, degree)];
-        pair.search_with(whole, cuts, pairs, ClippingSolver::run)
+        search_with(whole, slack, cuts, pairs, ClippingSolver::run)
     }
 }
 
-impl<S: PlaneCurve> NormalizedPair<S> {
-    /// [`PlaneCurve::search`] with a function that searches one pair of segments.
-    pub(crate) fn search_with<C: Coefficients, W: Weights<C>>(
-        &self,
-        whole: [Piece<C, W>; 2],
-        cuts: [&[f64]; 2],
-        pairs: impl Iterator<Item = (usize, usize)>,
-        run: impl Fn(&mut ClippingSolver<C, W>, [f64; 2], [f64; 2]),
-    ) -> (Vec<Contact>, usize) {
-        let degree = whole[0].x.get().len() - 1;
-        let limit = MAX_PAIRS + MAX_PAIRS_PER_DEGREE * degree.saturating_sub(3);
-        let mut solver = ClippingSolver::new(whole, self.slack, limit);
-        for (i, j) in pairs {
-            let [ts, us] = [&cuts[0][i..i + 2], &cuts[1][j..j + 2]];
-            run(&mut solver, [ts[0], ts[1]], [us[0], us[1]]);
-        }
-        (solver.found, solver.work.used())
+/// [`PlaneCurve::search`] with a function that searches one pair of segments.
+pub(crate) fn search_with<C: Coefficients, W: Weights<C>>(
+    whole: [Piece<C, W>; 2],
+    slack: f64,
+    cuts: [&[f64]; 2],
+    pairs: impl Iterator<Item = (usize, usize)>,
+    run: impl Fn(&mut ClippingSolver<C, W>, [f64; 2], [f64; 2]),
+) -> (Vec<Contact>, usize) {
+    let degree = whole[0].x.get().len() - 1;
+    let limit = MAX_PAIRS + MAX_PAIRS_PER_DEGREE * degree.saturating_sub(3);
+    let mut solver = ClippingSolver::new(whole, slack, limit);
+    for (i, j) in pairs {
+        let [ts, us] = [&cuts[0][i..i + 2], &cuts[1][j..j + 2]];
+        run(&mut solver, [ts[0], ts[1]], [us[0], us[1]]);
     }
+    (solver.found, solver.work.used())
 }
 
 fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {

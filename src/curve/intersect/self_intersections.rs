@@ -113,7 +113,7 @@ pub(crate) fn crossings(pair: &NormalizedPair<impl PlaneCurve>) -> Vec<Classifie
     // A segment that is monotone along its chord does not intersect itself, so i < j is enough.
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let pairs = pairs.filter(touch);
-    let (found, _) = PlaneCurve::search(pair, [&cuts; 2], pairs);
+    let (found, _) = PlaneCurve::search(&pair.curves, pair.slack, [&cuts; 2], pairs);
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()

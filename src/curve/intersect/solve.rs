@@ -21,7 +21,12 @@ impl<S: PlaneCurve> NormalizedPair<S> {
     /// All contacts of the curves, and the number of steps of the search.
     fn contacts(&self) -> (Vec<Contact>, usize) {
         if self.derivative_zeros.iter().all(|zeros| zeros.is_empty()) {
-            S::search(self, [&[0.0, 1.0]; 2], [(0, 0)].into_iter())
+            S::search(
+                &self.curves,
+                self.slack,
+                [&[0.0, 1.0]; 2],
+                [(0, 0)].into_iter(),
+            )
         } else {
             // The curves are cut at the zeros of B′, so that cusps and reversals are ends of segments.
             let [cuts_a, cuts_b] = self
@@ -30,7 +35,7 @@ impl<S: PlaneCurve> NormalizedPair<S> {
                 .map(|zeros| with_ends(zeros));
             let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
             let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-            S::search(self, [&cuts_a, &cuts_b], pairs)
+            S::search(&self.curves, self.slack, [&cuts_a, &cuts_b], pairs)
         }
     }
 

@@ -9,9 +9,8 @@
 
 use super::constants::CONTACT;
 use super::crossing::cross_product;
-use super::piece::{Coefficients, Piece};
+use super::piece::{Coefficients, Piece, Weights};
 use super::solver::{ClippingSolver, Contact};
-use super::weights::Weights;
 use crate::numeric::order::range;
 
 impl<C: Coefficients, W: Weights<C>> ClippingSolver<C, W> {

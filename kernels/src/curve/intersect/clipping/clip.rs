@@ -1,8 +1,7 @@
 //! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
 
 use super::constants::WORTH_CLIPPING;
-use super::piece::{Coefficients, Piece};
-use super::weights::Weights;
+use super::piece::{Coefficients, Piece, Weights};
 use crate::numeric::order::range;
 
 /// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the

@@ -3,9 +3,8 @@
 use super::constants::{
     MAX_LAST_STEP, MAX_OVERSHOOT, MIN_CROSSING_SINE, NEWTON_STEPS, QUADRATIC_STEP,
 };
-use super::piece::{Coefficients, Piece};
+use super::piece::{Coefficients, Piece, Weights};
 use super::solver::{ClippingSolver, Contact};
-use super::weights::Weights;
 
 pub(super) enum Crossing {
     /// The segments intersect once, at this contact.

@@ -13,13 +13,11 @@ mod constants;
 mod crossing;
 mod piece;
 mod solver;
-mod weights;
 
 pub use constants::CONTACT;
 pub use crossing::crossing_step;
-pub use piece::{Coefficients, Piece};
+pub use piece::{Coefficients, Piece, Unweighted, Weights, balancing_speed};
 pub use solver::{ClippingSolver, Contact};
-pub use weights::{Unweighted, Weights, balancing_speed};
 
 use clip::clip;
 use constants::WORTH_GOING_ON;

@@ -1,7 +1,6 @@
 //! The state of a search for contacts.
 
-use super::piece::{Coefficients, Piece};
-use super::weights::{Unweighted, Weights};
+use super::piece::{Coefficients, Piece, Unweighted, Weights};
 use crate::numeric::work_limit::WorkLimit;
 
 /// A range where two curves are as close as rounding can distinguish: the parameters t₀ ≤ t₁ on the first curve and the
