@@ -6,7 +6,9 @@ const PAGES = {
   Easing: "struct.Easing.html",
   InkStroke: "path/struct.InkStroke.html",
   Grid: "mesh/struct.Grid.html",
+  NurbsCurve: "struct.NurbsCurve.html",
   PathBuilder: "path/struct.PathBuilder.html",
+  RationalCurve: "struct.RationalCurve.html",
   TessellationOptions: "mesh/struct.TessellationOptions.html",
 };
 
