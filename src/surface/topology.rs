@@ -88,9 +88,13 @@ impl Surface {
     /// another degree, or a part of a longer edge, is a different line. Patches that have only isolated points in
     /// common are not connected.
     pub fn topology(&self) -> Topology {
-        let uses = self.side_uses();
+        self.topology_of(&self.side_uses_by(|_, _, _| true))
+    }
+
+    /// How the patches are joined if their edges have these relations.
+    pub(crate) fn topology_of(&self, uses: &[SideUse]) -> Topology {
         let mut topology = Topology {
-            components: self.components(&uses),
+            components: self.components(uses),
             ..Topology::default()
         };
         let mut groups: Vec<Vec<EdgeUse>> = vec![Vec::new(); uses.len()];
@@ -117,8 +121,12 @@ impl Surface {
         topology
     }
 
-    /// The relation of each edge to all edges; see [`SideUse`].
-    pub(crate) fn side_uses(&self) -> Vec<SideUse> {
+    /// The relation of each edge to all edges; see [`SideUse`]. Two edges with the same vertices are the same line if
+    /// `is_same` holds for their numbers, and whether their directions differ.
+    pub(crate) fn side_uses_by(
+        &self,
+        is_same: impl Fn(usize, usize, bool) -> bool,
+    ) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
         let mut first = HashIndex::new(count);
         (0..count)
@@ -128,14 +136,17 @@ impl Surface {
                 let collapsed = side().all(|vertex| Some(vertex) == start);
                 let hash = line_hash(side(), side().count());
                 let number_u32 = to_u32(number);
+                let runs_along =
+                    |other: usize| side().eq(self.side(other)) && is_same(number, other, false);
                 let found = first.find(number_u32, hash, |other| {
-                    let other = self.side(other as usize);
-                    side().eq(other.clone()) || side().rev().eq(other)
+                    let other = other as usize;
+                    runs_along(other)
+                        || side().rev().eq(self.side(other)) && is_same(number, other, true)
                 });
                 let found = found as usize;
                 SideUse {
                     first: found,
-                    reversed: !side().eq(self.side(found)),
+                    reversed: !runs_along(found),
                     collapsed,
                 }
             })
