@@ -78,7 +78,7 @@ pub(crate) struct SideUse {
 
 impl PatchEdge {
     /// All edges in the order of their numbers.
-    const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
+    pub(crate) const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
 }
 
 impl Surface {
@@ -159,18 +159,23 @@ impl Surface {
         &self,
         number: usize,
     ) -> impl DoubleEndedIterator<Item = u32> + ExactSizeIterator + Clone {
-        let (patch, side) = (number / SIDES, number % SIDES);
-        let indices = self.patch_indices(patch).unwrap_or_default();
-        let columns = self.degrees(patch).map_or(1, |[degree_u, _]| degree_u + 1);
-        let last = indices.len().saturating_sub(columns);
-        let (from, to, step) = match side {
-            0 => (0, indices.len(), columns),
-            1 => (columns - 1, indices.len(), columns),
-            2 => (0, columns, 1),
-            _ => (last, indices.len(), 1),
-        };
-        let line = indices.get(from..to).unwrap_or_default();
+        let (from, to, step) = self.side_positions(number);
+        let line = self.indices().get(from..to).unwrap_or_default();
         line.iter().step_by(step).map(|&vertex| self.joined(vertex))
+    }
+
+    /// Where the indices of an edge are in those of all patches: from, to, and the step between them.
+    pub(crate) fn side_positions(&self, number: usize) -> (usize, usize, usize) {
+        let (patch, side) = (number / SIDES, number % SIDES);
+        let net = self.net_range(patch);
+        let columns = self.degrees(patch).map_or(1, |[degree_u, _]| degree_u + 1);
+        let last = net.end.saturating_sub(columns);
+        match side {
+            0 => (net.start, net.end, columns),
+            1 => (net.start + columns - 1, net.end, columns),
+            2 => (net.start, net.start + columns, 1),
+            _ => (last, net.end, 1),
+        }
     }
 
     /// The connected components: lists of patches that shared edges connect.
