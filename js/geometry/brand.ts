@@ -33,9 +33,33 @@ export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Floa
 export type NurbsData = RationalData & { degree: number; knots: Float64Array; closed: boolean };
 
 /**
+ * The data of a rational patch: its net, the weights and its degrees.
+ *
  * @internal
  */
-export type BrandedType = "curve" | "rationalcurve" | "nurbscurve" | "spline" | "path" | "patch" | "surface" | "mesh";
+export type RationalPatchData = PatchData & { weights: Float64Array };
+
+/**
+ * The data of a NURBS surface: as of a patch, and its knots.
+ *
+ * @internal
+ */
+export type NurbsSurfaceData = RationalPatchData & { knotsU: Float64Array; knotsV: Float64Array };
+
+/**
+ * @internal
+ */
+export type BrandedType =
+  | "curve"
+  | "rationalcurve"
+  | "nurbscurve"
+  | "spline"
+  | "path"
+  | "patch"
+  | "rationalpatch"
+  | "nurbssurface"
+  | "surface"
+  | "mesh";
 
 /**
  * @internal
@@ -119,6 +143,22 @@ export function pathData(value: unknown, name: string): Float64Array {
  */
 export function patchData(value: unknown, name: string): PatchData {
   return dataOf(value, name, typeOf(value) === "patch", "a Patch");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a rational patch
+ */
+export function rationalPatchData(value: unknown, name: string): RationalPatchData {
+  return dataOf(value, name, typeOf(value) === "rationalpatch", "a RationalPatch");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a NURBS surface
+ */
+export function nurbsSurfaceData(value: unknown, name: string): NurbsSurfaceData {
+  return dataOf(value, name, typeOf(value) === "nurbssurface", "a NurbsSurface");
 }
 
 /**

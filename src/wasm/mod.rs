@@ -28,6 +28,7 @@ mod intersect;
 mod mesh;
 mod nearest;
 mod nurbs;
+mod nurbs_surface;
 mod offset;
 mod patch;
 mod path;
