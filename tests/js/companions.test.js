@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, easing, Spline } from "#js/index.js";
+import { RationalCurve } from "#js/nurbs.js";
 import { quoted, readNumber, readPoints, shown, shownFraction } from "#js/ui/numbers.js";
 import { ownMatrix, ownSubject } from "#js/elements/companions/own.js";
 import { ownPoints, pointsText } from "#js/elements/companions/points.js";
@@ -107,6 +108,34 @@ test("weights times points is the point of the curve, whatever the basis", () =>
   const same = inPoints(hermite, /** @type {number[]} */ (matrixOf("hermite", 3, null)));
   assert.deepEqual(same.names, ["P0", "P1", "P2", "P3"]);
   near(blended(same), blended(hermite));
+});
+
+test("points with weights: rational basis functions, for the piece that is looked at; none before its class is loaded", () => {
+  const weights = [1, 0.4, 2, 1, 0.5, 0.25, 3];
+  const points = [...POINTS, ...pointsOf("400,300 480,90 560,200")];
+  const groups = [
+    [0, 1, 2, 3],
+    [3, 4, 5, 6],
+  ];
+  const rational = groups.map((indices) => ({ indices }));
+  for (const segment of [0, 1]) {
+    const own = figure("bezier", null, { points, names: [], weights, pieces: [], rational, segment });
+    const subject = /** @type {Subject} */ (subjectOf(own));
+    assert.deepEqual(
+      subject.weights,
+      groups[segment].map((i) => weights[i]),
+    );
+    const curve = new RationalCurve(
+      groups[segment].map((i) => points[i]),
+      subject.weights,
+    );
+    near(blended(subject), curve.eval(0.3));
+    near(
+      weightsAt(subject, 0.7).reduce((a, b) => a + b),
+      1,
+    );
+    assert.equal(subjectOf({ ...own, rational: [] }), null);
+  }
 });
 
 test("the piece that is looked at counts; no piece is no subject; names may be missing", () => {

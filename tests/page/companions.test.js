@@ -208,6 +208,99 @@ test("the matrix refuses what is no number, at the field", async (t) => {
   ]);
 });
 
+/** What is linked to a conic section. */
+const RATIONAL = `<bezier-applet id="figure" t="0.25" points="100,400 100,100 400,100" degree="2" weights="1 0.75 2"></bezier-applet>
+<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation>
+<bezier-equation form="matrix" editable for="figure"></bezier-equation><bezier-equation form="casteljau" for="figure"></bezier-equation>
+<bezier-coordinates for="figure"></bezier-coordinates>`;
+
+/** Opens these and waits until the curve is there. */
+async function openRational(t, options = {}) {
+  const page = await openCompanions(t, RATIONAL, options);
+  await page.locator("bezier-equation math").first().waitFor();
+  return page;
+}
+
+/** The numbers of the elements that match, in an equation. */
+const numbersIn = (page, form, selector) =>
+  on(
+    page,
+    form === "sum" ? "bezier-equation:not([form])" : `bezier-equation[form="${form}"]`,
+    ({ shadowRoot }, selector) =>
+      [...shadowRoot.querySelectorAll(selector)].map((each) =>
+        [...each.querySelectorAll("mn")].map((mn) => Number(mn.textContent.replace("−", "-"))),
+      ),
+    selector,
+  );
+
+test("equations of a rational curve: numerator, denominator and their quotient, in every form", async (t) => {
+  const page = await openRational(t);
+  const { x, y } = await on(page, "bezier-applet", ({ figure }) => figure.rational[0].curve.eval(0.25));
+  // w(t) = 1·0.5625 + 0.75·0.375 + 2·0.0625
+  const [w, ax, ay] = [0.96875, 0.96875 * x, 0.96875 * y];
+  const [[sumW, sumX, sumY]] = await numbersIn(page, "sum", "mtr.total");
+  assertNear([sumW, sumX, sumY], [w, ax, ay], 1e-4);
+  const [quotient] = await numbersIn(page, "sum", "math:last-child");
+  assertNear(quotient, [0.25, ax, ay, w, x, y], 1e-3);
+  const [powers, product, last] = await numbersIn(page, "matrix", "math[display]");
+  assertNear(powers.slice(-3), [0.5625, 0.375, 0.0625], 1e-3);
+  assertNear(product.slice(-3), [ax, ay, w], 1e-3);
+  assertNear(last, quotient, 1e-3);
+  assert.equal(
+    await page.locator("bezier-equation .cells").count(),
+    0,
+    "numbers of a matrix that has weights cannot be changed",
+  );
+  const [cells] = await numbersIn(page, "casteljau", "mtr:first-child mtd:last-child");
+  assertNear(cells.slice(2), [x, y, 0, 2, w], 1e-3);
+  assert.deepEqual(await weights(page), { P0: 0.5806, P1: 0.2903, P2: 0.129 });
+  assert.match(await text(page, "bezier-bernstein .sum"), /^Sum of the functions: 1$/);
+});
+
+test("with weights, the table of coordinates has a column for them; one that is too small is refused", async (t) => {
+  const page = await openRational(t);
+  const weight = field(page, "P1 w");
+  const own = () => on(page, "bezier-applet", ({ weights }) => weights);
+  assert.equal(await weight.inputValue(), "0.75");
+  await weight.fill("2.5");
+  await page.keyboard.press("Enter");
+  assert.deepEqual(await own(), [1, 2.5, 2]);
+  assert.ok((await heard(page)).includes("change bezier-coordinates"));
+  await on(page, "bezier-applet", (applet) => applet.undo());
+  assert.deepEqual(await own(), [1, 0.75, 2]);
+  await weight.fill("-1");
+  await page.keyboard.press("Enter");
+  assert.match(
+    await text(page, "bezier-coordinates .error"),
+    /^weights\[1\]: expected a number from 0\.001 to 1000, got -1/,
+  );
+  assert.deepEqual(await own(), [1, 0.75, 2]);
+  await field(page, "P1 x").fill("150");
+  await page.keyboard.press("Enter");
+  assert.deepEqual(
+    [await own(), (await figure(page)).points[1]],
+    [
+      [1, 0.75, 2],
+      [150, 100],
+    ],
+  );
+  await on(page, "bezier-applet", (applet) => applet.removeAttribute("weights"));
+  await settled(page);
+  assert.equal(await weight.count(), 0);
+});
+
+test("companions of a rational curve fit 360 pixels and are accessible, light and dark", async (t) => {
+  const page = await openRational(t, { viewport: { width: 360, height: 2000 } });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  await assertAccessibleInBothThemes(page, settled);
+});
+
+test("the product of the powers and the matrix is shown with all its decimals", async (t) => {
+  const page = await openCompanions(t, '<bezier-equation form="matrix" t="0.5"></bezier-equation>');
+  const [row] = await numbersIn(page, "matrix", "math[display]");
+  assert.deepEqual(row, [0.125, 0.25, 0.5, 1, 0.125, 0.375, 0.375, 0.125]);
+});
+
 test("coordinates are typed: the applet moves with every digit, and Enter makes one undo step; Escape takes them back", async (t) => {
   const page = await openCompanions(t, ALL);
   const [input, other] = [field(page, "P1 x"), field(page, "P1 y")];

@@ -15,6 +15,7 @@ import type { Basis } from "./weights.js";
 const DEFAULTS = { degree: 3, t: 0.5, basis: "bezier" as Basis };
 const TITLES: Record<string, string> = translatedTable({
   bezier: "Bernstein polynomials",
+  rational: "Rational basis functions",
   hermite: "Hermite weights",
   "b-spline": "B-spline weights",
   "catmull-rom": "Catmull-Rom weights",
@@ -68,7 +69,7 @@ export class BernsteinView {
     this.#host = host;
   }
 
-  #subject(): Subject | (Pick<Subject, "basis" | "degree" | "matrix" | "t"> & { names: string[] }) {
+  #subject(): Subject | (Pick<Subject, "basis" | "degree" | "matrix" | "t" | "weights"> & { names: string[] }) {
     const host = this.#host;
     const linked = subjectOf(host.target?.figure);
     if (linked) return linked;
@@ -85,19 +86,21 @@ export class BernsteinView {
 
   content() {
     const subject = this.#subject();
-    const { basis, degree, matrix, t, names } = subject;
-    const key = JSON.stringify([basis, degree, matrix, intervalOf(t)]);
+    const { basis, degree, matrix, weights, t, names } = subject;
+    const key = JSON.stringify([basis, degree, matrix, weights, intervalOf(t)]);
     if (key !== this.#plot.key) this.#plot = { key, ...plotOf(subject) };
     const { frame, lines } = this.#plot;
     const values = weightsAt(subject, t);
     const marked = [this.#selected, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
     const hasDegree = basis === "bezier" || basis === "b-spline";
-    const title = hasDegree ? translated("{0} of degree {1}", TITLES[basis], degree) : TITLES[basis];
+    const title = hasDegree
+      ? translated("{0} of degree {1}", TITLES[weights ? "rational" : basis], degree)
+      : TITLES[basis];
     return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
       ${this.#picture({ frame, lines, values, marked, t, names, title })}
       ${slider(t, frame.x, (to, done) => this.#host.setT(to, done))}
       <ul part="values" aria-label=${translated("Values at t")}>${values.map((value, i) => this.#entry(names[i], value, i, marked))}</ul>
-      <p class="sum quiet" part="sum">${sumWords(basis, values)}</p>
+      <p class="sum quiet" part="sum">${sumWords(weights ? "rational" : basis, values)}</p>
     </div>`;
   }
 
@@ -216,7 +219,9 @@ function spoken(values: number[], names: string[], t: number) {
 /** What the weights of points sum to; vectors do not count. */
 function sumWords(basis: string, values: number[]) {
   const sum = values.reduce((all, value, i) => (isVector(basis, i) ? all : all + value), 0);
+  const words = shown(sum, 9);
+  if (basis === "rational") return translated("Sum of the functions: {0}", words);
   return basis === "hermite"
-    ? translated("Sum of the weights of the two points: {0}", shown(sum, 9))
-    : translated("Sum of the weights: {0}", shown(sum, 9));
+    ? translated("Sum of the weights of the two points: {0}", words)
+    : translated("Sum of the weights: {0}", words);
 }

@@ -6,7 +6,11 @@ import { translated } from "../../editor/translations.js";
 import type { BezierCoordinates } from "./coordinates.js";
 import type { Point2 } from "./points.js";
 
-const AXES = ["x", "y"] as const;
+const COLUMNS = ["x", "y", "w"] as const;
+/** So many columns are coordinates. */
+const AXES = 2;
+/** Weights go down to 0.001. */
+const WEIGHT_DECIMALS = 6;
 
 /**
  * What `<bezier-coordinates>` shows.
@@ -30,8 +34,8 @@ export class CoordinatesView {
   ];
   #host;
   #fields = new Fields({
-    read: (key) => this.#host.places()[indexOf(key)]?.[axisOf(key)] ?? 0,
-    write: (key, value, done) => this.#move(indexOf(key), axisOf(key), value, done),
+    read: (key) => this.#row(indexOf(key))[columnOf(key)] ?? 0,
+    write: (key, value, done) => this.#set(indexOf(key), columnOf(key), value, done),
     changed: () => this.#host.requestUpdate(),
     paste: (key, text) => this.#paste(key, text),
   });
@@ -40,28 +44,48 @@ export class CoordinatesView {
     this.#host = host;
   }
 
+  /** Of the points; null without weights. */
+  #weights(): number[] | null {
+    return this.#host.target?.figure?.weights ?? null;
+  }
+
+  /** The coordinates of a point, and its weight where there are weights. */
+  #row(index: number): number[] {
+    const weights = this.#weights();
+    return [...(this.#host.places()[index] ?? []), ...(weights ? [weights[index]] : [])];
+  }
+
   content() {
     const places = this.#host.places();
     const names = this.#host.target?.figure?.names ?? [];
     const title = this.#host.label || translated("Control points");
+    const columns = this.#weights() ? COLUMNS : COLUMNS.slice(0, AXES);
     return html`<div class="frame" part="frame"><div class="scroll" role="group" tabindex="0" aria-label=${title}><table part="table">
       <caption>${title}</caption>
-      <thead><tr><th scope="col">${translated("Point")}</th>${AXES.map((axis) => html`<th scope="col"><i>${axis}</i></th>`)}</tr></thead>
-      <tbody>${places.map((_, i) => this.#row(names[i] || `P${i}`, i))}</tbody>
+      <thead><tr><th scope="col">${translated("Point")}</th>${columns.map((column) => html`<th scope="col"><i>${column}</i></th>`)}</tr></thead>
+      <tbody>${places.map((_, i) => this.#fieldsOf(names[i] || `P${i}`, i, columns))}</tbody>
     </table></div></div>`;
   }
 
-  #row(name: string, i: number) {
+  #fieldsOf(name: string, i: number, columns: readonly string[]) {
     const disabled = this.#host.target?.hasAttribute("readonly") ?? false;
-    return html`<tr><th scope="row">${name}</th>${AXES.map((axis, k) => html`<td>${this.#fields.field(`${i}-${k}`, `${name} ${axis}`, { disabled })}</td>`)}</tr>`;
+    const decimals = (k: number) => (k < AXES ? undefined : WEIGHT_DECIMALS);
+    return html`<tr><th scope="row">${name}</th>${columns.map((column, k) => html`<td>${this.#fields.field(`${i}-${k}`, `${name} ${column}`, { disabled, decimals: decimals(k) })}</td>`)}</tr>`;
   }
 
-  #move(index: number, axis: 0 | 1, value: number, done: boolean) {
-    const places = this.#host.places();
-    const place = [...places[index]] as Point2;
-    place[axis] = value;
-    this.#place([place], index, done);
+  #set(index: number, column: number, value: number, done: boolean) {
+    if (column < AXES) {
+      const place = [...this.#host.places()[index]] as Point2;
+      place[column] = value;
+      this.#place([place], index, done);
+    } else this.#weigh(index, value, done);
     this.#host.notify(done);
+  }
+
+  #weigh(index: number, weight: number, done: boolean) {
+    const { target } = this.#host;
+    const all = (target && "weights" in target ? target.weights : this.#weights()) as number[];
+    target?.steer({ weights: all.map((each, i) => (i === index ? weight : each)) }, done);
   }
 
   /** Points in a row, from the one at `first` on. */
@@ -93,4 +117,4 @@ export class CoordinatesView {
 }
 
 const indexOf = (key: string) => Number(key.split("-")[0]);
-const axisOf = (key: string) => Number(key.split("-")[1]) as 0 | 1;
+const columnOf = (key: string) => Number(key.split("-")[1]);

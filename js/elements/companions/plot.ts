@@ -18,7 +18,10 @@ export type Frame = { x: [number, number]; y: [number, number] };
 export type Line = { points: string; peak: { x: number; y: number; above: boolean }; labelled: boolean };
 
 /** The lines of a basis over [0, 1], and farther where t is. */
-export function plotOf(subject: Pick<Subject, "basis" | "degree" | "matrix" | "t">): { frame: Frame; lines: Line[] } {
+export function plotOf(subject: Pick<Subject, "basis" | "degree" | "matrix" | "t" | "weights">): {
+  frame: Frame;
+  lines: Line[];
+} {
   const [from, to] = intervalOf(subject.t);
   const ts = Array.from({ length: SAMPLES + 1 }, (_, k) => from + ((to - from) * k) / SAMPLES);
   const rows = ts.map((t) => weightsAt(subject, t));

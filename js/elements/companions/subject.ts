@@ -14,6 +14,10 @@ export interface Figure {
   /** The piece that is looked at */
   segment?: number;
   pieces: { curve: Curve; indices: number[] }[];
+  /** Instead of these, the pieces of points with weights */
+  rational?: { indices: number[] }[];
+  /** Of the points */
+  weights?: readonly number[] | null;
 }
 
 export interface Subject {
@@ -25,7 +29,9 @@ export interface Subject {
   points: Point2[];
   /** Theirs */
   names: string[];
-  /** In Bézier form */
+  /** Of the points of a rational curve */
+  weights?: number[] | null;
+  /** In Bézier form; null for a rational curve */
   curve: Curve | null;
   /** The points that the tangent vectors come from */
   control?: { points: Point2[]; names: string[] };
@@ -38,20 +44,24 @@ const THROUGH = ["natural", "centripetal"];
 
 /** The piece that a figure looks at; null while there is none. */
 export function subjectOf(figure: Figure | null | undefined): Subject | null {
-  const piece = figure?.pieces[figure.segment ?? 0] ?? figure?.pieces[0];
-  if (!figure || !piece) return null;
-  const { t, matrix } = figure;
+  if (!figure) return null;
+  const { t, matrix, segment = 0, weights } = figure;
+  const pieces: { indices: number[] }[] = (weights ? figure.rational : figure.pieces) ?? [];
+  const at = segment in pieces ? segment : 0;
+  if (!pieces[at]) return null;
+  const curve = weights ? null : figure.pieces[at].curve;
   const through = THROUGH.includes(figure.basis);
   const basis = through ? "bezier" : (figure.basis as Basis);
-  const of = { basis, t, matrix: matrix ? Array.from(matrix) : null, curve: piece.curve };
-  if (through) return { ...of, ...bezierForm(piece.curve), indices: [] };
-  const { indices } = piece;
+  const of = { basis, t, matrix: matrix ? Array.from(matrix) : null, curve };
+  if (curve && through) return { ...of, ...bezierForm(curve), indices: [] };
+  const { indices } = pieces[at];
   const points = indices.map((i) => figure.points[i]);
   const names = indices.map((i) => figure.names?.[i] || `P${i}`);
   return {
     ...of,
     degree: indices.length - 1,
     indices,
+    weights: weights && indices.map((i) => weights[i]),
     ...(basis === "hermite" ? withTangents(points, names) : { points, names }),
   };
 }

@@ -9,11 +9,25 @@ export const MATRIX_DEGREE = 3;
 
 export type Basis = (typeof BASES)[number] | "matrix";
 
-/** The weights of the degree + 1 points. */
+/**
+ * The weights of the degree + 1 points; those of a rational curve are its basis functions wᵢ Bᵢ(t) / Σ wⱼ Bⱼ(t).
+ *
+ * @param weights wᵢ, of a rational curve
+ */
 export function weightsAt(
-  { basis, degree, matrix }: { basis: Basis; degree: number; matrix: ArrayLike<number> | null },
+  {
+    basis,
+    degree,
+    matrix,
+    weights,
+  }: { basis: Basis; degree: number; matrix: ArrayLike<number> | null; weights?: readonly number[] | null },
   t: number,
 ): number[] {
+  if (weights) {
+    const products = Curve.bernstein(degree, t).map((value, i) => value * weights[i]);
+    const sum = products.reduce((total, each) => total + each, 0);
+    return Array.from(products, (each) => each / sum);
+  }
   if (basis === "bezier") return [...Curve.bernstein(degree, t)];
   if (basis === "b-spline" && degree !== MATRIX_DEGREE) return uniformWeights(degree, t);
   return throughMatrix(matrixOf(basis, degree, matrix) ?? [], t);
