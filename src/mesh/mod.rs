@@ -12,7 +12,7 @@ mod cut;
 mod edge_samples;
 mod flat_enough;
 mod forward;
-mod generic_grid_evaluator;
+pub(crate) mod generic_grid_evaluator;
 pub(crate) mod grid;
 mod grid_evaluator;
 pub(crate) mod grid_mesh;

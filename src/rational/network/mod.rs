@@ -3,6 +3,7 @@
 //! Weights belong to patches, so that a pole is one vertex with several weights, and a common factor of the weights of a patch
 //! is free.
 
+mod grid;
 mod mesh;
 
 use super::check_weights;
