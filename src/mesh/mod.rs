@@ -17,7 +17,7 @@ pub(crate) mod grid;
 mod grid_evaluator;
 pub(crate) mod grid_mesh;
 mod gridded;
-mod isocurves;
+pub(crate) mod isocurves;
 pub(crate) mod mesh_patch;
 pub(crate) mod options;
 mod projected;
@@ -28,7 +28,7 @@ mod sweep;
 mod tracer;
 pub(crate) mod weld;
 pub(crate) mod wire;
-mod wireframe;
+pub(crate) mod wireframe;
 
 pub use buffers::{Indices, Mesh, PatchRange};
 pub use flat_enough::FlatPiece;

@@ -115,9 +115,7 @@ impl RationalGrid {
             values.blend_rows(iv, &du, columns - 1, along_u);
             slopes.blend_rows(iv, &dv, columns, along_v);
             let [values, slopes] = &self.u;
-            for (iu, (position, normal)) in
-                (0..=self.grid.segments_u).zip(vertices.by_ref())
-            {
+            for (iu, (position, normal)) in (0..=self.grid.segments_u).zip(vertices.by_ref()) {
                 let (values, slopes) = (values.at(iu), slopes.at(iu));
                 let homogeneous = blend(values, points);
                 let point = homogeneous.point();

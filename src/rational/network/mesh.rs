@@ -111,6 +111,7 @@ impl PatchNetwork for RationalSurface {
 impl MeshPatch for RationalPatch {
     type Bends = PieceBends;
     type Sampler = RationalSampler;
+    type Isocurve = RationalCurve<DVec3>;
 
     fn net(&self) -> &Patch {
         self.net()
@@ -144,6 +145,18 @@ impl MeshPatch for RationalPatch {
 
     fn sampler(&self) -> RationalSampler {
         RationalSampler::new(self.clone())
+    }
+
+    fn isocurve(&self, constant_u: bool, at: f64) -> RationalCurve<DVec3> {
+        if constant_u {
+            self.curve_at_u(at)
+        } else {
+            self.curve_at_v(at)
+        }
+    }
+
+    fn normal(&self, u: f64, v: f64) -> DVec3 {
+        self.normal(u, v)
     }
 }
 
@@ -242,10 +255,13 @@ impl RationalSampler {
 
     /// The point at (u, v) in scaled coordinates, and ∂u and ∂v.
     fn sample(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
-        let [point, along_u, along_v] = self.samples.sample(u, v).map(|[x, y, z, weight]| Homogeneous {
-            vector: DVec3::new(x, y, z),
-            weight,
-        });
+        let [point, along_u, along_v] =
+            self.samples
+                .sample(u, v)
+                .map(|[x, y, z, weight]| Homogeneous {
+                    vector: DVec3::new(x, y, z),
+                    weight,
+                });
         let local = point.vector / point.weight;
         let along = directions(local, point.weight, [along_u, along_v], [u, v]);
         (local, along)
@@ -263,7 +279,10 @@ pub(super) fn directions(
     at: [f64; 2],
 ) -> [DVec3; 2] {
     [0, 1].map(|k| {
-        let Homogeneous { vector, weight: change } = sums[k];
+        let Homogeneous {
+            vector,
+            weight: change,
+        } = sums[k];
         (vector - local * change) / (2.0 * weight + (1.0 - 2.0 * at[k]) * change)
     })
 }
@@ -319,7 +338,11 @@ impl Normals {
     /// The normal net with the point at (u, v) as origin.
     fn limits(&mut self, u: f64, v: f64) -> &NormalNet {
         let point = self.patch.eval(u, v);
-        if self.limits.as_ref().is_none_or(|(origin, _)| *origin != point) {
+        if self
+            .limits
+            .as_ref()
+            .is_none_or(|(origin, _)| *origin != point)
+        {
             self.limits = None;
         }
         let patch = &self.patch;

@@ -4,6 +4,7 @@
 //! is free.
 
 mod grid;
+mod lines;
 mod mesh;
 
 use super::check_weights;
