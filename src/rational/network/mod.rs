@@ -3,7 +3,11 @@
 //! Weights belong to patches, so that a pole is one vertex with several weights, and a common factor of the weights of a patch
 //! is free.
 
+mod grid;
+mod lines;
+mod measure;
 mod mesh;
+mod nearest;
 
 use super::check_weights;
 use super::patch::RationalPatch;
