@@ -1,5 +1,6 @@
 //! Isocurves of a surface: curves of constant u and of constant v.
 
+use super::mesh_patch::PatchNetwork;
 use super::projected::Projection;
 use crate::curve::Curve;
 use crate::curve::eval::MAX_OUTPUT_F64;
@@ -74,7 +75,7 @@ impl Surface {
         draw: &mut dyn FnMut(Isocurve<'_>),
     ) -> Result<(), Error> {
         self.check_lines(lines)?;
-        let uses = self.side_uses();
+        let uses = PatchNetwork::side_uses(self);
         for (patch_number, patch) in self.patches().enumerate() {
             // An edge that is a point, or that an earlier patch has drawn, is omitted.
             let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {

@@ -18,6 +18,7 @@ mod grid_evaluator;
 pub(crate) mod grid_mesh;
 mod gridded;
 mod isocurves;
+pub(crate) mod mesh_patch;
 pub(crate) mod options;
 mod projected;
 mod sampler;

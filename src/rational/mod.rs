@@ -12,6 +12,8 @@ mod flatten;
 mod intersect;
 mod length;
 mod nearest;
+#[cfg(feature = "surfaces")]
+mod network;
 mod numerators;
 mod nurbs;
 #[cfg(feature = "surfaces")]
@@ -25,6 +27,8 @@ mod transform;
 mod weighted;
 
 pub use ellipse::EllipticalArc;
+#[cfg(feature = "surfaces")]
+pub use network::RationalSurface;
 pub use nurbs::NurbsCurve;
 #[cfg(feature = "surfaces")]
 pub use patch::RationalPatch;

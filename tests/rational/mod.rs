@@ -3,6 +3,7 @@
 mod forms;
 mod golden;
 mod intersect;
+mod mesh;
 mod nurbs;
 mod surface;
 

@@ -69,6 +69,16 @@ impl RationalPatch {
         })
     }
 
+    /// Makes a patch from a valid net and as many valid weights.
+    pub(super) fn from_valid(net: Patch, weights: Vec<f64>) -> Self {
+        Self { net, weights }
+    }
+
+    /// The control points, without weights.
+    pub(super) fn net(&self) -> &Patch {
+        &self.net
+    }
+
     /// Makes a patch from valid parts.
     pub(super) fn from_weighted(parts: &[WeightedPoint<DVec3>], columns: usize) -> Self {
         let points = parts.iter().map(|part| part.point).collect();
@@ -212,7 +222,7 @@ impl RationalPatch {
     }
 
     /// The homogeneous control points relative to an origin, with a largest weight of 1 to 2.
-    fn homogeneous(&self, origin: DVec3) -> Vec<Homogeneous<DVec3>> {
+    pub(super) fn homogeneous(&self, origin: DVec3) -> Vec<Homogeneous<DVec3>> {
         let scale = weight_scale(&self.weights);
         let parts = self.net.points.iter().zip(&self.weights);
         parts

@@ -1,0 +1,333 @@
+//! Meshes of surfaces of rational patches.
+//!
+//! A piece S = A/w and a flat triangle with its corners on the piece are within (M₁ + 2M₂ + M₃)/(8 min w) of each other, where
+//! M₁ = m(m − 1)(max |Δuu A| + ρ max |Δuu w|), and M₂ and M₃ likewise. The origin of A is a point near the piece, and ρ the largest distance
+//! of its control points from that point: linear interpolation of (A, w) projects onto the flat triangle. Source: Zheng and
+//! Sederberg, "Estimating tessellation parameter intervals for rational curves and surfaces", ACM TOG 19 (2000).
+
+use super::RationalSurface;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::mesh::Mesh;
+use crate::mesh::adaptive::{tessellate, tessellate_f64};
+use crate::mesh::buffers::to_f32;
+use crate::mesh::mesh_patch::{Bends, Frame, MeshPatch, PatchNetwork, PatchSampler};
+use crate::mesh::options::{Detail, TessellationOptions};
+use crate::patch::Patch;
+use crate::patch::normal::NormalNet;
+use crate::patch::tensor_product::REGULAR_RATIO;
+use crate::rational::RationalCurve;
+use crate::rational::patch::RationalPatch;
+use crate::surface::network::Surface;
+use crate::surface::scaling::Scaling;
+use crate::surface::topology::SideUse;
+use casteljau_kernels::mesh::row_sampler::RowSampler;
+use casteljau_kernels::mesh::second_differences::{BEND_SLACK, RationalBends, SecondDifferences};
+use casteljau_kernels::numeric::order::{larger, smaller};
+use glam::{DVec3, DVec4};
+
+/// The largest quotient of two weights of a patch for which tolerances hold.
+const MAX_QUOTIENT: f64 = 1_048_576.0;
+
+/// Rounding errors of sums of homogeneous vectors, as a fraction of the patch's size, with a margin.
+const NOISE: f64 = 4096.0 * f64::EPSILON;
+
+impl RationalSurface {
+    /// A mesh without cracks and T-junctions; see [`Surface::tessellate`], whose promises hold.
+    ///
+    /// # Errors
+    /// As there; [`Error::Range`] by tolerance or pixels for a patch whose largest weight is more than 2²⁰ times its smallest
+    /// one.
+    ///
+    /// Source of the bound: Zheng and Sederberg, ACM TOG 19 (2000).
+    pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
+        self.check_quotients(&options.detail)?;
+        tessellate(self, options)
+    }
+
+    /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
+    ///
+    /// # Errors
+    /// As `tessellate`, with ulps of f64.
+    pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
+        self.check_quotients(&options.detail)?;
+        tessellate_f64(self, options)
+    }
+
+    /// Returns an error for a patch whose weights differ too much for a tolerance.
+    fn check_quotients(&self, detail: &Detail) -> Result<(), Error> {
+        if matches!(detail, Detail::Segments(_)) {
+            return Ok(());
+        }
+        for patch in 0..self.patch_count() {
+            let weights = self.patch_weights(patch).unwrap_or_default();
+            let [min, max] = weights
+                .iter()
+                .fold([f64::INFINITY, 0.0], |[min, max]: [f64; 2], &w| {
+                    [min.min(w), max.max(w)]
+                });
+            if max / min > MAX_QUOTIENT {
+                return Err(Error::Range {
+                    what: "largest weight of a patch divided by its smallest one",
+                    expected: "at most 2^20 for a tolerance",
+                    got: max / min,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PatchNetwork for RationalSurface {
+    type Patch = RationalPatch;
+    type Edge = RationalCurve<DVec3>;
+
+    fn network(&self) -> &Surface {
+        &self.network
+    }
+
+    fn patch(&self, patch: usize) -> Option<RationalPatch> {
+        self.patch(patch)
+    }
+
+    fn side_uses(&self) -> Vec<SideUse> {
+        self.line_uses()
+    }
+
+    fn edge(&self, number: usize) -> RationalCurve<DVec3> {
+        let vertices = self.network.side(number);
+        let points = vertices.map(|v| self.vertices()[v as usize]);
+        RationalCurve::from_valid(points.zip(self.side_weights(number)))
+    }
+
+    fn edge_point(edge: &RationalCurve<DVec3>, t: f64) -> DVec3 {
+        edge.eval(t)
+    }
+}
+
+impl MeshPatch for RationalPatch {
+    type Bends = PieceBends;
+    type Sampler = RationalSampler;
+
+    fn net(&self) -> &Patch {
+        self.net()
+    }
+
+    fn start(&self, _has_position: bool, stack: &mut SecondDifferences) -> Frame {
+        let frame = Scaling::around(self.control_bounds());
+        let (m, n) = (self.degree_u(), self.degree_v());
+        let (a, b) = (m as f64, n as f64);
+        let net = self.scaled(&frame);
+        let (du, dv) = (differences_u(&net, m + 1), differences_v(&net, m + 1));
+        let nets = [
+            (&differences_u(&du, m), a * (a - 1.0)),
+            (&differences_v(&du, m), a * b),
+            (&differences_v(&dv, m + 1), b * (b - 1.0)),
+            (&net, 1.0),
+        ];
+        let vectors = nets.into_iter().flat_map(|(net, factor)| {
+            net.iter()
+                .map(move |&p| (p * factor).to_array().map(to_f32))
+        });
+        let sizes = [(m - 1, n + 1), (m, n), (m + 1, n - 1), (m + 1, n + 1)];
+        stack.start(sizes, vectors);
+        Frame {
+            origin: frame.centre,
+            size: frame.size,
+        }
+    }
+
+    fn sampler(&self) -> RationalSampler {
+        RationalSampler::new(self)
+    }
+}
+
+impl RationalPatch {
+    /// The homogeneous control points (A, w) in scaled coordinates, with a largest weight of 1 to 2.
+    fn scaled(&self, frame: &Scaling) -> Vec<DVec4> {
+        let parts = self.homogeneous(frame.centre).into_iter();
+        parts
+            .map(|part| (part.vector / frame.size).extend(part.weight))
+            .collect()
+    }
+}
+
+/// What bounds the second derivatives of a piece, and the bounds themselves.
+#[derive(Clone, Copy)]
+pub(crate) struct PieceBends {
+    bends: RationalBends,
+    lengths: [f64; 3],
+}
+
+impl Bends for PieceBends {
+    fn of_piece(stack: &SecondDifferences, before: usize, frame: &Frame) -> Self {
+        let bends = stack.rational_bends(before);
+        Self {
+            bends,
+            lengths: lengths(&bends, frame),
+        }
+    }
+
+    fn lengths(&self) -> [f64; 3] {
+        self.lengths
+    }
+
+    /// The bounds about the middle of the box of both halves.
+    fn lengths_of_halves([near, far]: &[Self; 2], frame: &Frame) -> [f64; 3] {
+        let ([a, b], [c, d]) = (near.bends.control_box, far.bends.control_box);
+        let control_box = [
+            [0, 1, 2].map(|k| smaller(a[k], c[k])),
+            [0, 1, 2].map(|k| larger(b[k], d[k])),
+        ];
+        let middle = middle(control_box);
+        let moved = |half: &RationalBends, k: usize| {
+            let off = Point::norm(self::middle(half.control_box) - middle);
+            half.points[k] + to_f32(off) * half.weights[k]
+        };
+        let bends = RationalBends {
+            control_box,
+            min_weight: smaller(near.bends.min_weight, far.bends.min_weight),
+            points: [0, 1, 2].map(|k| larger(moved(&near.bends, k), moved(&far.bends, k))),
+            weights: [0, 1, 2].map(|k| larger(near.bends.weights[k], far.bends.weights[k])),
+        };
+        lengths(&bends, frame)
+    }
+
+    fn control_box(&self, _stack: &SecondDifferences) -> [[f32; 3]; 2] {
+        self.bends.control_box
+    }
+}
+
+fn middle([low, high]: [[f32; 3]; 2]) -> DVec3 {
+    let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(f64::from)));
+    (low + high) * 0.5
+}
+
+/// The bounds (max |ΔA| + ρ max |Δw|)/min w.
+fn lengths(bends: &RationalBends, frame: &Frame) -> [f64; 3] {
+    let [low, high] = bends
+        .control_box
+        .map(|corner| DVec3::from(corner.map(f64::from)));
+    // Rounding errors of A are relative to the size, which is 1.
+    let radius = 0.5 * Point::norm(high - low) + 4.0 * BEND_SLACK;
+    let scale = frame.size * (1.0 + 4.0 * BEND_SLACK) / f64::from(bends.min_weight);
+    [0, 1, 2].map(|k| (f64::from(bends.points[k]) + radius * f64::from(bends.weights[k])) * scale)
+}
+
+/// A rational patch with precomputed data for repeated evaluation, in scaled coordinates.
+pub(crate) struct RationalSampler {
+    patch: RationalPatch,
+    frame: Scaling,
+    samples: RowSampler<4>,
+    /// The largest differences of neighbouring control points along u and v.
+    largest: [f64; 2],
+    /// The last normal net, and the point that is its origin.
+    limits: Option<(DVec3, NormalNet)>,
+}
+
+/// A point of a patch and the directions ∂u and ∂v, divided by the weights that they depend on.
+struct Directions {
+    point: DVec3,
+    along: [DVec3; 2],
+}
+
+impl RationalSampler {
+    fn new(patch: &RationalPatch) -> Self {
+        let frame = Scaling::around(patch.control_bounds());
+        let columns = patch.degree_u() + 1;
+        let net = patch.scaled(&frame);
+        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
+        let points: Vec<DVec4> = patch
+            .control_points()
+            .iter()
+            .map(|&p| frame.local_point(p).extend(0.0))
+            .collect();
+        let largest = [
+            differences_u(&points, columns),
+            differences_v(&points, columns),
+        ];
+        let nets = [net, du, dv].map(|net| net.iter().map(DVec4::to_array).collect());
+        Self {
+            samples: RowSampler::new(columns, nets),
+            largest: largest.map(|net| {
+                net.iter()
+                    .fold(0.0, |max, d| d.abs().max_element().max(max))
+            }),
+            frame,
+            patch: patch.clone(),
+            limits: None,
+        }
+    }
+
+    /// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
+    /// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
+    fn directions(&mut self, u: f64, v: f64) -> Directions {
+        let [point, along_u, along_v] = self.samples.sample(u, v).map(DVec4::from);
+        let local = point.truncate() / point.w;
+        let direction = |d: DVec4, t: f64| {
+            let weights = 2.0 * point.w + (1.0 - 2.0 * t) * d.w;
+            (d.truncate() - local * d.w) / weights
+        };
+        Directions {
+            point: local * self.frame.size + self.frame.centre,
+            along: [direction(along_u, u), direction(along_v, v)],
+        }
+    }
+
+    /// ∂u × ∂v; `None` if it does not exceed rounding noise.
+    fn cross_product(&self, [along_u, along_v]: [DVec3; 2]) -> Option<DVec3> {
+        let [u, v] = self.largest;
+        let min = (REGULAR_RATIO * u * v).max(NOISE * u.max(v));
+        let cross_product = along_u.cross(along_v);
+        (cross_product.length_squared() > min * min).then_some(cross_product)
+    }
+
+    /// The normal net with a point of the patch as origin.
+    fn limits(&mut self, point: DVec3) -> &NormalNet {
+        if self
+            .limits
+            .as_ref()
+            .is_none_or(|(origin, _)| *origin != point)
+        {
+            self.limits = None;
+        }
+        let patch = &self.patch;
+        let limits = self
+            .limits
+            .get_or_insert_with(|| (point, patch.normal_net(point)));
+        &limits.1
+    }
+}
+
+impl PatchSampler for RationalSampler {
+    fn has_area(&mut self) -> bool {
+        let middle = self.directions(0.5, 0.5);
+        self.cross_product(middle.along).is_some() || !self.limits(middle.point).vanishes()
+    }
+
+    fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
+        let here = self.directions(u, v);
+        let normal = match self.cross_product(here.along) {
+            Some(cross_product) => Point::unit(cross_product),
+            None => {
+                // The edges of the patch are exact there: at a pole all points are equal.
+                let point = self.patch.eval(u, v);
+                self.limits(point).limit(u, v)
+            }
+        };
+        (here.point, normal)
+    }
+}
+
+/// The differences of neighbouring vectors along u, which have one column fewer.
+fn differences_u(net: &[DVec4], columns: usize) -> Vec<DVec4> {
+    let rows = net.chunks(columns);
+    rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]))
+        .collect()
+}
+
+/// The differences of neighbouring vectors along v, which have one row fewer.
+fn differences_v(net: &[DVec4], columns: usize) -> Vec<DVec4> {
+    let next = net.iter().skip(columns);
+    net.iter().zip(next).map(|(&a, &b)| b - a).collect()
+}
