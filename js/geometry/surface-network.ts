@@ -3,9 +3,9 @@ import { patchData, requireJSON } from "./brand.js";
 import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
-import type { PatchData } from "./brand.js";
+
 import type { CorePatch } from "./patch/core-patch.js";
-import type { Network } from "./surface/network.js";
+import type { Network, PatchData } from "./brand.js";
 
 /** What `Surface.toJSON` returns; `Surface.fromJSON` also reads other forms of points. */
 export interface SurfaceJSON {
