@@ -3,6 +3,8 @@
 //! Everything is generic over these traits and compiled for each kind of patch, so that polynomial surfaces neither take time nor
 //! code for weights.
 
+use crate::curve::flatten::Polyline;
+use crate::geometry::error::Error;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
 use crate::surface::topology::SideUse;
@@ -40,6 +42,7 @@ pub(crate) trait PatchNetwork: Sync {
 pub(crate) trait MeshPatch: Send + Sync {
     type Bends: Bends;
     type Sampler: PatchSampler;
+    type Isocurve: SpaceCurve;
 
     /// The control points, without weights.
     fn net(&self) -> &Patch;
@@ -48,6 +51,25 @@ pub(crate) trait MeshPatch: Send + Sync {
     fn start(&self, has_position: bool, stack: &mut SecondDifferences) -> Frame;
 
     fn sampler(&self) -> Self::Sampler;
+
+    /// The curve u = `at`, or v = `at`, from 0 to 1 in the other parameter.
+    fn isocurve(&self, constant_u: bool, at: f64) -> Self::Isocurve;
+
+    /// The unit normal at (u, v).
+    fn normal(&self, u: f64, v: f64) -> DVec3;
+}
+
+/// An isocurve that can be drawn.
+pub(crate) trait SpaceCurve {
+    fn eval(&self, t: f64) -> DVec3;
+
+    /// The unit tangent; zero for a curve that is a point.
+    fn tangent(&self, t: f64) -> DVec3;
+
+    fn flatten(&self, tolerance: f64) -> Result<Polyline<DVec3>, Error>;
+
+    /// The control points, and weights of which the smallest is 1.
+    fn weighted_points(&self) -> impl Iterator<Item = (DVec3, f64)>;
 }
 
 /// The coordinates of the vectors of [`SecondDifferences`]: (p − origin) / size.

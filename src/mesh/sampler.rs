@@ -1,9 +1,12 @@
 //! Second derivatives, points and normals of polynomial patches.
 
 use super::buffers::to_f32;
-use super::mesh_patch::{Bends, Frame, MeshPatch, PatchNetwork, PatchSampler};
+use super::mesh_patch::{Bends, Frame, MeshPatch, PatchNetwork, PatchSampler, SpaceCurve};
 use crate::bernstein::evaluate::evaluate;
+use crate::curve::Curve;
+use crate::curve::flatten::Polyline;
 use crate::geometry::check::max_abs;
+use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Net, Points};
 use crate::patch::Patch;
@@ -46,6 +49,7 @@ impl PatchNetwork for Surface {
 impl MeshPatch for Patch {
     type Bends = [f64; 3];
     type Sampler = Sampler;
+    type Isocurve = Curve<DVec3>;
 
     fn net(&self) -> &Patch {
         self
@@ -97,6 +101,36 @@ impl MeshPatch for Patch {
 
     fn sampler(&self) -> Sampler {
         Sampler::new(&self.points, self.columns)
+    }
+
+    fn isocurve(&self, constant_u: bool, at: f64) -> Curve<DVec3> {
+        if constant_u {
+            self.isocurve_at_u(at)
+        } else {
+            self.isocurve_at_v(at)
+        }
+    }
+
+    fn normal(&self, u: f64, v: f64) -> DVec3 {
+        self.normal(u, v)
+    }
+}
+
+impl SpaceCurve for Curve<DVec3> {
+    fn eval(&self, t: f64) -> DVec3 {
+        self.eval(t)
+    }
+
+    fn tangent(&self, t: f64) -> DVec3 {
+        self.tangent(t)
+    }
+
+    fn flatten(&self, tolerance: f64) -> Result<Polyline<DVec3>, Error> {
+        self.flatten(tolerance)
+    }
+
+    fn weighted_points(&self) -> impl Iterator<Item = (DVec3, f64)> {
+        self.control_points().iter().map(|&p| (p, 1.0))
     }
 }
 

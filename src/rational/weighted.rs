@@ -6,7 +6,7 @@
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
 use casteljau_kernels::numeric::vector::{Interpolate, Vector};
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, AddAssign, Mul, Sub};
 
 /// A control point and its weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,6 +63,13 @@ impl<P: Point> Add for Homogeneous<P> {
             vector: self.vector + other.vector,
             weight: self.weight + other.weight,
         }
+    }
+}
+
+impl<P: Point> AddAssign for Homogeneous<P> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
     }
 }
 

@@ -6,6 +6,7 @@
 //! Sederberg, "Estimating tessellation parameter intervals for rational curves and surfaces", ACM TOG 19 (2000).
 
 use super::RationalSurface;
+use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::mesh::Mesh;
@@ -18,13 +19,15 @@ use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::REGULAR_RATIO;
 use crate::rational::RationalCurve;
 use crate::rational::patch::RationalPatch;
+use crate::rational::weighted::Homogeneous;
 use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
 use crate::surface::topology::SideUse;
 use casteljau_kernels::mesh::row_sampler::RowSampler;
 use casteljau_kernels::mesh::second_differences::{BEND_SLACK, RationalBends, SecondDifferences};
 use casteljau_kernels::numeric::order::{larger, smaller};
-use glam::{DVec3, DVec4};
+use casteljau_kernels::numeric::vector::Vector;
+use glam::DVec3;
 
 /// The largest quotient of two weights of a patch for which tolerances hold.
 const MAX_QUOTIENT: f64 = 1_048_576.0;
@@ -108,6 +111,7 @@ impl PatchNetwork for RationalSurface {
 impl MeshPatch for RationalPatch {
     type Bends = PieceBends;
     type Sampler = RationalSampler;
+    type Isocurve = RationalCurve<DVec3>;
 
     fn net(&self) -> &Patch {
         self.net()
@@ -126,8 +130,10 @@ impl MeshPatch for RationalPatch {
             (&net, 1.0),
         ];
         let vectors = nets.into_iter().flat_map(|(net, factor)| {
-            net.iter()
-                .map(move |&p| (p * factor).to_array().map(to_f32))
+            net.iter().map(move |&p| {
+                let Homogeneous { vector, weight } = p * factor;
+                vector.extend(weight).to_array().map(to_f32)
+            })
         });
         let sizes = [(m - 1, n + 1), (m, n), (m + 1, n - 1), (m + 1, n + 1)];
         stack.start(sizes, vectors);
@@ -138,17 +144,30 @@ impl MeshPatch for RationalPatch {
     }
 
     fn sampler(&self) -> RationalSampler {
-        RationalSampler::new(self)
+        RationalSampler::new(self.clone())
+    }
+
+    fn isocurve(&self, constant_u: bool, at: f64) -> RationalCurve<DVec3> {
+        if constant_u {
+            self.curve_at_u(at)
+        } else {
+            self.curve_at_v(at)
+        }
+    }
+
+    fn normal(&self, u: f64, v: f64) -> DVec3 {
+        self.normal(u, v)
     }
 }
 
 impl RationalPatch {
     /// The homogeneous control points (A, w) in scaled coordinates, with a largest weight of 1 to 2.
-    fn scaled(&self, frame: &Scaling) -> Vec<DVec4> {
-        let parts = self.homogeneous(frame.centre).into_iter();
-        parts
-            .map(|part| (part.vector / frame.size).extend(part.weight))
-            .collect()
+    pub(super) fn scaled(&self, frame: &Scaling) -> Vec<Homogeneous<DVec3>> {
+        let mut net = self.homogeneous(frame.centre);
+        for part in &mut net {
+            part.vector /= frame.size;
+        }
+        net
     }
 }
 
@@ -216,74 +235,109 @@ fn lengths(bends: &RationalBends, frame: &Frame) -> [f64; 3] {
 
 /// A rational patch with precomputed data for repeated evaluation, in scaled coordinates.
 pub(crate) struct RationalSampler {
-    patch: RationalPatch,
-    frame: Scaling,
     samples: RowSampler<4>,
-    /// The largest differences of neighbouring control points along u and v.
-    largest: [f64; 2],
+    normals: Normals,
+}
+
+impl RationalSampler {
+    fn new(patch: RationalPatch) -> Self {
+        let normals = Normals::new(patch);
+        let columns = normals.patch.degree_u() + 1;
+        let net = normals.patch.scaled(&normals.frame);
+        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
+        let numbers = |part: &Homogeneous<DVec3>| part.vector.extend(part.weight).to_array();
+        let nets = [net, du, dv].map(|net| net.iter().map(numbers).collect());
+        Self {
+            samples: RowSampler::new(columns, nets),
+            normals,
+        }
+    }
+
+    /// The point at (u, v) in scaled coordinates, and ∂u and ∂v.
+    fn sample(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
+        let [point, along_u, along_v] =
+            self.samples
+                .sample(u, v)
+                .map(|[x, y, z, weight]| Homogeneous {
+                    vector: DVec3::new(x, y, z),
+                    weight,
+                });
+        let local = point.vector / point.weight;
+        let along = directions(local, point.weight, [along_u, along_v], [u, v]);
+        (local, along)
+    }
+}
+
+/// Directions of ∂u and ∂v at a point of a patch, from the sums of the homogeneous differences along u and v.
+///
+/// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
+/// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
+pub(super) fn directions(
+    local: DVec3,
+    weight: f64,
+    sums: [Homogeneous<DVec3>; 2],
+    at: [f64; 2],
+) -> [DVec3; 2] {
+    [0, 1].map(|k| {
+        let Homogeneous {
+            vector,
+            weight: change,
+        } = sums[k];
+        (vector - local * change) / (2.0 * weight + (1.0 - 2.0 * at[k]) * change)
+    })
+}
+
+/// Normals of a rational patch at many parameters.
+pub(super) struct Normals {
+    pub(super) patch: RationalPatch,
+    pub(super) frame: Scaling,
+    /// The length of ∂u × ∂v, as of [`directions`], above which it exceeds rounding noise.
+    min_length: f64,
     /// The last normal net, and the point that is its origin.
     limits: Option<(DVec3, NormalNet)>,
 }
 
-/// A point of a patch and the directions ∂u and ∂v, divided by the weights that they depend on.
-struct Directions {
-    point: DVec3,
-    along: [DVec3; 2],
-}
-
-impl RationalSampler {
-    fn new(patch: &RationalPatch) -> Self {
+impl Normals {
+    pub(super) fn new(patch: RationalPatch) -> Self {
         let frame = Scaling::around(patch.control_bounds());
         let columns = patch.degree_u() + 1;
-        let net = patch.scaled(&frame);
-        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
-        let points: Vec<DVec4> = patch
+        let points: Vec<DVec3> = patch
             .control_points()
             .iter()
-            .map(|&p| frame.local_point(p).extend(0.0))
+            .map(|&p| frame.local_point(p))
             .collect();
-        let largest = [
+        let [u, v] = [
             differences_u(&points, columns),
             differences_v(&points, columns),
-        ];
-        let nets = [net, du, dv].map(|net| net.iter().map(DVec4::to_array).collect());
+        ]
+        .map(|net| max_abs(&net));
         Self {
-            samples: RowSampler::new(columns, nets),
-            largest: largest.map(|net| {
-                net.iter()
-                    .fold(0.0, |max, d| d.abs().max_element().max(max))
-            }),
+            min_length: (REGULAR_RATIO * u * v).max(NOISE * u.max(v)),
             frame,
-            patch: patch.clone(),
+            patch,
             limits: None,
-        }
-    }
-
-    /// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
-    /// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
-    fn directions(&mut self, u: f64, v: f64) -> Directions {
-        let [point, along_u, along_v] = self.samples.sample(u, v).map(DVec4::from);
-        let local = point.truncate() / point.w;
-        let direction = |d: DVec4, t: f64| {
-            let weights = 2.0 * point.w + (1.0 - 2.0 * t) * d.w;
-            (d.truncate() - local * d.w) / weights
-        };
-        Directions {
-            point: local * self.frame.size + self.frame.centre,
-            along: [direction(along_u, u), direction(along_v, v)],
         }
     }
 
     /// ∂u × ∂v; `None` if it does not exceed rounding noise.
     fn cross_product(&self, [along_u, along_v]: [DVec3; 2]) -> Option<DVec3> {
-        let [u, v] = self.largest;
-        let min = (REGULAR_RATIO * u * v).max(NOISE * u.max(v));
         let cross_product = along_u.cross(along_v);
-        (cross_product.length_squared() > min * min).then_some(cross_product)
+        let is_regular = cross_product.length_squared() > self.min_length * self.min_length;
+        is_regular.then_some(cross_product)
     }
 
-    /// The normal net with a point of the patch as origin.
-    fn limits(&mut self, point: DVec3) -> &NormalNet {
+    /// The unit normal at (u, v), where ∂u and ∂v have the given [`directions`].
+    pub(super) fn normal(&mut self, along: [DVec3; 2], [u, v]: [f64; 2]) -> DVec3 {
+        match self.cross_product(along) {
+            Some(cross_product) => Point::unit(cross_product),
+            // All points of an edge that is a pole are equal, so that they have one net.
+            None => self.limits(u, v).limit(u, v),
+        }
+    }
+
+    /// The normal net with the point at (u, v) as origin.
+    fn limits(&mut self, u: f64, v: f64) -> &NormalNet {
+        let point = self.patch.eval(u, v);
         if self
             .limits
             .as_ref()
@@ -301,33 +355,28 @@ impl RationalSampler {
 
 impl PatchSampler for RationalSampler {
     fn has_area(&mut self) -> bool {
-        let middle = self.directions(0.5, 0.5);
-        self.cross_product(middle.along).is_some() || !self.limits(middle.point).vanishes()
+        let (_, along) = self.sample(0.5, 0.5);
+        let normals = &mut self.normals;
+        normals.cross_product(along).is_some() || !normals.limits(0.5, 0.5).vanishes()
     }
 
     fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
-        let here = self.directions(u, v);
-        let normal = match self.cross_product(here.along) {
-            Some(cross_product) => Point::unit(cross_product),
-            None => {
-                // The edges of the patch are exact there: at a pole all points are equal.
-                let point = self.patch.eval(u, v);
-                self.limits(point).limit(u, v)
-            }
-        };
-        (here.point, normal)
+        let (local, along) = self.sample(u, v);
+        let frame = &self.normals.frame;
+        let point = local * frame.size + frame.centre;
+        (point, self.normals.normal(along, [u, v]))
     }
 }
 
 /// The differences of neighbouring vectors along u, which have one column fewer.
-fn differences_u(net: &[DVec4], columns: usize) -> Vec<DVec4> {
+pub(super) fn differences_u<V: Vector>(net: &[V], columns: usize) -> Vec<V> {
     let rows = net.chunks(columns);
     rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]))
         .collect()
 }
 
 /// The differences of neighbouring vectors along v, which have one row fewer.
-fn differences_v(net: &[DVec4], columns: usize) -> Vec<DVec4> {
+pub(super) fn differences_v<V: Vector>(net: &[V], columns: usize) -> Vec<V> {
     let next = net.iter().skip(columns);
     net.iter().zip(next).map(|(&a, &b)| b - a).collect()
 }

@@ -3,6 +3,8 @@
 //! Weights belong to patches, so that a pole is one vertex with several weights, and a common factor of the weights of a patch
 //! is free.
 
+mod grid;
+mod lines;
 mod mesh;
 
 use super::check_weights;

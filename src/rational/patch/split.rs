@@ -46,7 +46,7 @@ impl RationalPatch {
     /// [`Error::NotFinite`] for a u that is not finite; for a u outside [0, 1] as [`RationalCurve::split`].
     pub fn isocurve_at_u(&self, u: f64) -> Result<RationalCurve<DVec3>, Error> {
         Error::unless_finite("u", &[u])?;
-        isocurve(&self.weighted(), self.net.columns, u)
+        self.curve_at_u(u).checked()
     }
 
     /// The curve v = constant, of degree m in u, from S(0, v) to S(1, v).
@@ -55,6 +55,16 @@ impl RationalPatch {
     /// As [`isocurve_at_u`](Self::isocurve_at_u).
     pub fn isocurve_at_v(&self, v: f64) -> Result<RationalCurve<DVec3>, Error> {
         Error::unless_finite("v", &[v])?;
+        self.curve_at_v(v).checked()
+    }
+
+    /// The isocurve at a u that is finite.
+    pub(in crate::rational) fn curve_at_u(&self, u: f64) -> RationalCurve<DVec3> {
+        isocurve(&self.weighted(), self.net.columns, u)
+    }
+
+    /// The isocurve at a v that is finite.
+    pub(in crate::rational) fn curve_at_v(&self, v: f64) -> RationalCurve<DVec3> {
         let across = transposed(&self.weighted(), self.net.columns);
         isocurve(&across, self.net.rows(), v)
     }
@@ -80,18 +90,13 @@ impl RationalPatch {
 }
 
 /// The curve of the points of all rows at t.
-fn isocurve(
-    parts: &[WeightedPoint<DVec3>],
-    columns: usize,
-    t: f64,
-) -> Result<RationalCurve<DVec3>, Error> {
+fn isocurve(parts: &[WeightedPoint<DVec3>], columns: usize, t: f64) -> RationalCurve<DVec3> {
     let point = |row: &[WeightedPoint<DVec3>]| {
         let mut row = row.to_vec();
         keep_after(&mut row, t);
         (row[0].point, row[0].weight)
     };
-    let (points, weights): (Vec<DVec3>, Vec<f64>) = parts.chunks(columns).map(point).unzip();
-    RationalCurve::new(&points, &weights)
+    RationalCurve::from_valid(parts.chunks(columns).map(point))
 }
 
 fn elevated_rows(parts: &[WeightedPoint<DVec3>], columns: usize) -> Vec<WeightedPoint<DVec3>> {
