@@ -47,6 +47,21 @@ export type RationalPatchData = PatchData & { weights: Float64Array };
 export type NurbsSurfaceData = RationalPatchData & { knotsU: Float64Array; knotsV: Float64Array };
 
 /**
+ * The nets of a surface: the vertices; for each vertex the index of the first one that had the same position when the
+ * surface was created (`joined`); two degrees for each patch; the vertex indices of all nets, one net after the other.
+ *
+ * @internal
+ */
+export type Network = { vertices: Float64Array; joined: Float64Array; degrees: number[]; indices: Uint32Array };
+
+/**
+ * The data of a surface of rational patches: that of a surface, and a weight for each index.
+ *
+ * @internal
+ */
+export type RationalSurfaceData = Network & { weights: Float64Array };
+
+/**
  * @internal
  */
 export type BrandedType =
@@ -59,6 +74,7 @@ export type BrandedType =
   | "rationalpatch"
   | "nurbssurface"
   | "surface"
+  | "rationalsurface"
   | "mesh";
 
 /**
@@ -159,6 +175,22 @@ export function rationalPatchData(value: unknown, name: string): RationalPatchDa
  */
 export function nurbsSurfaceData(value: unknown, name: string): NurbsSurfaceData {
   return dataOf(value, name, typeOf(value) === "nurbssurface", "a NurbsSurface");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a surface without weights
+ */
+export function surfaceData(value: unknown, name: string): Network {
+  return dataOf(value, name, typeOf(value) === "surface", "a Surface");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a surface of rational patches
+ */
+export function rationalSurfaceData(value: unknown, name: string): RationalSurfaceData {
+  return dataOf(value, name, typeOf(value) === "rationalsurface", "a RationalSurface");
 }
 
 /**

@@ -12,6 +12,7 @@ const TYPES = [
   "RationalPatch",
   "NurbsSurface",
   "Surface",
+  "RationalSurface",
   "Mesh",
 ];
 

@@ -33,6 +33,7 @@ mod offset;
 mod patch;
 mod path;
 mod rational;
+mod rational_surface;
 mod region;
 mod single_thread_cell;
 mod spline;

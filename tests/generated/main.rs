@@ -203,7 +203,7 @@ groups! {
         NurbsSurface one (nurbs_surfaces accessors): new degree_u degree_v control_points weights knots_u knots_v domain_u domain_v joints_u joints_v patches;
         NurbsSurface one (nurbs_surfaces): plane sphere cylinder cone torus ruled extrude revolve loft;
         NurbsSurface one (nurbs_surfaces): eval partials normal curvature isocurve_at_u isocurve_at_v split_u split_v;
-        NurbsSurface one (nurbs_surfaces): insert_knot_u insert_knot_v elevate_u elevate_v reverse transform project approx_eq;
+        NurbsSurface one (nurbs_surfaces): insert_knot_u insert_knot_v elevate_u elevate_v reverse transform project to_surface approx_eq;
         NurbsSurface one (nurbs_surfaces box_of_surface): bounds control_bounds;
     }
     surfaces_meshes {

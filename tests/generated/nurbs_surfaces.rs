@@ -460,3 +460,8 @@ pub(crate) fn box_of_surface(surface: NurbsSurface) -> Checked {
     let is_within = holds(&outer, bounds.min, slack) && holds(&outer, bounds.max, slack);
     holds!(is_within, "larger than the box of the control points")
 }
+
+pub(crate) fn to_surface(surface: NurbsSurface) -> Checked {
+    let patches: Vec<RationalPatch> = answer!(surface.to_surface().map(|all| all.patches().collect()));
+    same(&patches[..], surface.patches(), "the patches")
+}

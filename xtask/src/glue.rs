@@ -81,10 +81,10 @@ pub(crate) const PARTS: [Part; 8] = [
         name: "nurbs",
         own: &[NURBS, CORE_CURVES, CURVE_MEASURES, CORE_SPLINES],
     },
-    // For the surfaces of casteljau/nurbs, which have the methods of casteljau/surfaces.
+    // For the surfaces of casteljau/nurbs.
     Part {
         name: "nurbs-surfaces",
-        own: &[SURFACES, NURBS_SURFACES],
+        own: &[NURBS_SURFACES, MESHES],
     },
     // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
@@ -106,6 +106,9 @@ pub(crate) const PARTS: [Part; 8] = [
 ];
 
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
+
+/// Of [`SURFACES`], what all kinds of surfaces call.
+const MESHES: &[&str] = &["mesh_", "points_joined"];
 
 /// Left out of the complete module, which has what `casteljau` calls; so are [`NURBS_SURFACES`].
 const NURBS: &[&str] = &["nurbs_", "rational_"];

@@ -9,6 +9,7 @@ import { alike, nurbsDataOf, nurbsOfNumbers, writeNurbs } from "./nurbs-data.js"
 import { projective } from "./projective.js";
 import { checkedWeights } from "./rational-curve.js";
 import { rationalPatchOf, transformed } from "./rational-patch.js";
+import { surfaceOfPatches } from "./rational-surface.js";
 import type { NurbsData, NurbsSurfaceData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
 import type { CoreCurve } from "../curve/core-curve.js";
@@ -20,6 +21,7 @@ import type { Curvature } from "../surface-queries.js";
 import type { NurbsCurve } from "./nurbs-curve.js";
 import type { RationalCurve } from "./rational-curve.js";
 import type { RationalPatch } from "./rational-patch.js";
+import type { RationalSurface } from "./rational-surface.js";
 
 /** Whether Node knows how to show the instances. */
 let isShown = false;
@@ -461,6 +463,18 @@ export class NurbsSurface {
     check.noSurplus(surplus, "bounds", 0);
     this.#write();
     return boxAt(readResult(0, core().nurbssurface_bounds()), 3);
+  }
+
+  /**
+   * The same surface as a network of its patches, exactly: for meshes, measures, rays and nearest points.
+   *
+   *     NurbsSurface.sphere([0, 0, 0], 1).toSurface().tessellate({ tolerance: 0.01 });
+   *
+   * Adjacent patches share the vertices along their edge; so do a start and an end that are equal, as those of a full turn, and all
+   * edges at a pole share one vertex.
+   */
+  toSurface(): RationalSurface {
+    return surfaceOfPatches(this.#readParts().patches.map((patch) => patch.casteljauData()));
   }
 
   /** The surface as JSON: `String(surface)` and `${surface}` give this text. */

@@ -92,7 +92,7 @@ const TABLE: &[&str] = &[
     "RationalPatch NurbsSurface: transform (self, map)",
     "RationalPatch NurbsSurface: approx_eq (self, tolerance)",
     "NurbsSurface: new degree_u degree_v weights control_points to_json from_json bounds control_bounds (self)",
-    "NurbsSurface: knots_u knots_v domain domain_u domain_v joints_u joints_v patches elevate_u elevate_v reverse (self)",
+    "NurbsSurface: knots_u knots_v domain domain_u domain_v joints_u joints_v patches elevate_u elevate_v reverse to_surface (self)",
     "NurbsSurface: plane (points: space points)",
     "NurbsSurface: sphere (points: space points, radius: length)",
     "NurbsSurface: cylinder cone (points: space points, radius: length, height: length)",
