@@ -5,7 +5,12 @@ import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
 import type { PatchData } from "./brand.js";
 import type { CorePatch } from "./patch/core-patch.js";
-import type { Network } from "./surface/network.js";
+
+/**
+ * The nets of a surface: the vertices; for each vertex the index of the first one that had the same position when the
+ * surface was created (`joined`); two degrees for each patch; the vertex indices of all nets, one net after the other.
+ */
+export type Network = { vertices: Float64Array; joined: Float64Array; degrees: number[]; indices: Uint32Array };
 
 /** What `Surface.toJSON` returns; `Surface.fromJSON` also reads other forms of points. */
 export interface SurfaceJSON {

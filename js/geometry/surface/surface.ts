@@ -6,8 +6,7 @@ import { networkOfJSON } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "../curve/curve.js";
 import type { Patch } from "../patch/patch.js";
-import type { Network } from "./network.js";
-import type { SurfaceJSON } from "../surface-network.js";
+import type { Network, SurfaceJSON } from "../surface-network.js";
 
 /**
  * A network of Bézier patches that share control points.
