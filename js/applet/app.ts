@@ -6,6 +6,7 @@ import * as states from "./state.js";
 import type { JointMode } from "./state.js";
 import type { Layers } from "./state.js";
 import type { Continuity } from "./derive.js";
+import type { Box } from "../editor/plane.js";
 
 /**
  * The applet on one canvas, as `bezierApp` returns it.
@@ -23,12 +24,7 @@ export class BezierApp extends EventTarget {
    * @internal
    * @param forget called when the applet is taken away
    */
-  constructor(
-    canvas: HTMLCanvasElement,
-    context: CanvasRenderingContext2D,
-    box: import("../editor/plane.js").Box,
-    forget: () => void,
-  ) {
+  constructor(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, box: Box, forget: () => void) {
     super();
     this.#engine = new Engine(canvas, context, box, (type) => this.dispatchEvent(new Event(type)));
     this.#engine.endings.push(forget);

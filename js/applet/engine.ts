@@ -20,6 +20,9 @@ import { translated } from "../editor/translations.js";
 import type { Nature } from "../ui/handles.js";
 import type { State } from "./state.js";
 import type { Box } from "../editor/plane.js";
+import type { KeyPort } from "./keys.js";
+import type { DragPort } from "../ui/drag.js";
+import type { ControlPort } from "./controls.js";
 
 export type Point2 = [number, number];
 
@@ -237,7 +240,7 @@ export class Engine {
     this.#fire("change");
   }
 
-  #keyPort(): import("./keys.js").KeyPort {
+  #keyPort(): KeyPort {
     return {
       host: this.#view.host,
       pageWide: () => this.#controls.pageWide(),
@@ -249,7 +252,7 @@ export class Engine {
     };
   }
 
-  #dragPort(): import("../ui/drag.js").DragPort {
+  #dragPort(): DragPort {
     return {
       placeOf: (index) => this.#placeOf(index),
       toBox: (event) => this.#toBox(event),
@@ -278,7 +281,7 @@ export class Engine {
     };
   }
 
-  #controlPort(): import("./controls.js").ControlPort {
+  #controlPort(): ControlPort {
     return {
       randomize: () => this.#randomize(),
       toggle: () => this.#toggle(),

@@ -3,6 +3,7 @@ import { kindOf } from "../editor/check.js";
 import { DEFAULT_BOX } from "../editor/plane.js";
 
 export { setTranslations } from "../editor/translations.js";
+import type { Box } from "../editor/plane.js";
 
 /** Where nothing else is given. */
 const DEFAULT_ID = "beziercanvas";
@@ -64,7 +65,7 @@ function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
 }
 
 /** The canvas's stated size, "670px" as well as "670". */
-function boxOf(canvas: HTMLCanvasElement): import("../editor/plane.js").Box {
+function boxOf(canvas: HTMLCanvasElement): Box {
   const { width, height } = canvas;
   const stated = canvas.hasAttribute("width") && canvas.hasAttribute("height") && width > 0 && height > 0;
   return stated ? { width, height } : DEFAULT_BOX;

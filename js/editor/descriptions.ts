@@ -4,10 +4,11 @@ import { modesOf } from "./commands.js";
 import type { ActionName } from "./actions.js";
 import { BASIS_NAMES } from "./state.js";
 import { translated, translatedTable } from "./translations.js";
-import type { State } from "./state.js";
+import type { State, JointMode } from "./state.js";
 import type { Continuity, Figure } from "./figure.js";
+import type { Curve } from "../index.js";
 
-export const MODE_NAMES: Record<import("./state.js").JointMode, string> = translatedTable({
+export const MODE_NAMES: Record<JointMode, string> = translatedTable({
   free: "free",
   g1: "G1",
   c1: "C1",
@@ -84,7 +85,7 @@ function verdictOf({ c0, g1, c1, g2, c2 }: Continuity) {
 }
 
 /** The length of the derivative at an end. */
-function leg(curve: import("../index.js").Curve, start: boolean) {
+function leg(curve: Curve, start: boolean) {
   const flat = curve.controlPoints();
   const [x0, y0, x1, y1] = start ? flat : flat.subarray(-4);
   return curve.degree * Math.hypot(x1 - x0, y1 - y0);

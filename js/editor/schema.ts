@@ -1,7 +1,7 @@
 // Each part of the state that can be written: as an attribute (any text), or as JSON (a value).
 import { kindOf } from "./check.js";
 import * as states from "./state.js";
-import type { State } from "./state.js";
+import type { State, View } from "./state.js";
 
 export interface Field {
   /** An attribute's text as a value, which `put` checks */
@@ -126,7 +126,7 @@ function weightsIn(value: unknown, count: number): number[] {
   );
 }
 
-function viewIn(value: unknown): import("./state.js").View {
+function viewIn(value: unknown): View {
   if (typeof value !== "object" || value === null || "more" in value)
     throw new TypeError(`view: expected x, y, width and height, got ${kindOf(value)}`);
   const given = value as Record<string, unknown>;

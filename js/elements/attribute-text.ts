@@ -1,4 +1,5 @@
 // Frameworks set properties with what a template has: attributes' texts, undefined for what a template no longer has.
+import type { PropertyDeclaration } from "lit";
 
 export interface Accessor {
   get: (this: any) => unknown;
@@ -12,7 +13,7 @@ export interface Accessor {
 export function acceptAttributeText(
   accessor: PropertyDescriptor | undefined,
   name: PropertyKey,
-  options: import("lit").PropertyDeclaration,
+  options: PropertyDeclaration,
 ): PropertyDescriptor {
   const { get, set } = accessor as Accessor;
   const isText = options.type !== Number && options.type !== Boolean;

@@ -2,7 +2,6 @@
 // is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
 // of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
 import { describe, EMPTY } from "./describe.js";
-import type { Intersection } from "./intersections.js";
 
 /**
  * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
@@ -88,17 +87,6 @@ export type Branded<T> = { readonly casteljauType: BrandedType; casteljauData():
  */
 export function typeOf(value: unknown): BrandedType | undefined {
   return (value as Partial<Branded<unknown>> | null | undefined)?.casteljauType;
-}
-
-/**
- * Whether a value is one of `casteljau/nurbs`. It finds its intersections with a 2D spline itself, t on the spline, so that
- * `casteljau` does not contain their code.
- *
- * @internal
- */
-export function isRational(value: unknown): value is { casteljauIntersections(spline: SplineData): Intersection[] } {
-  const type = typeOf(value);
-  return type === "rationalcurve" || type === "nurbscurve";
 }
 
 /**

@@ -1,6 +1,6 @@
 // Intersections of curves, splines and paths, read from the arena.
 import { arena } from "../wasm/arena.js";
-import { isRational, packedPath, splineData, typeOf } from "./brand.js";
+import { packedPath, splineData, typeOf } from "./brand.js";
 import { require2D } from "./check.js";
 import { packedShape, subpathsOf } from "./path/packed-shape.js";
 import { packedSplines } from "../wasm/packed-path.js";
@@ -79,6 +79,15 @@ export function readIntersections(length: number): Intersection[] {
  */
 export function readSelfIntersections(length: number): SelfIntersection[] {
   return readIntersections(length).map(({ t, u, point }) => ({ t, u, point }));
+}
+
+/**
+ * Whether a value is one of `casteljau/nurbs`. It finds its intersections with a 2D spline itself, t on the spline, so that
+ * `casteljau` does not contain their code.
+ */
+function isRational(value: unknown): value is { casteljauIntersections(spline: SplineData): Intersection[] } {
+  const type = typeOf(value);
+  return type === "rationalcurve" || type === "nurbscurve";
 }
 
 /**

@@ -1,11 +1,9 @@
-import type { Curve } from "./curve/curve.js";
-
 /**
  * A node of the tree of recursive halving: a part of a curve.
  *
  * @template C the class of the curve
  */
-export interface Subdivision<C = Curve> {
+export interface Subdivision<C> {
   /** The part */
   curve: C;
   /** The parameter of its start on the whole curve */

@@ -3,7 +3,6 @@ import { patchData, requireJSON } from "./brand.js";
 import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
-
 import type { CorePatch } from "./patch/core-patch.js";
 import type { Network, PatchData } from "./brand.js";
 

@@ -1,6 +1,6 @@
 // Meshes as binary glTF 2.0; src/io/glb.rs produces the same bytes. Source: Khronos, glTF 2.0 specification, §3 and §4.
 import { checkMesh, toFloat32Array, newFile } from "./mesh-file.js";
-import type { Mesh } from "../geometry/mesh.js";
+import type { MeshArrays } from "./mesh-file.js";
 
 const MAGIC = 0x46546c67; // "glTF"
 const VERSION = 2;
@@ -30,7 +30,7 @@ export type View = {
 /**
  * @internal
  */
-export function meshToGLB(mesh: Mesh): Uint8Array<ArrayBuffer> {
+export function meshToGLB(mesh: MeshArrays): Uint8Array<ArrayBuffer> {
   checkMesh(mesh, mesh.indices, 3);
   const views = mesh.indices.length ? viewsOf(mesh) : [];
   const length = views.reduce((sum, { array }) => sum + paddedLength(array.byteLength), 0);
@@ -57,7 +57,7 @@ export function meshToGLB(mesh: Mesh): Uint8Array<ArrayBuffer> {
  * @param mesh with at least one triangle
  * @returns POSITION, NORMAL, TEXCOORD_0 if there is one, indices
  */
-function viewsOf(mesh: Mesh): View[] {
+function viewsOf(mesh: MeshArrays): View[] {
   const positions = toFloat32Array(mesh.positions, "positions");
   const count = positions.length / 3;
   const floats = (array: Float32Array, type: string, bounds = {}) => ({

@@ -1,6 +1,13 @@
 // Functions that the writers of mesh files share: checks of the arrays, conversion to f32, the size limit.
 
-import type { Mesh } from "../geometry/mesh.js";
+/** The arrays of a `Mesh` that files contain. */
+export type MeshArrays = {
+  positions: Float32Array | Float64Array;
+  normals: Float32Array | Float64Array;
+  uvs: Float32Array | null;
+  indices: Uint16Array | Uint32Array;
+  quads?: Uint16Array | Uint32Array;
+};
 
 /** The largest file: 1 GiB. */
 const MAX_BYTES = 2 ** 30;
@@ -34,7 +41,7 @@ export function toFloat32Array(numbers: Float32Array | Float64Array, name: strin
  * @internal
  * @param corners the number of corners of a face
  */
-export function checkMesh({ positions, normals, uvs }: Mesh, faces: Uint16Array | Uint32Array, corners: number) {
+export function checkMesh({ positions, normals, uvs }: MeshArrays, faces: Uint16Array | Uint32Array, corners: number) {
   const vertices = positions.length / 3;
   checkCount("positions", "3 numbers for each vertex", positions, 3 * Math.floor(vertices));
   checkCount("normals", "3 numbers for each vertex", normals, positions.length);

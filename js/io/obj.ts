@@ -2,12 +2,12 @@
 import * as check from "../geometry/check.js";
 import { formatNumber } from "./format-number.js";
 import { checkMesh } from "./mesh-file.js";
-import type { Mesh } from "../geometry/mesh.js";
+import type { MeshArrays } from "./mesh-file.js";
 
 /**
  * @internal
  */
-export function meshToOBJ(mesh: Mesh, options?: { quads?: boolean }): string {
+export function meshToOBJ(mesh: MeshArrays, options?: { quads?: boolean }): string {
   const quads = check.optionalBoolean(check.options(options, ["quads"]).quads, "quads", mesh.quads !== undefined);
   if (quads && !mesh.quads) throw new RangeError("quads: expected a mesh with quads, got one without");
   const [faces, corners] = quads && mesh.quads ? [mesh.quads, 4] : [mesh.indices, 3];

@@ -1,6 +1,6 @@
 // Meshes as binary STL; src/io/mesh_export.rs writes the same bytes.
 import { checkMesh, toFloat32Array, newFile } from "./mesh-file.js";
-import type { Mesh } from "../geometry/mesh.js";
+import type { MeshArrays } from "./mesh-file.js";
 
 const STL_HEADER_BYTES = 80;
 /** A normal and three corners of three f32, and two unused bytes. */
@@ -9,7 +9,7 @@ const STL_TRIANGLE_BYTES = 50;
 /**
  * @internal
  */
-export function meshToSTL(mesh: Mesh): Uint8Array<ArrayBuffer> {
+export function meshToSTL(mesh: MeshArrays): Uint8Array<ArrayBuffer> {
   const { indices } = mesh;
   checkMesh(mesh, indices, 3);
   const positions = toFloat32Array(mesh.positions, "positions");

@@ -2,6 +2,7 @@
 // operations and explains them.
 import { angleOf, arc, MAX_PIECE_ANGLE } from "./svg-arc.js";
 import { MAX_DIGITS, roundTrip, shortNumber } from "./svg-write.js";
+import type { ArcFinder } from "./svg-write.js";
 
 const SIMILAR = 1e-9;
 /** tan²(θ/4) of a cubic over the angle θ is between these values. */
@@ -47,21 +48,6 @@ export type SvgArc = { radii: number[]; degrees: number; large: boolean; sweep: 
  * @internal
  */
 export type SvgWriter = { precision?: number; arc(words: string[]): void; at?(): number[] };
-
-/**
- * For a subpath of a packed path (the indices of its degrees and points, the end of the points, whether it is closed),
- * a function that writes the arc at the start of the cubics from segment k on, whose first control point after the start
- * is at an index, and returns the number of cubics; null without cubics.
- *
- * @internal
- */
-export type ArcFinder = (
-  packed: Float64Array,
-  degrees: number,
-  points: number,
-  end: number,
-  closed: boolean,
-) => ((writer: any, k: number, at: number) => number) | null;
 
 /** The ellipse on which a cubic may be an arc: its center, the vectors u and v at the start, and tan²(θ/4). */
 export type Ellipse = { cx: number; cy: number; ux: number; uy: number; vx: number; vy: number; square: number };

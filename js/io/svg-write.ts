@@ -5,7 +5,6 @@ import { core } from "../wasm/init.js";
 import { extents } from "../wasm/packed-path.js";
 import { unwrapCount } from "../wasm/errors.js";
 import { writeArguments, readResult } from "../wasm/transfer.js";
-import type { ArcFinder } from "./svg-arcs.js";
 
 /** From this value on, numbers have no digits after the decimal point, and `String` writes them with an exponent. */
 const MIN_EXPONENTIAL = 1e21;
@@ -14,6 +13,21 @@ const MIN_EXPONENTIAL = 1e21;
 export const MAX_DIGITS = 100;
 
 const COMMANDS = ["", "L", "Q", "C"];
+
+/**
+ * For a subpath of a packed path (the indices of its degrees and points, the end of the points, whether it is closed),
+ * a function that writes the arc at the start of the cubics from segment k on, whose first control point after the start
+ * is at an index, and returns the number of cubics; null without cubics.
+ *
+ * @internal
+ */
+export type ArcFinder = (
+  packed: Float64Array,
+  degrees: number,
+  points: number,
+  end: number,
+  closed: boolean,
+) => ((writer: any, k: number, at: number) => number) | null;
 
 /**
  * The receiver of drawing commands: `move`, then `curve` with the degree (1 to 3), an array of coordinates and the

@@ -2,8 +2,7 @@
 // three.js.
 import * as check from "../geometry/check.js";
 import type { Point } from "../geometry/points.js";
-import type { Spline } from "../geometry/spline/spline.js";
-import type { Mesh } from "../geometry/mesh.js";
+import type { MeshArrays } from "./mesh-file.js";
 
 /** The classes of three.js that are used: the namespace of three.js, or an object with these two. */
 export interface Three<GeometryClass extends { new (): any; prototype: any } = { new (): any; prototype: any }> {
@@ -16,7 +15,7 @@ export interface Three<GeometryClass extends { new (): any; prototype: any } = {
  * @internal
  */
 export function meshToThree<GeometryClass extends { new (): any; prototype: any }>(
-  { positions, normals, uvs, indices }: Mesh,
+  { positions, normals, uvs, indices }: MeshArrays,
   THREE: Three<GeometryClass>,
 ): GeometryClass["prototype"] {
   requireClasses(THREE, ["BufferGeometry", "BufferAttribute"]);
@@ -57,7 +56,7 @@ function requireClasses(THREE: any, names: readonly string[]) {
  * @internal
  */
 export function contoursToThree<ShapeClass extends { new (): any; prototype: any }>(
-  contours: readonly Spline[],
+  contours: readonly { area: () => number; trace: (target: any) => void }[],
   THREE: ThreeShapes<ShapeClass>,
 ): ShapeClass["prototype"][] {
   requireClasses(THREE, ["Shape", "Path"]);

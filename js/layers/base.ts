@@ -4,6 +4,7 @@ import { along, dashed, isSeen, lines, mark, onPicture, reserve } from "./draw-c
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
+import type { Curve } from "../index.js";
 
 export type Point2 = [number, number];
 
@@ -22,7 +23,7 @@ const CURVE_ROOM = 2;
 export const curve = {
   derive: ({ pieces }: Figure) => pieces.map((piece) => piece.curve),
 
-  draw(context: DrawContext, curves: import("../index.js").Curve[]) {
+  draw(context: DrawContext, curves: Curve[]) {
     along(context, curves);
     pen.stroke(context, context.theme.curve, pen.CURVE_WIDTH);
     for (const each of curves.slice(0, CURVE_PLACES)) {

@@ -4,10 +4,23 @@ import { Lens } from "./lens.js";
 import type { Curve } from "../index.js";
 import type { Theme } from "./theme.js";
 import type { Role } from "./theme.js";
-import type { Word } from "./words.js";
 import type { State } from "../editor/state.js";
+import type { Paper } from "../ui/pen.js";
 
 export type Point2 = [number, number];
+
+/** A text that is placed when all is drawn. */
+export interface Word {
+  text: string;
+  /** What is named, on the picture */
+  at: Point2;
+  /** The direction in which the word would best stand, of length 1 */
+  away: Point2;
+  /** From there to the middle of the word, in CSS pixels */
+  gap: number;
+  /** The smallest are placed first; from 1 on they are light */
+  rank: number;
+}
 
 /** A paper with a lens before it. Paths go through the lens; marks and words stand on the picture, at `lens.place`. */
 export interface DrawContext {
@@ -24,7 +37,7 @@ export interface DrawContext {
   reserved: number[];
 }
 
-export function contextOn({ ctx, theme, px }: import("../ui/pen.js").Paper<Role>, state: State): DrawContext {
+export function contextOn({ ctx, theme, px }: Paper<Role>, state: State): DrawContext {
   return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], reserved: [] };
 }
 

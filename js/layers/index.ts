@@ -20,6 +20,7 @@ import type { State } from "../editor/state.js";
 import type { LayerName } from "../editor/state.js";
 
 export { LEVELS, ROLES } from "./theme.js";
+import type { Paper } from "../ui/pen.js";
 
 export interface Layer {
   /** By which it is switched; else it is always there */
@@ -85,7 +86,7 @@ export function switchable(layers: readonly Layer[]) {
  * @returns the messages of the layers
  */
 export function drawFigure(
-  paper: import("../ui/pen.js").Paper<Role>,
+  paper: Paper<Role>,
   state: State,
   figure: Figure,
   layers: readonly Layer[] = ALL_LAYERS,

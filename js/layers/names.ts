@@ -7,6 +7,7 @@ import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
 import type { Labels } from "../editor/state.js";
+import type { Curve } from "../index.js";
 
 export type Name = { text: string; at: ArrayLike<number>; away: [number, number] };
 
@@ -64,7 +65,7 @@ export function namesOf(figure: Figure, { layers, labels, basis, segment, t }: S
   return figure.pieces.flatMap(({ curve, indices }) => constructionNames(curve.deCasteljau(t), labels, indices[0]));
 }
 
-function halfNames(halves: import("../index.js").Curve[]): Name[] {
+function halfNames(halves: Curve[]): Name[] {
   return halves.flatMap((half, side) => {
     const flat = half.controlPoints();
     return Array.from({ length: flat.length / 2 }, (_, i) => {
@@ -80,7 +81,7 @@ function halfNames(halves: import("../index.js").Curve[]): Name[] {
 /**
  * The point next to the cut in the other half: the names of the two points at the cut keep away from it, each on its own side.
  */
-function acrossCut(halves: import("../index.js").Curve[], side: number): [number, number] {
+function acrossCut(halves: Curve[], side: number): [number, number] {
   const other = halves[1 - side].controlPoints();
   const k = side === 0 ? 2 : other.length - 4;
   return [other[k], other[k + 1]];

@@ -1,20 +1,8 @@
 // Where words stand: beside what they name, clear of marks and of each other where there is room.
 import { label } from "../ui/pen.js";
-import type { DrawContext } from "./draw-context.js";
+import type { DrawContext, Word } from "./draw-context.js";
 
 export type Point2 = [number, number];
-
-export interface Word {
-  text: string;
-  /** What is named, on the picture */
-  at: Point2;
-  /** The direction in which the word would best stand, of length 1 */
-  away: Point2;
-  /** From there to the middle of the word, in CSS pixels */
-  gap: number;
-  /** The smallest are placed first; from 1 on they are light */
-  rank: number;
-}
 
 /** About the size of a character, in CSS pixels: of the names of the control points, and of all else. */
 const CHARACTER = { width: 8.5, height: 16 };

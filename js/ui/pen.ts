@@ -1,9 +1,11 @@
 // What pictures are drawn with: lines and marks whose sizes are CSS pixels, turned into the canvas's units by `px`.
 import { FONT_FAMILY } from "./tokens.js";
+import type { Role as AppletRole } from "./theme.js";
+import type { Box } from "../editor/plane.js";
 
 export type Point2 = [number, number];
 
-export interface Paper<Role extends string = import("./theme.js").Role> {
+export interface Paper<Role extends string = AppletRole> {
   /** Scaled to the view box */
   ctx: CanvasRenderingContext2D;
   theme: Record<Role, string>;
@@ -129,6 +131,6 @@ export function unit([x, y]: Point2): Point2 {
 /**
  * @returns just inside the picture
  */
-export function atEdge(box: import("../editor/plane.js").Box, [x, y]: Point2, margin: number): Point2 {
+export function atEdge(box: Box, [x, y]: Point2, margin: number): Point2 {
   return [Math.min(Math.max(x, margin), box.width - margin), Math.min(Math.max(y, margin), box.height - margin)];
 }

@@ -95,7 +95,7 @@ export const results: [
   CurveKind,
   Distance,
   Reduced,
-  Subdivision,
+  Subdivision<Curve>,
   Frames,
   Continuity,
   BSpline,

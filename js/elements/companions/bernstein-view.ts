@@ -7,7 +7,7 @@ import { style } from "./style.js";
 import { isVector, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MAX_DEGREE, weightsAt } from "./weights.js";
 import { translated, translatedTable } from "../../editor/translations.js";
-import type { BezierBernstein } from "./bernstein.js";
+import type { Linked } from "./linked.js";
 import type { Frame, Line } from "./plot.js";
 import type { Subject } from "./subject.js";
 import type { Basis } from "./weights.js";
@@ -25,6 +25,9 @@ const TITLES: Record<string, string> = translatedTable({
 const MAX_SPOKEN = 8;
 /** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
 const HERMITE_SLOTS = [0, 2, 3, 1];
+
+/** The element: its properties as they are given, good or not. */
+type Host = Linked & { degree: number; t: number; basis: string };
 
 /**
  * What `<bezier-bernstein>` shows.
@@ -65,7 +68,7 @@ export class BernsteinView {
 
   #host;
 
-  constructor(host: BezierBernstein) {
+  constructor(host: Host) {
     this.#host = host;
   }
 

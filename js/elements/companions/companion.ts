@@ -4,6 +4,7 @@ import { acceptAttributeText } from "../attribute-text.js";
 import { followTranslations } from "../follow-translations.js";
 import { missing } from "../loading.js";
 import type { LazyView, View, ViewClass } from "./loading.js";
+import type { PropertyDeclarations, PropertyDeclaration } from "lit";
 
 /** Root margin for lazy loading. */
 const NEAR = "300px";
@@ -20,7 +21,7 @@ export class Companion extends LitElement {
   declare theme: string;
   declare label: string;
 
-  static properties: import("lit").PropertyDeclarations = {
+  static properties: PropertyDeclarations = {
     theme: { reflect: true, useDefault: true },
     label: { reflect: true, useDefault: true },
   };
@@ -28,7 +29,7 @@ export class Companion extends LitElement {
   /** What shows this kind of companion; each subclass has its own. */
   static view: LazyView<any>;
 
-  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: PropertyDeclaration) {
     // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
     return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
   }

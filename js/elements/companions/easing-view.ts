@@ -7,10 +7,13 @@ import { Preview } from "./preview.js";
 import { style } from "./style.js";
 import { checkAbscissa, heightsOf, presetOf, PRESETS, PRESET_NAMES, readTiming, timingText } from "./timing.js";
 import { translated } from "../../editor/translations.js";
-import type { BezierEasing } from "./easing.js";
+import type { FormField } from "./form-field.js";
 import type { Handles, Heights } from "./timing.js";
 
 const COORDINATES = ["x1", "y1", "x2", "y2"];
+
+/** The element. */
+type Host = FormField & { value: string; handles: Handles; choose: (handles: Handles, done: boolean) => void };
 
 /**
  * What `<bezier-easing>` shows.
@@ -71,7 +74,7 @@ export class EasingView {
   });
   #preview = new Preview(() => this.#host.renderRoot as ShadowRoot);
 
-  constructor(host: BezierEasing) {
+  constructor(host: Host) {
     this.#host = host;
   }
 
@@ -99,7 +102,7 @@ export class EasingView {
   }
 
   #play() {
-    this.#preview.play(easing(...(this.#host.handles as import("./timing.js").Handles)), this.#heights);
+    this.#preview.play(easing(...(this.#host.handles as Handles)), this.#heights);
   }
 
   content() {

@@ -3,10 +3,11 @@ import { LazyView } from "./loading.js";
 import { PRESETS, readTiming, timingText } from "./timing.js";
 import { translated } from "../../editor/translations.js";
 import type { Handles } from "./timing.js";
+import type { PropertyDeclarations } from "lit";
 
 /** `<bezier-easing>`; what can be set from outside is documented in types.js. */
 export class BezierEasing extends FormField {
-  static properties: import("lit").PropertyDeclarations = { value: { attribute: false, noAccessor: true } };
+  static properties: PropertyDeclarations = { value: { attribute: false, noAccessor: true } };
   static view = new LazyView(() => import("./easing-view.js"), "EasingView");
 
   /** @internal */

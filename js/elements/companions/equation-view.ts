@@ -22,7 +22,7 @@ import { style } from "./style.js";
 import { bezierForm, inPoints, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weights.js";
 import { translated, translatedTable } from "../../editor/translations.js";
-import type { BezierEquation } from "./equation.js";
+import type { Pointed } from "./pointed.js";
 import type { Check } from "./points.js";
 import type { Subject } from "./subject.js";
 
@@ -38,6 +38,16 @@ const BASIS_NAMES: Record<string, string> = translatedTable({
 const MAX_MATRIX = 10;
 /** and of de Casteljau's triangle for the last levels only. */
 const MAX_LEVELS = 6;
+
+/** The element: its properties as they are given, good or not. */
+type Host = Pointed & {
+  t: number;
+  degree: number | null;
+  basis: string;
+  matrix: string;
+  form: string;
+  editable: boolean;
+};
 
 /**
  * What `<bezier-equation>` shows.
@@ -70,7 +80,7 @@ export class EquationView {
     paste: (_, text) => this.#pasteMatrix(text),
   });
 
-  constructor(host: BezierEquation) {
+  constructor(host: Host) {
     this.#host = host;
   }
 

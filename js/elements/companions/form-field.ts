@@ -2,6 +2,7 @@
 import { LitElement } from "lit";
 import { writeAttribute } from "../attribute-text.js";
 import { Companion } from "./companion.js";
+import type { PropertyDeclarations, PropertyDeclaration } from "lit";
 
 /** Properties that a form reads from the attributes, which therefore have to be up to date at any time. */
 const READ_BY_FORMS: PropertyKey[] = ["name", "required", "disabled"];
@@ -15,14 +16,14 @@ export class FormField extends Companion {
 
   static formAssociated = true;
   static shadowRootOptions = { ...LitElement.shadowRootOptions, delegatesFocus: true };
-  static properties: import("lit").PropertyDeclarations = {
+  static properties: PropertyDeclarations = {
     defaultValue: { attribute: "value", reflect: true, useDefault: true },
     name: { reflect: true, useDefault: true },
     required: { type: Boolean, reflect: true, useDefault: true },
     disabled: { type: Boolean, reflect: true, useDefault: true },
   };
 
-  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: PropertyDeclaration) {
     // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
     const accessor = super.getPropertyDescriptor(name, key, options);
     if (!READ_BY_FORMS.includes(name)) return accessor;

@@ -3,6 +3,7 @@ import { Companion } from "./companion.js";
 import { loader } from "../loader.js";
 import { elementFor, followIds } from "./links.js";
 import { quoted } from "../../ui/numbers.js";
+import type { PropertyDeclarations } from "lit";
 
 /** What a companion needs of an applet. */
 export type Target = HTMLElement & { figure: any; steer(change: object, done: boolean): void };
@@ -10,7 +11,7 @@ export type Target = HTMLElement & { figure: any; steer(change: object, done: bo
 export class Linked extends Companion {
   declare htmlFor: string;
 
-  static properties: import("lit").PropertyDeclarations = {
+  static properties: PropertyDeclarations = {
     htmlFor: { attribute: "for", reflect: true, useDefault: true },
   };
 

@@ -1,13 +1,14 @@
 import { Linked } from "./linked.js";
 import { ownPoints, pointsText } from "./points.js";
 import type { Point2, PointsLike } from "./points.js";
+import type { PropertyDeclarations } from "lit";
 
 /** A companion with points of its own while it is linked to nothing. */
 export class Pointed extends Linked {
   /** @internal As it was given, good or not. */
   declare given: PointsLike;
 
-  static properties: import("lit").PropertyDeclarations = {
+  static properties: PropertyDeclarations = {
     given: {
       attribute: "points",
       reflect: true,

@@ -4,6 +4,8 @@ import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
 import { followTranslations } from "../follow-translations.js";
 import { Memo } from "./memo.js";
 import { SettingsReader } from "./settings.js";
+import type { PropertyDeclaration } from "lit";
+import type { Settings } from "./settings.js";
 
 const text = { type: String, reflect: true };
 const number = { type: Number, reflect: true };
@@ -59,7 +61,7 @@ export class SurfaceAttributes extends LitElement {
     swept: flag,
   };
 
-  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: PropertyDeclaration) {
     // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
     return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
   }
@@ -99,7 +101,7 @@ export class SurfaceAttributes extends LitElement {
    *
    * @protected
    */
-  settings(): import("./settings.js").Settings {
+  settings(): Settings {
     const {
       model,
       parts,

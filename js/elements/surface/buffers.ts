@@ -1,13 +1,13 @@
 // Numbers on the graphics card: vertex arrays whose buffers are filled again when the numbers change.
 import * as twgl from "twgl.js";
-import type { ProgramInfo } from "twgl.js";
+import type { ProgramInfo, BufferInfo } from "twgl.js";
 
 export type Arrays = Record<string, { numComponents: number; data: Float32Array; divisor?: number }>;
 
 /** One thing to draw: a vertex array and how many vertices or indices it has. */
 export class Batch {
   #gl;
-  #info: import("twgl.js").BufferInfo | undefined;
+  #info: BufferInfo | undefined;
   #array: WebGLVertexArrayObject | null = null;
   #version = -1;
   #length: number = 0;

@@ -23,6 +23,7 @@ import type { Handles } from "./handles.js";
 import type { Labels } from "./labels.js";
 import type { Drawing } from "./loading.js";
 import type { Stage } from "./stage.js";
+import type { PanelPort } from "./panel.js";
 
 /** Root margin for lazy loading. */
 const NEAR = "300px";
@@ -405,7 +406,7 @@ export class BezierSurface extends SurfaceAttributes {
     });
   }
 
-  #panelPort(): import("./panel.js").PanelPort {
+  #panelPort(): PanelPort {
     return {
       settings: this.settings(),
       groups: controlGroups(this.controls),

@@ -1,6 +1,6 @@
 // The picture without WebGL2: the curves of the surface as lines in two dimensions.
 import { pixelMatrix } from "./camera.js";
-import type { Picture } from "./gl-view.js";
+import type { Picture } from "./gl-kit.js";
 
 const STRIPS = 4;
 

@@ -3,6 +3,8 @@ import { panel } from "./panel.js";
 import { readout } from "./readout.js";
 import { tools } from "./tools.js";
 import { instructions } from "./words.js";
+import type { Facts } from "./geometry.js";
+import type { PanelPort } from "./panel.js";
 
 /**
  * Everything in the shadow root.
@@ -38,11 +40,11 @@ export function frame({
   name: string;
   blank: boolean;
   message: string;
-  facts: import("./geometry.js").Facts | null;
+  facts: Facts | null;
   language: string;
   key: (event: KeyboardEvent) => void;
   tools: Parameters<typeof tools>[0];
-  panel: import("./panel.js").PanelPort | null;
+  panel: PanelPort | null;
 }) {
   return html`<div class="frame" part="frame" @input=${stop} @change=${stop} @keydown=${key}>
     <div class="stage" part="stage" role="group" aria-label=${name}>

@@ -9,6 +9,7 @@ import { MAX_GPU_DEGREE } from "./shaders.js";
 import type { Mesh, Surface } from "../../surfaces.js";
 import type { Settings } from "./settings.js";
 import type { Frame, Sight } from "./camera.js";
+import type { Piece } from "./pieces.js";
 
 /** What is to be seen. */
 export type Scene = { surface: Surface; settings: Settings; frame: Frame; picked: number | null };
@@ -40,7 +41,7 @@ export class Geometry {
   #ms = 0;
   #wiresMs = { tubes: 0, ribbons: 0 };
   /** What the text's recursion left, where it made the mesh. */
-  #pieces: import("./pieces.js").Piece[] = [];
+  #pieces: Piece[] = [];
   #seen: unknown[] = [];
   #sight: { viewProjection: number[]; viewport: number[] } | null = null;
   /** Whether the camera has moved since the view that tolerances in pixels refer to. */

@@ -3,15 +3,30 @@ import * as twgl from "twgl.js";
 import { Batch } from "./buffers.js";
 import { PatchTexture } from "./patch-texture.js";
 import { SOURCES } from "./shaders.js";
+import type { ProgramInfo } from "twgl.js";
+import type { Sight } from "./camera.js";
+import type { Geometry, Scene } from "./geometry.js";
+import type { Theme } from "./theme.js";
 
 /** |∂u × ∂v| below this share of |∂u|² + |∂v|² is a normal that rounding has eaten. */
 const ZERO_RATIO = 2e-6;
+
+/** One picture: what, seen how, in which colours, on how many pixels, and how many of them make a CSS pixel. */
+export type Picture = {
+  scene: Scene;
+  geometry: Geometry;
+  sight: Sight;
+  theme: Theme;
+  width: number;
+  height: number;
+  ratio: number;
+};
 
 export class GlKit {
   gl: WebGL2RenderingContext;
   texture: PatchTexture;
 
-  #programs: Map<string, import("twgl.js").ProgramInfo> = new Map();
+  #programs: Map<string, ProgramInfo> = new Map();
   #batches: Map<string, Batch> = new Map();
 
   constructor(gl: WebGL2RenderingContext) {

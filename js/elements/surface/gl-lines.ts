@@ -2,7 +2,8 @@
 import * as twgl from "twgl.js";
 import { unitEdges } from "./patch-texture.js";
 import type { GlKit } from "./gl-kit.js";
-import type { Picture } from "./gl-view.js";
+import type { Picture } from "./gl-kit.js";
+import type { ProgramInfo } from "twgl.js";
 
 /** What is hidden behind the surface shows through by so much. */
 const HIDDEN_ALPHA = 0.22;
@@ -137,7 +138,7 @@ export class GlLines {
     gl.depthFunc(gl.LESS);
   }
 
-  #uniforms(program: import("twgl.js").ProgramInfo, { sight, width, height, ratio }: Picture, pen: Pen) {
+  #uniforms(program: ProgramInfo, { sight, width, height, ratio }: Picture, pen: Pen) {
     this.#kit.gl.useProgram(program.program);
     const halfWidth = (pen.width * ratio) / 2;
     const ink = [...pen.colour, pen.alpha ?? 1];

@@ -5,20 +5,8 @@ import { GlKit } from "./gl-kit.js";
 import { GlLines } from "./gl-lines.js";
 import { unitGrid } from "./patch-texture.js";
 import { MODES } from "./shaders.js";
-import type { Sight } from "./camera.js";
-import type { Geometry, Scene } from "./geometry.js";
-import type { Theme } from "./theme.js";
-
-/** One picture: what, seen how, in which colours, on how many pixels, and how many of them make a CSS pixel. */
-export type Picture = {
-  scene: Scene;
-  geometry: Geometry;
-  sight: Sight;
-  theme: Theme;
-  width: number;
-  height: number;
-  ratio: number;
-};
+import type { Picture } from "./gl-kit.js";
+import type { ProgramInfo } from "twgl.js";
 
 export class GlView {
   #kit;
@@ -115,7 +103,7 @@ export class GlView {
     batch.draw(this.#kit.gl.TRIANGLES, surface.patchCount);
   }
 
-  #uniforms(program: import("twgl.js").ProgramInfo, { scene, sight, theme }: Picture) {
+  #uniforms(program: ProgramInfo, { scene, sight, theme }: Picture) {
     const gl = this.#kit.gl;
     gl.useProgram(program.program);
     gl.enable(gl.POLYGON_OFFSET_FILL);

@@ -28,7 +28,7 @@ import {
 } from "./words.js";
 import { translated } from "../../editor/translations.js";
 import type { ControlGroups } from "../attribute-text.js";
-import type { Settings } from "./settings.js";
+import type { Settings, Part, Layer } from "./settings.js";
 
 /** What the controls know and do. */
 export interface PanelPort {
@@ -126,7 +126,7 @@ function modelControls(port: PanelPort) {
   const { settings, set } = port;
   const { model, parts } = settings;
   const has = (part: string) => hasPart(port.groups, "model", part);
-  const part = (each: import("./settings.js").Part) =>
+  const part = (each: Part) =>
     box(PART_NAMES[each], parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
   return html`<fieldset><legend>${translated("Model")}</legend>
     ${model === "teapot" && has("height") ? select("height", translated("Height"), HEIGHTS, settings.height, HEIGHT_NAMES, port) : nothing}
@@ -167,7 +167,7 @@ function layerControls(port: PanelPort) {
     set,
   } = port;
   const has = (part: string) => hasPart(port.groups, "show", part);
-  const layer = (each: import("./settings.js").Layer) =>
+  const layer = (each: Layer) =>
     box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>${translated("Show")}</legend>${LAYERS.filter(has).map(layer)}
     ${has("lines") && ["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? propertySlider("lines", translated("Strips"), lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;

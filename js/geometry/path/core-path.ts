@@ -9,7 +9,7 @@ import { findArcs } from "../../io/svg-arcs.js";
 import { svgOf, traceOn, checkTolerance } from "../../io/svg-write.js";
 import { extents, packedSplines, packedPaths } from "../../wasm/packed-path.js";
 import { isEvenOdd } from "./fill-rule.js";
-import { checkedLocation, isAfter, partsBetween, pointAsSubpath, segmentAt } from "./path-segments.js";
+import { checkedLocation, isAfter, partsBetween, segmentAt } from "./path-segments.js";
 import { pointAndDirections } from "../arc-length.js";
 import { PathSegmentIndex } from "./path-segment-index.js";
 import { PathTree } from "./path-tree.js";
@@ -234,6 +234,12 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     return this.#segments[subpath];
   }
 
+  /** The segment at a location, and the parameter on it. */
+  #segmentAt(location: PathTime): [CoreCurve<2>, number] {
+    const { subpath, t } = checkedLocation(this.subpathCount, location);
+    return segmentAt(this._segments(subpath), t);
+  }
+
   /**
    * A path of the same class.
    *
@@ -263,7 +269,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param location a subpath and a parameter on it
    */
   eval(location: PathTime): Point<2> {
-    const [curve, t] = segmentAt(this, location);
+    const [curve, t] = this.#segmentAt(location);
     return curve.eval(t);
   }
 
@@ -279,7 +285,9 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     if (!Array.isArray(locations)) {
       throw new TypeError(`locations: expected an array of {subpath, t}, got ${check.describe(locations)}`);
     }
-    const checked = Array.from(locations, (location, k) => checkedLocation(this, location, `locations[${k}]`));
+    const checked = Array.from(locations, (location, k) =>
+      checkedLocation(this.subpathCount, location, `locations[${k}]`),
+    );
     const points = check.resultArray(check.options(options, ["into"]).into, 2 * checked.length);
     checked.forEach((location, k) => {
       const { x, y } = this.eval(location);
@@ -311,7 +319,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param k the order of the derivative, by default 1
    */
   derivativeAt(location: PathTime, k = 1): Point<2> {
-    const [curve, t] = segmentAt(this, location);
+    const [curve, t] = this.#segmentAt(location);
     return curve.derivativeAt(t, k);
   }
 
@@ -321,7 +329,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param location a subpath and a parameter on it
    */
   tangent(location: PathTime): Point<2> {
-    const [curve, t] = segmentAt(this, location);
+    const [curve, t] = this.#segmentAt(location);
     return curve.tangent(t);
   }
 
@@ -331,7 +339,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param location a subpath and a parameter on it
    */
   normal(location: PathTime): Point<2> {
-    const [curve, t] = segmentAt(this, location);
+    const [curve, t] = this.#segmentAt(location);
     return curve.normal(t);
   }
 
@@ -341,7 +349,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param location a subpath and a parameter on it
    */
   curvature(location: PathTime): number {
-    const [curve, t] = segmentAt(this, location);
+    const [curve, t] = this.#segmentAt(location);
     return curve.curvature(t);
   }
 
@@ -365,13 +373,13 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   split(location: PathTime | readonly PathTime[], ...surplus: never[]): this[] {
     check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
     const ends = Array.isArray(location)
-      ? Array.from(location, (each, k) => checkedLocation(this, each, `locations[${k}]`))
-      : [checkedLocation(this, location)];
+      ? Array.from(location, (each, k) => checkedLocation(this.subpathCount, each, `locations[${k}]`))
+      : [checkedLocation(this.subpathCount, location)];
     ends.sort((a, b) => a.subpath - b.subpath || a.t - b.t);
     const last = this.subpathCount - 1;
     ends.push({ subpath: last, t: last < 0 ? 0 : this._segments(last).length });
     const start = { subpath: 0, t: 0 };
-    return ends.map((end, k) => this._pathOf(packedSplines(partsBetween(this, k ? ends[k - 1] : start, end))));
+    return ends.map((end, k) => this._pathOf(packedSplines(partsBetween(this.subpaths, k ? ends[k - 1] : start, end))));
   }
 
   /**
@@ -386,10 +394,14 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   subsegment(from: PathTime, to: PathTime, ...surplus: never[]): this {
     check.noSurplus(surplus, "subsegment", 2);
-    const [a, b] = [checkedLocation(this, from, "from"), checkedLocation(this, to, "to")];
-    if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this, b, a).reverse())).reverse();
+    const [a, b] = [checkedLocation(this.subpathCount, from, "from"), checkedLocation(this.subpathCount, to, "to")];
+    if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this.subpaths, b, a).reverse())).reverse();
     const isPoint = a.subpath === b.subpath && a.t === b.t;
-    return this._pathOf(packedSplines(isPoint ? [pointAsSubpath(this, a)] : partsBetween(this, a, b)));
+    return this._pathOf(
+      packedSplines(
+        isPoint ? [this.subpaths[a.subpath].subsegment(a.t, a.t).casteljauData()] : partsBetween(this.subpaths, a, b),
+      ),
+    );
   }
 
   #segmentIndex: PathSegmentIndex | undefined;
@@ -461,7 +473,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   pointAtLength(s: number, tolerance?: number): PathPointAtLength | null {
     const time = this.timeAtLength(s, tolerance);
     if (!time) return null;
-    const [curve, t] = segmentAt(this, time);
+    const [curve, t] = segmentAt(this._segments(time.subpath), time.t);
     return { ...pointAndDirections(curve, t), ...time };
   }
 
@@ -487,7 +499,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param location a subpath and a parameter on it; beyond its ends, the end counts
    */
   lengthAt(location: PathTime): number {
-    const { subpath, t } = checkedLocation(this, location);
+    const { subpath, t } = checkedLocation(this.subpathCount, location);
     const before = this.subpaths.slice(0, subpath).reduce((sum, spline) => sum + spline.length(), 0);
     const spline = this.subpaths[subpath];
     return before + (t <= 0 ? 0 : spline.subsegment(0, Math.min(t, spline.segmentCount)).length());

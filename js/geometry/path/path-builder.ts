@@ -2,8 +2,6 @@ import * as check from "../check.js";
 import { directionOfDegrees } from "../../io/svg-arc.js";
 import { PathBuilder as SvgBuilder } from "../../io/svg-read.js";
 import { checkTolerance } from "../../io/svg-write.js";
-import type { Path } from "./path.js";
-import type { CorePath } from "./core-path.js";
 
 const [ARC, CUBIC, LINE, MOVE, QUADRATIC] = [65, 67, 76, 77, 81];
 
@@ -18,7 +16,7 @@ const ANGLE_ROUNDING = 1e-12;
  * As on a canvas, a command without a subpath starts one at its first point, and after `closePath` the next subpath starts where
  * the closed one did. Subpaths without a segment are omitted. Other than on a canvas, a NaN or an infinity is a RangeError.
  */
-export class PathBuilder<P extends CorePath = Path> {
+export class PathBuilder<P> {
   #builder;
   #tolerance;
   #pathOf;

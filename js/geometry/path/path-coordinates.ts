@@ -1,7 +1,13 @@
 // Locations on a path where a coordinate has a given value or an extremum.
 import { requestedCoordinate } from "../curve-queries.js";
+import type { Extrema } from "../curve-queries.js";
 import type { PathTime } from "./path-queries.js";
-import type { Path } from "./path.js";
+
+/** What is asked of each subpath. */
+interface Subpath {
+  extrema: () => Extrema;
+  timesAtCoordinate: (where: { x: number } | { y: number }) => Float64Array;
+}
 
 /** The locations where a coordinate has a local extremum. */
 export type PathExtrema = { x: PathTime[]; y: PathTime[] };
@@ -9,8 +15,8 @@ export type PathExtrema = { x: PathTime[]; y: PathTime[] };
 /**
  * @internal
  */
-export function extremaOfPath(path: Path): PathExtrema {
-  const extrema = path.subpaths.map((spline) => spline.extrema());
+export function extremaOfPath(subpaths: readonly Subpath[]): PathExtrema {
+  const extrema = subpaths.map((spline) => spline.extrema());
   const locations = (axis: "x" | "y") =>
     extrema.flatMap((found, subpath) => Array.from(found[axis], (t) => ({ subpath, t })));
   return { x: locations("x"), y: locations("y") };
@@ -19,9 +25,10 @@ export function extremaOfPath(path: Path): PathExtrema {
 /**
  * @internal
  */
-export function timesAtCoordinateOfPath(path: Path, where: { x: number } | { y: number }): PathTime[] {
+export function timesAtCoordinateOfPath(
+  subpaths: readonly Subpath[],
+  where: { x: number } | { y: number },
+): PathTime[] {
   requestedCoordinate(where, 2); // checked for an empty path too
-  return path.subpaths.flatMap((spline, subpath) =>
-    Array.from(spline.timesAtCoordinate(where), (t) => ({ subpath, t })),
-  );
+  return subpaths.flatMap((spline, subpath) => Array.from(spline.timesAtCoordinate(where), (t) => ({ subpath, t })));
 }

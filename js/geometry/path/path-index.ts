@@ -5,12 +5,19 @@ import { writePoint } from "../points.js";
 import { isEvenOdd } from "./fill-rule.js";
 import type { PointLike } from "../check.js";
 import type { Bounds } from "../points.js";
-import type { CorePath } from "./core-path.js";
 import type { RegionOptions } from "./fill-rule.js";
 import type { PathPoint } from "./path-queries.js";
 
 /** Whether Node knows how to show the instances. */
 let isShown = false;
+
+/** What is asked of each path. */
+interface IndexedPath {
+  bounds: () => Bounds<2> | null;
+  controlBounds: () => Bounds<2> | null;
+  contains: (point: PointLike, options?: RegionOptions) => boolean;
+  _nearest: (point: Float64Array, maxDistance: number) => PathPoint | null;
+}
 
 /** What `PathIndex.nearest` finds: the index of the path, and the nearest point on it. */
 export type NearestPath = PathPoint & { index: number };
@@ -28,7 +35,7 @@ export class PathIndex {
   /**
    * @internal
    */
-  constructor(paths: readonly CorePath[]) {
+  constructor(paths: readonly IndexedPath[]) {
     if (!isShown) isShown = showInNode(PathIndex.prototype, "PathIndex", (value) => ({ paths: value.#paths.length }));
     const boxes = paths.map((path) => path.controlBounds());
     this.#paths = paths;

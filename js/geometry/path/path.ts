@@ -339,7 +339,7 @@ export class Path extends CorePath<Spline<2>> {
    */
   extrema(...surplus: never[]): PathExtrema {
     check.noSurplus(surplus, "extrema", 0);
-    return extremaOfPath(this);
+    return extremaOfPath(this.subpaths);
   }
 
   /**
@@ -350,7 +350,7 @@ export class Path extends CorePath<Spline<2>> {
    * @param where one coordinate and its value
    */
   timesAtCoordinate(where: { x: number } | { y: number }): PathTime[] {
-    return timesAtCoordinateOfPath(this, where);
+    return timesAtCoordinateOfPath(this.subpaths, where);
   }
 
   /**

@@ -225,7 +225,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * See `isRational`.
+   * See `isRational` in ../intersections.ts.
    *
    * @internal
    */

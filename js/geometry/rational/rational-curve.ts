@@ -161,7 +161,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * See `isRational`.
+   * See `isRational` in ../intersections.ts.
    *
    * @internal
    */

@@ -1,8 +1,15 @@
 // Queries of the single coordinates of a spline: extrema, and parameters of given values.
 import { requestedCoordinate } from "../curve-queries.js";
-import type { Curve } from "../curve/curve.js";
 import type { Extrema } from "../curve-queries.js";
 import type { SegmentIndex } from "./segment-index.js";
+
+/** What is asked of each segment. */
+interface Segment {
+  _flat: Float64Array;
+  dimension: 2 | 3;
+  extrema: () => Extrema;
+  timesAtCoordinate: (where: { x: number } | { y: number } | { z: number }) => Float64Array;
+}
 
 const AXES = ["x", "y", "z"] as const;
 
@@ -11,7 +18,7 @@ const AXES = ["x", "y", "z"] as const;
  *
  * @internal
  */
-export function splineExtrema(index: SegmentIndex, segments: readonly Curve[]): Extrema {
+export function splineExtrema(index: SegmentIndex, segments: readonly Segment[]): Extrema {
   const inside = segments.map((segment) => segment.extrema());
   const timesOf = (axis: number) => {
     const isExtremum = jointExtrema(index, axis);
@@ -69,7 +76,7 @@ function carried(directions: number[], closed: boolean): number[] {
  * @internal
  */
 export function splineTimesAtCoordinate(
-  segments: readonly Curve[],
+  segments: readonly Segment[],
   where: { x: number } | { y: number } | { z: number },
   closed: boolean,
 ): Float64Array {
@@ -83,7 +90,7 @@ export function splineTimesAtCoordinate(
 }
 
 /** Whether a value lies in the range of a coordinate of the control points. */
-function mayContain({ _flat, dimension }: Curve, axis: number, value: number) {
+function mayContain({ _flat, dimension }: Segment, axis: number, value: number) {
   let [min, max] = [Infinity, -Infinity];
   for (let k = axis; k < _flat.length; k += dimension) {
     min = Math.min(min, _flat[k]);
