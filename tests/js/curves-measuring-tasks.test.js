@@ -10,7 +10,18 @@ import { feet } from "../../www/figures/lib/nearest.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
 
-const UNEVEN = new Curve([12, 66, 12, 52, 36, 8, 118, 28]);
+/** The control points of the site's figures, and what the tasks see of these. */
+const UNEVEN = pointsOf("12,66 12,52 36,8 118,28");
+const BEND = pointsOf("12,61 29,58 53,48 43,38");
+const curveOf = (points, t) => ({
+  t,
+  points,
+  get curve() {
+    return new Curve(this.points);
+  },
+});
+/** The centres of three shapes. */
+const CENTERS = pointsOf("45,32 74,32 60,57");
 const ARCH = pointsOf("80,400 250,20 420,20 590,400");
 const LEVEL = pointsOf("90,400 150,90 460,90 590,400");
 /** A symmetric arch around x = 50. */
@@ -32,9 +43,9 @@ const [BELOW, ABOVE] = [Math.floor(RADIUS), Math.ceil(RADIUS)];
 const offset = (distance, points = ARCH) => ({ offset: String(distance), points });
 
 /** What the tasks see of the site's figures of a conic and of a NURBS curve. */
-const conic = (weight, /** @type {[number, number]} */ p1 = [67, 23]) => ({
+const conic = (weight, /** @type {[number, number]} */ p1 = [67, 12]) => ({
   /** @type {[number, number][]} */
-  points: [[20, 70], p1, [114, 70]],
+  points: [[29, 50], p1, [105, 50]],
   weight,
   get middle() {
     const [p0, p1, p2] = this.points;
@@ -50,11 +61,11 @@ const onCircle = (t) => ({
 });
 /** @type {[number, number][]} */
 const FIVE = [
-  [14, 68],
+  [14, 64],
   [24, 24],
   [67, 16],
   [110, 24],
-  [120, 68],
+  [120, 64],
 ];
 const nurbs = () => ({
   points: FIVE,
@@ -74,13 +85,13 @@ testTasks([
     [
       { weight: 0.5 },
       { weight: 0.74 },
-      { weight: 0.71, points: conic(1, [60, 23]).points },
-      { weight: 1, points: conic(1, [67, 70]).points }, // a segment
+      { weight: 0.5, points: conic(1, [67, 50 - 38 * Math.sqrt(3)]).points }, // a circle, with legs of 60°
+      { weight: 1, points: conic(1, [67, 50]).points }, // a segment
     ],
-    { weight: 0.7, points: conic(1).points },
+    { weight: 0.7 },
   ],
-  ["weight-two", () => conic(0.4), [{ weight: 1 }, { weight: 2.1 }], { weight: 1.96 }],
-  ["three-fifths", () => onCircle(0.75), [{ t: 0.59 }, { t: 0.52 }], { t: 0.5 }],
+  ["weight-two", () => conic(0.4), [{ weight: 1 }, { weight: 2.1 }, { weight: 0.5 }], { weight: 1.96 }],
+  ["three-fifths", () => onCircle(0.75), [{ t: 0.59 }, { t: 0.52 }, { t: 0.6 }], { t: 0.5 }],
   [
     "double-knot",
     nurbs,
@@ -92,9 +103,18 @@ testTasks([
     ],
     { first: 0.2, second: 0.2, points: FIVE },
   ],
-  // The parabola y = x² for x from −1 to 3: sharpest at its vertex, t = ¼.
-  ["sharpest-bend", { t: 0, curve: new Curve([-1, 1, 1, -3, 3, 9]) }, [{ t: 0.5 }, { t: 0.22 }, { t: 1 }], { t: 0.25 }],
-  ["half-length", { t: 0.5, curve: UNEVEN }, [{ t: 0.65 }, { t: 0.71 }, { t: 0 }], { t: 0.68 }],
+  [
+    "sharpest-bend",
+    () => curveOf(BEND, 0),
+    [{ t: 0.5 }, { t: 0.82 }, { t: 1 }, { t: 0.25, points: pointsOf("12,61 29,5 53,48 43,38") }],
+    { t: 0.85 },
+  ],
+  [
+    "half-length",
+    () => curveOf(UNEVEN, 0.5),
+    [{ t: 0.65 }, { t: 0.71 }, { t: 0 }, { t: 0.5, points: pointsOf("0,0 30,0 60,0 90,0") }],
+    { t: 0.68 },
+  ],
   [
     "low-box",
     { points: LEVEL },
@@ -102,17 +122,18 @@ testTasks([
       { points: LEVEL.with(2, [460, 240]) },
       { points: LEVEL.with(0, [90, 90]) }, // an end has moved
       { points: LEVEL.with(1, [200, 395]).with(2, [400, 405]) }, // too flat
-      { points: LEVEL.slice(0, 3) },
+      { points: [...LEVEL.slice(0, 3), [590, 300]] },
     ],
     { points: LEVEL.with(2, [460, 700]) },
   ],
-  ["two-nearest", { curve: BOW, q: [30, 70] }, [{ q: [52, 90] }, { q: [50, -40] }], { q: [50, 90] }],
+  ["two-nearest", { curve: BOW, q: [30, 70] }, [{ q: [54, 90] }, { q: [50, -40] }, { q: [30, 90] }], { q: [50.5, 90] }],
   [
     "many-intersections",
     () => cubics([-3, -1, 1, 3], [0, 0, 0, 0]), // a line across the wave
     [
       { points: [...WAVE, ...WAVE] }, // they share everything
       { points: [...WAVE, ...WAVE.map(([x, y]) => [x + 20, y])] },
+      { points: [...WAVE, ...WAVE.map(([x, y]) => [x, -y])] }, // three: an S and its mirror image
     ],
     { points: [...WAVE, ...WAVE.map(([x, y]) => [y, x])] },
   ],
@@ -130,8 +151,12 @@ testTasks([
   ],
   [
     "odd-faces",
-    { chosen: new Set(), faces: faces("100", "010", "001", "110", "101", "011", "111") },
-    [{ chosen: new Set(["100", "010", "001"]) }, { chosen: new Set(["100", "010", "001", "111", "110"]) }],
+    { chosen: new Set(), centers: CENTERS, faces: faces("100", "010", "001", "110", "101", "011", "111") },
+    [
+      { chosen: new Set(["100", "010", "001"]) },
+      { chosen: new Set(["100", "010", "001", "111", "110"]) },
+      { chosen: new Set(["100", "010", "001"]), centers: CENTERS.with(2, [60, 80]) }, // C far away
+    ],
     { chosen: new Set(["111", "001", "010", "100"]) },
   ],
 ]);

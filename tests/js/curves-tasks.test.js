@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "casteljau";
-import { load, testTasks } from "./task-cases.js";
+import { applet, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
 
 const ARCH = pointsOf("60,400 160,40 480,40 600,400");
@@ -18,44 +18,116 @@ const points = (text) => ({ points: pointsOf(text) });
 const after = (x, y) => ({ points: SEVEN.with(4, [x, y]) });
 const S = points("60,400 600,400 60,60 600,60");
 const TOP = new Curve(HILL).extrema().y[0];
-const chosen = { chosen: 0, curve: (k) => new Curve(ORDERS[k].map((place) => PLACES[place])) };
+const chosen = () => ({
+  chosen: 0,
+  places: PLACES,
+  curve(k) {
+    return new Curve(ORDERS[k].map((place) => this.places[place]));
+  },
+});
 const inBasis = (matrix) => ({ basis: "matrix", matrix });
 const spline = { ...points("60,380 170,110 300,330 420,90 610,300"), basis: "b-spline", whole: true };
 const bezier = (handles) => ({ value: `cubic-bezier(${handles})` });
 
 testTasks([
-  ["half-height", { t: 0.5 }, [{ t: 0.69 }, { t: -0.71 }], { t: 0.71 }],
-  ["half-pixel", { points: ARCH, segments: "4" }, [{ segments: "23" }, { segments: "25" }], { segments: "24" }],
+  ["half-height", { t: 0.5 }, [{ t: 0.69 }, { t: -0.71 }, { t: 0.25 }], { t: 0.71 }],
+  [
+    "half-pixel",
+    { points: ARCH, segments: "4" },
+    [
+      { segments: "23" },
+      { segments: "25" },
+      { points: pointsOf("60,400 240,400 420,400 600,400"), segments: "1" }, // a straight line
+    ],
+    { points: ARCH, segments: "24" },
+  ],
   [
     "top-180",
-    points("80,420 335,200 590,420"),
-    [points("80,420 335,240 590,420"), points("80,420 335,60 590,300")],
-    points("80,420 200,61 590,420"),
+    points("80,430 335,250 590,430"),
+    [
+      points("80,430 335,160 590,430"), // 270 px
+      points("80,430 335,790 590,430"), // below the line
+      points("80,250 335,250 590,250"), // the ends have moved
+    ],
+    points("80,430 200,71 590,430"),
   ],
   ["equal-weights", { points: ARCH }, [{ t: 0.67 }, { t: 0.78 }, { t: 0 }], { t: 0.75 }],
   [
     "straight-matrix",
     { points: ARCH },
-    [inBasis([...Curve.basisMatrix("bezier")]), inBasis([0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0])],
+    [
+      inBasis([...Curve.basisMatrix("bezier")]),
+      { ...inBasis([...Curve.basisMatrix("bezier")]), points: pointsOf("60,400 240,400 420,400 600,400") }, // a line for these points only
+      inBasis([0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0]), // not at constant speed
+      inBasis([0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1]), // from P3 to P0
+    ],
     inBasis([0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0]),
   ],
-  ["level-tangent", { points: HILL, t: 0.75 }, [{ t: 0.5 }, { t: 1 }], { t: Math.round(100 * TOP) / 100 }],
+  [
+    "level-tangent",
+    { points: HILL, t: 0.75 },
+    [{ t: 0.5 }, { t: 1 }, { t: Math.round(100 * TOP) / 100 + 0.03 }],
+    { t: Math.round(100 * TOP) / 100 },
+  ],
   [
     "order-loop",
     chosen,
-    [{ chosen: 2 }, { chosen: 23 }],
+    [
+      { chosen: 2 },
+      { chosen: 23 },
+      { chosen: ORDERS.findIndex((each) => `${each}` === "0,2,1,3") }, // the legs cross, the curve does not
+      { chosen: ORDERS.findIndex((each) => `${each}` === "1,3,0,2"), places: PLACES.with(0, [37, 60]) },
+    ],
     { chosen: ORDERS.findIndex((each) => `${each}` === "1,3,0,2") },
   ],
-  ["make-s", { points: ARCH }, [points("60,400 300,60 600,400"), points("60,300 540,60 180,60 600,300")], S],
-  ["match-shape", { points: ARCH }, [points("110,370 30,60 520,30 560,330")], points("111,369 32,42 519,29 560,331")],
-  ["inflection-amid", points("80,380 420,440 160,20 590,300"), [{ points: ARCH }], S],
+  [
+    "make-s",
+    { points: ARCH },
+    [
+      points("60,400 300,60 600,400"), // a quadratic
+      points("60,300 540,60 180,60 600,300"), // two inflections
+      points("60,400 240,400 420,400 600,400"), // a straight line
+    ],
+    S,
+  ],
+  [
+    "match-shape",
+    { points: ARCH },
+    [
+      points("110,370 30,60 520,30 560,330"),
+      points("110,370 520,30 30,40 560,330"), // P1 and P2 exchanged
+      points("110,370 -130,-620 440,-570 560,330"), // velocities instead of a third of them
+    ],
+    points("111,369 32,42 519,29 560,331"),
+  ],
+  [
+    "inflection-amid",
+    points("80,380 420,440 160,20 590,300"),
+    [
+      { points: ARCH },
+      points("0,0 100,25 0,100 100,0"), // a second inflection at 0.8
+      points("60,400 600,400 200,60 600,60"), // beside the middle
+    ],
+    S,
+  ],
   [
     "cut-at-top",
     { points: HILL },
-    [(e) => e.insertJoint(0.5)],
+    [
+      (e) => e.insertJoint(0.5),
+      (e) => {
+        e.insertJoint(0.5);
+        e.points = e.points.with(2, [e.points[2][0], e.points[3][1]]).with(4, [e.points[4][0], e.points[3][1]]); // handles made level
+      },
+      (e) => Object.assign(e, { points: HILL.with(1, [160, 60]) }),
+      (e) => {
+        e.insertJoint(TOP - 0.05);
+        e.insertJoint(0.9);
+      },
+    ],
     (e) => {
-      e.points = HILL;
       e.insertJoint(TOP + 0.003);
+      e.insertJoint(0.8);
     },
   ],
   [
@@ -79,29 +151,50 @@ testTasks([
   [
     "raise-degree",
     points("80,390 335,30 335,30 590,390"),
-    [points("80,390 207,210 463,210 590,390")],
+    [
+      points("80,390 207,210 463,210 590,390"), // half of the way
+      points("80,390 335,30 335,30 590,390"), // all the way
+      points("80,390 250,150 420,150 590,300"),
+    ],
     points("80,390 250,150 420,150 590,390"),
   ],
   [
     "touch-with-spline",
     spline,
-    [{ points: spline.points.with(2, [330, 330]) }, { basis: "natural" }],
-    { basis: "b-spline", points: spline.points.with(2, [296, 101]) },
+    [
+      { points: spline.points.with(2, [330, 330]) },
+      { basis: "natural" },
+      { basis: "b-spline", points: spline.points.with(1, [300, 330]).with(3, [300, 330]) }, // three points in one place
+      { points: spline.points.with(2, [170, 110]) }, // two
+    ],
+    { points: spline.points.with(2, [296, 101]) },
   ],
   [
     "overshoot",
     bezier("0.25, 0.1, 0.25, 1"),
-    [bezier("0.3, 3, 0.6, 1"), bezier(".3, 1.2, .6, 1")],
+    [bezier("0.3, 3, 0.6, 1"), bezier(".3, 1.2, .6, 1"), bezier("0.25, 0.1, 0.25, 1.15")],
     bezier(".34, 1.6, .64, 1"),
   ],
 ]);
+
+test("a spline through P2 counts wherever it passes: with all points on one line at any distances", async () => {
+  const { check } = await load("touch-with-spline");
+  const straight = applet({ ...spline, points: pointsOf("0,0 100,0 140,0 300,0 400,0") });
+  assert.match(check(straight.figure).words, /^The distance from P2 to the spline is 0\.00 px\.$/);
+  assert.equal(check(straight.figure).done, true);
+});
 
 test("task enough-pieces", async () => {
   const { check, reveal, POINTS: points } = await load("enough-pieces");
   const tree = (segments, error) => check({ points, tree: { segments, error } }).done;
   assert.deepEqual([tree(16, 1.64), tree(32, 0.41), tree(48, 0.3), tree(49, 0.3)], [false, true, true, false]);
   assert.equal(check({ points, tree: null }).done, false);
-  assert.equal(check({ points: points.with(1, [60, 60]), tree: { segments: 32, error: 0.41 } }).done, false);
+  const straight = points.map(([x], i) => [x + i, 300]);
+  const { done, restore } = check({ points: straight, tree: { segments: 1, error: 0 } });
+  assert.equal(done, false);
+  const moved = { points: straight };
+  restore(moved);
+  assert.equal(moved.points, points);
   const element = { tolerance: "8" };
   reveal(element);
   const pieces = leaves(new Curve([60, 300, 60, 20, 620, 20, 600, 300]).subdivide(Number(element.tolerance)));

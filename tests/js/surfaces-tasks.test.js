@@ -38,10 +38,11 @@ function figure(properties) {
 }
 
 /** What it sees of <reyes-dicing>. */
-const diced = (zoom) => ({
+const diced = (zoom, size) => ({
   zoom,
+  size,
   get figure() {
-    return { zoom: this.zoom, micropolygons: 1000 };
+    return { zoom: this.zoom, size: this.size, micropolygons: 1000 };
   },
 });
 
@@ -68,20 +69,33 @@ const TASKS = [
     ],
     moved("nine", 4, [1, -1, 1.9]),
   ],
-  ["corner-10", { model: "patch", u: 0.3, v: 0.7 }, pointsOf("0,1 1,0.01").map(([u, v]) => ({ u, v })), { v: 0 }],
+  ["corner-10", { model: "patch", u: 0.3, v: 0.7 }, pointsOf("0,1 1,0.01 1,1").map(([u, v]) => ({ u, v })), { v: 0 }],
   [
     "highest-point",
     { given: SURFACES.hill(), u: 0.6, v: 0.7 },
-    pointsOf("0,0 0.5,0.5").map(([u, v]) => ({ u, v })),
+    [
+      ...pointsOf("0,0 0.5,0.5 0.33,0.33").map(([u, v]) => ({ u, v })), // at 1/3 the weight of P11 is greatest
+      { u: 0, v: 0, ...moved("hill", 0, [-3, -3, 20]) },
+    ],
     (e) => Object.assign(e, highest(e.surface.patch(0))),
   ],
   [
     "fewest-segments",
     { model: "patch", segments: 4 },
-    [{ segments: 15 }, { segments: 17 }, { tolerance: 0.01 }],
+    [
+      { segments: 15 },
+      { segments: 17 },
+      { segments: 1, surface: Surface.parse("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n") }, // a flat patch
+      { tolerance: 0.01 },
+    ],
     { tolerance: null, segments: 16 },
   ],
-  ["pole", { parts: "lid", patch: 0, u: 0.5, v: 0.3 }, [{ v: 1 }, { patch: null, v: 0 }], { patch: 2, u: 0.1, v: 0 }],
+  [
+    "pole",
+    { parts: "lid", patch: 0, u: 0.5, v: 0.3 },
+    [{ v: 1 }, { patch: null, v: 0 }, { patch: 0, u: 0, v: 0.3 }],
+    { patch: 2, u: 0.1, v: 0 },
+  ],
   [
     "smooth-joint",
     { given: SURFACES.joint(), patch: 1 },
@@ -95,7 +109,12 @@ const TASKS = [
     { tolerance: 0.0099 },
   ],
   // The mesh has 32 n² + 4 n + 1 vertices of 24 bytes and 64 n² − 8 n triangles of 6; the patches take 290 · 12 + 32 · 16 · 2 bytes.
-  ["hundredfold", () => ({ segments: 8 }), [{ segments: 40 }, { segments: 12 }, { segments: 19 }], { segments: 20 }],
+  [
+    "hundredfold",
+    () => ({ model: "teapot", segments: 8 }),
+    [{ segments: 40 }, { segments: 12 }, { segments: 19 }, { segments: 20, model: "curve" }],
+    { segments: 20, model: "teapot" },
+  ],
   [
     "collapsed-patch",
     {},
@@ -103,7 +122,12 @@ const TASKS = [
     { patch: 31, model: "teapot" },
   ],
   ["spout-hit", { patch: 4 }, [{ patch: 12 }, { patch: null }, { patch: 20 }, { patch: 18 }], { patch: 19 }],
-  ["micropolygons", () => diced(1), [{ zoom: 0.45 }, { zoom: 0.55 }], { zoom: 0.3 + 4 * 0.05 }],
+  [
+    "micropolygons",
+    () => diced(1, 16),
+    [{ zoom: 0.45 }, { zoom: 0.55 }, { zoom: 0.5, size: 6 }],
+    { zoom: 0.3 + 4 * 0.05, size: 16 },
+  ],
   [
     "outline-edges",
     () => traced("idle", 3),
@@ -113,7 +137,12 @@ const TASKS = [
   [
     "own-square",
     {},
-    [{ surface: saddle(1) }, { surface: Surface.parse("1\n1 1\n0 0 0\n2 0 0\n0 1 0\n2 1 0\n") }],
+    [
+      { surface: saddle(1) },
+      { surface: Surface.parse("1\n1 1\n0 0 0\n2 0 0\n0 1 0\n2 1 0\n") },
+      { surface: Surface.parse("1\n1 1\n0 0 0\n1 0 1\n0 1 0\n1 1 1\n") }, // flat, with sides of length √2
+      { surface: Surface.parse("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n-1 -1 0\n") }, // flat, four points at distances of 1
+    ],
     { surface: saddle(0) },
   ],
 ];
@@ -129,6 +158,51 @@ testTasks(TASKS, figure);
 const chapter = readFileSync(new URL("../../www/surfaces/index.md", import.meta.url), "utf8");
 const used = [...chapter.matchAll(/^::: task ([\w-]+)(?: for=([\w-]+))?$/gm)];
 
+test("what is flat is not said to be otherwise", async () => {
+  const { check } = await load("own-square");
+  const words = (z) => check(figure({ given: Surface.parse(`1\n1 1\n0 0 0\n1 0 ${z}\n0 1 0\n1 1 1\n`) }).figure).words;
+  assert.match(words(1), /^The patch is flat, but .* lengths 1\.41 and 1\.00\.$/);
+  assert.match(words(0.5), /^The patch is not flat/);
+  const turned = Surface.parse("1\n1 1\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n");
+  assert.equal(check(figure({ given: turned }).figure).done, true, "a square in another plane");
+});
+
+test("the bytes that a task computes are those of the mesh", async () => {
+  const { meshBytes } = await load("hundredfold");
+  for (const segments of [1, 8, 19, 20]) {
+    const { positions, normals, indices } = Surface.teapot().tessellate({ segments, weld: "position" });
+    assert.equal(meshBytes(segments), positions.byteLength + normals.byteLength + indices.byteLength, `${segments}`);
+  }
+});
+
+test("numbers to be typed: the answer of each is computed here, and each of three wrong ones has a hint", async () => {
+  const patch = SURFACES.hill().patch(0);
+  const parts = patch.split(0.5, 0.5).flatMap((part) => pairs(part.controlPoints(), 3).map(String));
+  const { shared, open, collapsed } = Surface.teapot().topology();
+  /** @type {Record<string, number[]>} */
+  const expected = {
+    "split-count": [new Set(parts).size],
+    "vertices-16": [Surface.teapot().grid({ segments: 16 }).positions.length / 3],
+    "common-vertices": [new Set([0, 3, 6, 9, 12, 0, 4, 8, 12]).size - 1], // twelfths
+    "plane-distance": [Math.abs(0 * 1 - 9 * 2 + 12 * 4) / Math.hypot(0, -9, 12)],
+    "next-values": [1, 2, 3].map((k) => 1 + 3 * k + (4 * k * (k - 1)) / 2 + (6 * k * (k - 1) * (k - 2)) / 6),
+    "shared-wires": [2 * shared.length + open.length + collapsed.length - shared.length - collapsed.length],
+    "most-intersections": [2 * 3],
+  };
+  for (const [name, values] of Object.entries(expected)) {
+    const { answer } = await load(name);
+    assert.deepEqual(answer.values, values, name);
+    const wrong = Object.keys(answer.hints);
+    assert.ok(wrong.length >= 3 && !wrong.includes(values.join(" ")), name);
+    for (const key of wrong)
+      assert.ok(
+        key.split(" ").every((word) => String(Number(word)) === word) && key.split(" ").length === values.length,
+        key,
+      );
+    assert.ok(answer.because.length > 20);
+  }
+});
+
 test("every task of the chapter is tested or only predicted, and is about a figure that is there", async () => {
   const tested = TASKS.map(([name]) => name);
   assert.ok(used.length >= 16);
@@ -137,6 +211,7 @@ test("every task of the chapter is tested or only predicted, and is about a figu
     assert.equal(Boolean(task.check), tested.includes(name), name);
     if (task.check) assert.match(chapter, new RegExp(` id="${about}"`));
     if (task.predict) checkPrediction(task.predict);
+    assert.ok(task.check || task.predict || task.answer, name);
   }
   for (const name of tested) {
     const isUsed = used.some((each) => each[1] === name);
@@ -196,6 +271,41 @@ test("the joints of the teapot are smooth: the ratio is 1, and 4 or 1/4 at rim a
   });
   const unequal = ratios.filter((each) => !each.startsWith("1 "));
   assert.deepEqual(unequal, ["4 0,4", "4 1,5", "4 2,6", "4 3,7", "0.25 16,18", "0.25 17,19"]);
+});
+
+test("the normal at a collapsed side, from the control vectors that the text gives", () => {
+  const choose = (n, k) => (k === 0 ? 1 : (choose(n, k - 1) * (n - k + 1)) / k);
+  const minus = (p, q) => p.map((x, axis) => x - q[axis]);
+  const crossed = ([ax, ay, az], [bx, by, bz]) => [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+  const net = pairs(SURFACES.hill().patch(0).controlPoints(), 3).map((point, k) => (k < 4 ? [0, 0, 4] : point)); // row 0 is one point
+  const patch = new Surface({ vertices: net, patches: [net.map((_, k) => k)] }).patch(0);
+  const point = (i, j) => net[4 * j + i];
+  const q = [0, 1, 2, 3, 4, 5].map((i) =>
+    [0, 1, 2]
+      .flatMap((j) => (i - j >= 0 && i - j <= 3 ? [[j, i - j]] : []))
+      .reduce(
+        (sum, [j, k]) => {
+          const product = crossed(minus(point(j + 1, 1), point(j, 1)), minus(point(k, 1), point(k, 0)));
+          return sum.map((x, axis) => x + (choose(2, j) * choose(3, k) * product[axis]) / choose(5, i));
+        },
+        [0, 0, 0],
+      ),
+  );
+  for (const u of [0, 0.2, 0.5, 0.9, 1]) {
+    const along = q.reduce(
+      (sum, vector, i) => {
+        const weight = choose(5, i) * u ** i * (1 - u) ** (5 - i);
+        return sum.map((x, axis) => x + weight * vector[axis]);
+      },
+      [0, 0, 0],
+    );
+    const { x, y, z = 0 } = patch.normal(u, 0);
+    const length = Math.hypot(...along);
+    assert.ok(
+      Math.hypot(along[0] / length - x, along[1] / length - y, along[2] / length - z) < 1e-9,
+      `${u}: ${along} and ${x} ${y} ${z}`,
+    );
+  }
 });
 
 test("what the text says of splitting, of the second derivatives and of the tip of the knob", () => {

@@ -8,6 +8,10 @@ export const load = (name) => import(new URL(`../../www/tasks/${name}.js`, impor
 /** What a task sees of <bezier-applet>: one curve of all points, or cubics that share their ends. */
 export function applet({ points, whole = false, ...rest }) {
   const pieces = () => {
+    if (element.basis === "b-spline")
+      return Spline.fromBSpline(element.points)
+        .segments()
+        .map((curve) => ({ curve }));
     if (element.basis === "matrix") return [{ curve: Curve.fromBasis(element.matrix, element.points) }];
     if (whole || element.points.length < 7) return [{ curve: new Curve(element.points) }];
     return new Spline(element.points).segments().map((curve) => ({ curve }));
@@ -29,9 +33,13 @@ export function applet({ points, whole = false, ...rest }) {
   return element;
 }
 
+/** How many wrong ways that look right each task is tried with. */
+const MIN_WRONG = 3;
+
 /**
- * One test for each row: the name of a task, its start, what does not solve it, and what does. The answer that the task
- * reveals must count, too. An attempt is a function of the element, or properties that are assigned to it.
+ * One test for each row: the name of a task, its start, at least three ways that look right and do not solve it, and what does. The answer
+ * that the task reveals must count, too. An attempt is a function of the element, or properties that are assigned to it. A refusal that can
+ * be undone is: the task is then as before the attempt.
  *
  * @param {[string, any, any[], any][]} rows
  * @param {(start: any) => any} make the element of a start; a function as start makes its own
@@ -41,12 +49,18 @@ export function testTasks(rows, make = (start) => (start.points ? applet(start) 
   const attempt = (element, act) => (typeof act === "function" ? act(element) : Object.assign(element, act));
   for (const [name, start, vain, right] of rows)
     test(`task ${name}`, async () => {
+      assert.ok(vain.length >= MIN_WRONG, `expected ${MIN_WRONG} wrong ways, got ${vain.length}`);
       const { check, reveal, predict } = await load(name);
       const judge = (element, expected, what) => {
-        const { done, words } = check(element.figure, element);
+        const { done, words, restore } = check(element.figure, element);
         assert.equal(typeof words, "string");
         assert.ok(words.length > 0);
         assert.equal(done, expected, `${what}: ${words}`);
+        if (!restore) return;
+        assert.equal(done, false);
+        restore(element);
+        const after = check(element.figure, element);
+        assert.ok(after.words !== words && !after.restore, `${what}, restored: ${after.words}`);
       };
       const [element, other] = [made(start), made(start)];
       judge(element, false, "at the start");

@@ -101,13 +101,88 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   await toSolution(60);
   await press("Check");
   assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
+  assert.match(await said.innerText(), /^You have solved this task\. Now: P4 is/);
+});
+
+test("what was said before is replaced when something moves, also after the answer was shown", async (t) => {
+  const { page, task, said, press } = await openTask(t, "half-height");
+  await task.getByRole("radio").first().check();
+  await press("guess");
+  const slider = page.locator("#parabola input[type=range]").first();
+  await press("Check");
+  await slider.fill("0.3");
+  await said.getByText("At t = 0.30 the height is 0.09.").waitFor();
+  await press("Reveal");
+  await slider.fill("0.4");
+  await said.getByText("At t = 0.40 the height is 0.16.").waitFor();
+  assert.equal(await task.getAttribute("data-state"), "revealed");
+});
+
+test("a refusal because something has moved has a button that puts it back, on a phone, too", async (t) => {
+  const page = await open(t, "/curves/", {
+    fresh: true,
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  for (const [name, id, moved] of /** @type {const} */ ([
+    ["offset-cusp", "offset", "80,400 250,60 420,20 590,400"],
+    ["enough-pieces", "recursion", "60,300 60,60 620,20 600,300"],
+  ])) {
+    const task = page.locator(`lesson-task[name="${name}"]`);
+    await task.scrollIntoViewIfNeeded();
+    await task.getByRole("radio").first().check();
+    await task.getByRole("button", { name: "guess" }).tap();
+    const back = task.getByRole("button", { name: "Put it back" });
+    assert.equal(await back.isVisible(), false);
+    const applet = page.locator(`#${id}`);
+    const before = await applet.evaluate((/** @type {any} */ element) => String(element.points));
+    await applet.evaluate((/** @type {any} */ element, points) => {
+      element.points = points;
+      element.dispatchEvent(new Event("change", { bubbles: true }));
+    }, moved);
+    await task.getByText("these have moved").waitFor();
+    await back.tap();
+    assert.equal(await applet.evaluate((/** @type {any} */ element) => String(element.points)), before);
+    await back.waitFor({ state: "hidden" });
+  }
+});
+
+test("numbers are typed: a wrong one gets a hint, the right one counts", async (t) => {
+  const page = await open(t, "/surfaces/", { fresh: true });
+  const task = page.locator('lesson-task[name="vertices-16"]');
+  await task.scrollIntoViewIfNeeded();
+  const [field, said] = [task.getByRole("textbox", { name: "Your answer" }), task.getByRole("status")];
+  await task.getByRole("button", { name: "Check" }).click();
+  assert.equal(await said.innerText(), "Type a number first.");
+  for (const [typed, words] of /** @type {const} */ ([
+    ["8192", /has more than sixteen vertices/],
+    ["7", /not the answer yet/],
+    ["many", /Type a number/],
+  ])) {
+    await field.fill(typed);
+    await field.press("Enter");
+    assert.match(await said.innerText(), words);
+    assert.equal(await task.getAttribute("data-state"), "open");
+  }
+  await assertAccessible(page, { part: 'lesson-task[name="vertices-16"]' });
+  await field.fill("9,248");
+  await field.press("Enter");
+  assert.equal(await task.getAttribute("data-state"), "done");
+  const three = page.locator('lesson-task[name="next-values"]');
+  await three.getByRole("textbox", { name: "Your answer, 3 numbers" }).fill("4, 7, 10");
+  await three.getByRole("button", { name: "Check" }).click();
+  assert.match(await three.getByRole("status").innerText(), /first difference changes/);
+  await three.getByRole("button", { name: "Reveal" }).click();
+  assert.equal(await three.getByRole("textbox").inputValue(), "4, 11, 28");
+  assert.equal(await three.getAttribute("data-state"), "revealed");
 });
 
 test("a question with a wrong answer is not done, says which answer is right, and can be tried again", async (t) => {
   const page = await open(t, "/surfaces/");
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
     [0, "wrong", /You predicted: .*\. The answer is: two/],
-    [1, "done", /You predicted it/],
+    [1, "done", /^Right\. /], // the answer was shown: this is no prediction
   ])) {
     const task = page.locator('lesson-task[name="rows-on-surface"]');
     await task.scrollIntoViewIfNeeded();

@@ -35,7 +35,13 @@ for (const [chapter, [open, count]] of Object.entries(CHAPTERS))
         }, word);
         return state();
       };
-      const states = [await press("Check"), await press("Reveal")];
+      const states = [await press("Check")];
+      assert.equal(
+        await task.getByRole("button", { name: "Put it back" }).count(),
+        0,
+        `${name}: nothing has moved yet`,
+      );
+      states.push(await press("Reveal"));
       // What a figure computes for a while, as a picture by rays, counts when it is there.
       await page.waitForFunction((name) => {
         const task = /** @type {any} */ (document.querySelector(`lesson-task[name="${name}"]`));
@@ -46,14 +52,14 @@ for (const [chapter, [open, count]] of Object.entries(CHAPTERS))
     }
   });
 
-test("sliders solve the tasks about curvature, length, offset and circle, with the value shown meanwhile", async (t) => {
+test("sliders and a field solve the tasks about curvature, length, offset and circle, with the value shown meanwhile", async (t) => {
   const page = await openCurves(t, { keep: false, fresh: true });
   const ofT = "input[type=range][aria-valuetext]:not(.handle *)";
   for (const [name, slider, wrong, words, right] of /** @type {[string, string, string, RegExp, string][]} */ ([
     ["sharpest-bend", `#bend ${ofT}`, "0.5", /radius of curvature is \d/, "0.85"],
     ["half-length", `#arc ${ofT}`, "0.6", /t = 0\.60: 4\d\.\d % of the length/, "0.67"],
     ["offset-cusp", "#figure-offset attribute-slider input", "120", /there are cusps/, "112"],
-    ["quarter-circle", "#circle input[type=range]", "0.56", /h = 0\.5600: the error is/, "0.5519"],
+    ["quarter-circle", "#circle input[type=number]", "0.56", /h = 0\.5600: the error is/, "0.5519"],
   ])) {
     const task = await opened(page, name);
     const input = page.locator(slider).first();

@@ -1,5 +1,6 @@
 // A circle made of cubic arcs: the length of the handles, and the distance from the true circle.
 import { html, svg } from "lit";
+import { live } from "lit/directives/live.js";
 import { Figure } from "./lib/figure.js";
 import { arcOf, radialErrors, standardHandle } from "./lib/circle.js";
 import { decimal } from "./lib/numbers.js";
@@ -45,6 +46,12 @@ export class FigCircle extends Figure {
     `;
   }
 
+  /** A typed length, brought into the range; what is no number leaves it. @param {HTMLInputElement} input @param {{ min: number, max: number }} range */
+  #setLength(input, { min, max }) {
+    if (Number.isFinite(input.valueAsNumber)) this.length = Math.min(Math.max(input.valueAsNumber, min), max);
+    this.requestUpdate();
+  }
+
   /** @param {number[]} errors */
   plot(errors) {
     const { height, left, right, top, bottom } = PLOT;
@@ -68,13 +75,16 @@ export class FigCircle extends Figure {
   render() {
     const errors = radialErrors(this.arcs, this.length);
     const standard = standardHandle(this.arcs);
+    const [min, max] = [SHORTEST, LONGEST].map((share) => Number((share * standard).toFixed(4)));
+    const range = { min, max, step: 0.0001 };
     return html`
       <div class="frame">
         <div class="stage">${this.picture()}</div>
         <div class="stage">${this.plot(errors)}</div>
         <p class="facts">Greatest distance from the circle: <b>${decimal(100 * Math.max(...errors.map(Math.abs)), 4)} %</b> of the radius.</p>
         <div class="controls">
-          ${slider({ name: html`<i>h</i>`, value: this.length, min: Number((SHORTEST * standard).toFixed(4)), max: Number((LONGEST * standard).toFixed(4)), step: 0.0001, text: decimal(this.length, 4), change: (length) => (this.length = length) })}
+          ${slider({ name: html`<i>h</i>`, value: this.length, ...range, text: decimal(this.length, 4), change: (length) => (this.length = length) })}
+          <label><span><i>h</i>, exactly</span><input type="number" min=${range.min} max=${range.max} step=${range.step} .value=${live(decimal(this.length, 4))} @change=${(/** @type {Event} */ event) => this.#setLength(/** @type {HTMLInputElement} */ (event.target), range)} /></label>
           ${choice({
             name: "Arcs",
             options: [2, 3, 4, 6, 8].map((n) => /** @type {[number, number]} */ ([n, n])),

@@ -385,8 +385,8 @@ export class GlyphEditor extends Figure {
           </div>
         </div>
         <p class="say">
-          Discs are points on the outline; squares are control points off it. The area inside a clockwise contour is filled. A contour that runs counter-clockwise inside it cuts a hole, because the two winding
-          numbers, 1 and −1, add up to 0. The address of this page contains your outline, so you can share it.
+          Discs are points on the outline; squares are control points off it. A contour fills the area inside it, in whichever direction it runs. A contour inside another one that runs in the opposite direction cuts a hole, because
+          the two winding numbers, 1 and −1, add up to 0. The address of this page contains your outline, so you can share it.
         </p>
         <h2>Sizes</h2>
         <p class="say">One outline is used for all sizes. It consists of curves, so it stays smooth however far you zoom in.</p>

@@ -1,18 +1,20 @@
 // <lesson-task name="half-height" for="figure-id">what to do</lesson-task>: a task that checks itself.
 //
-// www/tasks/<name>.js has these exports. All are optional, but there must be `check` or `predict`:
-//   check(figure, element) → { done, words }    pure; `element` is the one that `for` names, `figure` its property
+// www/tasks/<name>.js has these exports. All are optional, but there must be `check`, `predict` or `answer`:
+//   check(figure, element) → { done, words, restore }    pure; `element` is the one that `for` names, `figure` its property. The words
+//     are shown while the reader moves something. `restore(element)` undoes what the answer must not depend on; a button calls it
 //   reveal(element)                             shows the answer in that element
-//   live = true                                 shows the words of `check` while the reader moves something
 //   predict = { options: [string, …], answer: index, because: string }    asked first
+//   answer = { values: [number, …], hints: { "64": string, … }, because: string }    numbers to be typed; hints for wrong ones
 //
 // Tasks that are done are stored (progress-store.js) and are still done on the next visit.
 import { button, element, uniqueId } from "./dom.js";
 import { isSolved, markSolved } from "./progress-store.js";
 
-/** @typedef {{ done: boolean, words: string }} Verdict */
+/** @typedef {{ done: boolean, words: string, restore?(element: any): void }} Verdict */
 /** @typedef {{ options: string[], answer: number, because: string }} Prediction */
-/** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, live?: boolean, predict?: Prediction }} Task */
+/** @typedef {{ values: number[], hints: Record<string, string>, because: string }} Answer hints by the values, with spaces between */
+/** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, predict?: Prediction, answer?: Answer }} Task */
 
 /** @type {Record<string, () => Promise<Task>>} */
 const TASKS = /** @type {any} */ (import.meta.glob("../tasks/*.js"));
@@ -26,6 +28,8 @@ export class LessonTask extends HTMLElement {
   #words = element("p", { className: "words" });
   #buttons = element("div", { className: "buttons" });
   /** @type {number | null} */ #guess = null;
+  /** Whether the answer to a question has been shown: to choose it then is no prediction. */ #knowsAnswer = false;
+  #restore = button("Put it back", () => this.#putBack());
   /** Whether the reader has moved something: before, nothing is judged unasked. */ #touched = false;
   /** Whether the reader is moving something: passing an answer does not solve the task, stopping at it does. */ #isMoving = false;
   #frame = 0;
@@ -79,14 +83,15 @@ export class LessonTask extends HTMLElement {
   }
 
   #start() {
-    const { predict } = this.#task;
+    const { predict, answer } = this.#task;
     if (isSolved(this.getAttribute("name") ?? "")) {
       this.state = "done";
       this.#open();
-      this.#say(["You have solved this task before.", predict?.because].filter(Boolean).join(" "));
+      this.#say(["You have solved this task before.", (predict ?? answer)?.because].filter(Boolean).join(" "));
     } else {
       this.dataset.state = "open";
       if (predict) this.#askFirst(predict);
+      else if (answer) this.#askNumbers(answer);
       else this.#open();
     }
   }
@@ -124,12 +129,44 @@ export class LessonTask extends HTMLElement {
     this.#buttons.replaceChildren(guess);
   }
 
+  /** Numbers to be typed. @param {Answer} answer */
+  #askNumbers({ values, hints, because }) {
+    const input = /** @type {HTMLInputElement} */ (
+      element("input", { type: "text", inputMode: values.length > 1 ? "text" : "decimal", autocomplete: "off" })
+    );
+    const name = values.length > 1 ? `Your answer, ${values.length} numbers` : "Your answer";
+    const form = element("form", {}, element("label", {}, element("span", {}, name), input));
+    const check = () => {
+      const typed = numbersIn(input.value, values.length);
+      if (typed === null)
+        return this.#say(`Type ${values.length > 1 ? `${values.length} numbers` : "a number"} first.`);
+      if (typed.some((value, i) => value !== values[i]))
+        return this.#say(hints[typed.join(" ")] ?? "That is not the answer yet.");
+      if (this.state === "open") this.state = "done";
+      this.#buttons.replaceChildren();
+      this.#say(because);
+    };
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      check();
+    });
+    const reveal = button("Reveal", () => {
+      this.state = "revealed";
+      input.value = values.join(", ");
+      this.#say(because);
+    });
+    this.#steps.append(form);
+    this.#buttons.replaceChildren(button("Check", check), reveal);
+  }
+
   /** Without anything to try, the guess is the answer. */
   #finishQuiz() {
     const isRight = this.#guess === this.#task.predict?.answer;
+    const judged = this.#judged();
     this.state = isRight ? "done" : "wrong";
+    this.#knowsAnswer = true;
     if (!isRight) this.#buttons.replaceChildren(button("Try again", () => this.reset()));
-    this.#say(this.#judged());
+    this.#say(judged);
   }
 
   /** Lets the reader try. */
@@ -138,6 +175,8 @@ export class LessonTask extends HTMLElement {
     const buttons = [];
     if (this.#task.check) buttons.push(button("Check", () => this.check()));
     if (this.#task.reveal) buttons.push(button("Reveal", () => this.reveal()));
+    if (this.#task.check) buttons.push(this.#restore);
+    this.#restore.hidden = true;
     this.#buttons.replaceChildren(...buttons);
     this.#listen();
   }
@@ -147,24 +186,38 @@ export class LessonTask extends HTMLElement {
     for (const type of EVENTS) this.#target?.addEventListener(type, this);
   }
 
-  /** The live check: at most once a frame, after the reader moved something. @param {Event} event */
+  /** Judges at most once a frame, after the reader moved something. @param {Event} event */
   handleEvent(event) {
     this.#touched ||= event.type !== "update";
     if (event.type !== "update") this.#isMoving = event.type === "input";
-    if (!this.#touched || this.state !== "open") return;
+    if (!this.#touched || this.state === "done") return;
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
       const verdict = this.#verdict();
-      if (verdict.done && !this.#isMoving) this.#finish(verdict.words);
-      else if (this.#task.live) this.#say(verdict.words);
+      if (verdict.done && !this.#isMoving && this.state === "open") this.#finish(verdict.words);
+      else this.#show(verdict);
     });
   }
 
   /** Checks now, and shows what is missing. */
   check() {
-    const { done, words } = this.#verdict();
-    if (done) this.#finish(words);
-    else this.#say(words);
+    const verdict = this.#verdict();
+    if (verdict.done) this.#finish(verdict.words);
+    else this.#show(verdict);
+  }
+
+  /** @param {Verdict} verdict */
+  #show({ words, restore }) {
+    this.#restore.hidden = !restore;
+    this.#say(this.state === "done" ? `You have solved this task. Now: ${words}` : words);
+  }
+
+  /** Undoes what the answer must not depend on, as if the reader had done it. */
+  #putBack() {
+    const { target } = this;
+    this.#verdict().restore?.(target);
+    target?.dispatchEvent(new Event("change", { bubbles: true, composed: true }));
+    /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
   }
 
   /** @returns {Verdict} */
@@ -182,12 +235,14 @@ export class LessonTask extends HTMLElement {
     const done = this.state === "done";
     if (!done) this.state = "revealed";
     this.#task.reveal?.(this.target);
+    this.#restore.hidden = true;
     if (!done) this.#say(["This is one answer.", this.#verdict().words, this.#judged()].filter(Boolean).join(" "));
   }
 
   /** @param {string} words */
   #finish(words) {
     this.state = "done";
+    this.#restore.hidden = true;
     this.#say([words, this.#judged()].filter(Boolean).join(" "));
   }
 
@@ -197,7 +252,9 @@ export class LessonTask extends HTMLElement {
     if (!predict || this.#guess === null) return "";
     const right =
       this.#guess === predict.answer
-        ? "You predicted it."
+        ? this.#knowsAnswer
+          ? "Right."
+          : "You predicted it."
         : `You predicted: ${predict.options[this.#guess]}. The answer is: ${predict.options[predict.answer]}.`;
     return `${right} ${predict.because}`;
   }
@@ -206,6 +263,19 @@ export class LessonTask extends HTMLElement {
   #say(words) {
     if (this.#words.textContent !== words) this.#words.textContent = words;
   }
+}
+
+/**
+ * The numbers of an answer, or null if there are not as many as expected. A comma in a single number separates thousands.
+ *
+ * @param {string} text
+ * @param {number} count
+ */
+function numbersIn(text, count) {
+  const plain = text.replaceAll("−", "-").trim();
+  const words = count === 1 ? [plain.replace(/[\s,](?=\d{3}\b)/g, "")] : plain.split(/[\s,;]+/);
+  const numbers = words.map((word) => (word === "" ? NaN : Number(word)));
+  return numbers.length === count && numbers.every(Number.isFinite) ? numbers : null;
 }
 
 customElements.define("lesson-task", LessonTask);

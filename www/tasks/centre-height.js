@@ -6,8 +6,6 @@ const [WANTED, TOLERANCE] = [0.5, 0.03];
 /** The middle one of the nine control points. */
 const MIDDLE = 4;
 
-export const live = true;
-
 export const predict = {
   options: ["0.5 units above the plane", "1 unit above the plane", "2 units above the plane"],
   answer: 2,
@@ -18,7 +16,11 @@ export const predict = {
 /** @param {{ surface: any, points: [number, number, number][] }} figure */
 export function check({ surface, points }) {
   const moved = points.some(([, , z], k) => k !== MIDDLE && z !== 0);
-  if (moved) return verdict(false, "Another point has left the plane. Put it back, or reload the page.");
+  if (moved)
+    return {
+      ...verdict(false, "Another point has left the plane."),
+      restore: (/** @type {any} */ element) => (element.surface = SURFACES.nine()),
+    };
   const { z } = surface.patch(0).eval(0.5, 0.5);
   const done = Math.abs(z - WANTED) <= TOLERANCE;
   return verdict(

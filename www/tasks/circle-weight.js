@@ -1,9 +1,13 @@
-import { circleWeight } from "../figures/lib/circle.js";
 import { verdict } from "./utils/curves.js";
-
-export const live = true;
+import { movedPoints } from "./utils/moved.js";
 
 const ALLOWED = 0.01;
+/** The control points of the site's figure. @type {[number, number][]} */
+export const POINTS = [
+  [29, 50],
+  [67, 12],
+  [105, 50],
+];
 
 export const predict = {
   options: ["w = ½", "w = √½ ≈ 0.71", "w = 1"],
@@ -14,16 +18,16 @@ export const predict = {
 
 /** @param {unknown} _figure @param {{ points: any[], weight: number }} element the site's figure of the conic */
 export function check(_figure, { points, weight }) {
-  const circle = circleWeight(points);
+  const moved = movedPoints(points, POINTS);
+  if (moved) return moved;
   const w = weight.toFixed(2);
-  if (circle === null)
-    return verdict(false, "For a circle both legs must be equally long, and P1 off the chord: move P1 back.");
-  if (Math.abs(weight - circle) <= ALLOWED) return verdict(true, `w = ${w}: an arc of a circle.`);
-  const side = weight < circle ? "flatter than the circle" : "more pointed than the circle";
+  if (Math.abs(weight - Math.SQRT1_2) <= ALLOWED) return verdict(true, `w = ${w}: an arc of a circle.`);
+  const side = weight < Math.SQRT1_2 ? "flatter than the circle" : "more pointed than the circle";
   return verdict(false, `w = ${w}: the arc is ${side}.`);
 }
 
 /** @param {{ points: any[], weight: number }} element */
 export const reveal = (element) => {
-  element.weight = Math.round(100 * (circleWeight(element.points) ?? Math.SQRT1_2)) / 100;
+  element.points = POINTS;
+  element.weight = 0.71;
 };

@@ -1,4 +1,5 @@
-import { movedPoints, px, verdict } from "./utils/curves.js";
+import { px, verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
 /** The error that is allowed, and the pieces that are enough for it. */
 const ALLOWED = 0.5;
@@ -12,8 +13,6 @@ export const POINTS = [
   [600, 300],
 ];
 
-export const live = true;
-
 export const predict = {
   options: ["It equals the tolerance", "It is less than the tolerance", "It is greater than the tolerance"],
   answer: 2,
@@ -23,7 +22,7 @@ export const predict = {
 
 /** @param {{ points: [number, number][], tree: { segments: number, error: number } | null }} figure */
 export function check(figure) {
-  const moved = movedPoints(figure, POINTS);
+  const moved = movedPoints(figure.points, POINTS);
   if (moved) return moved;
   const { tree } = figure;
   if (!tree) return verdict(false, "Show the tree first.");
@@ -35,7 +34,8 @@ export function check(figure) {
   );
 }
 
-/** @param {{ tolerance: number }} element */
+/** @param {{ points: [number, number][], tolerance: number }} element */
 export function reveal(element) {
+  element.points = POINTS;
   element.tolerance = 0.0625;
 }

@@ -8,12 +8,23 @@ export const predict = {
   because: "1.5 must become 15 times smaller. The bound falls with the square, and √15 is about 3.9: 4 · 3.9 ≈ 15.5.",
 };
 
+/** The bound with 4 segments, as the text states it: rounded to tenths. */
+const [BOUND_AT_4, BOUND_ROUNDED] = [1.5, 0.05];
+
+/** The bound with 4 segments. @param {number} error the bound with n segments @param {number} n */
+const boundAt4 = (error, n) => (error * n * n) / 16;
+
 /** The error is proportional to the square of the step. @param {number} error @param {number} n */
 const oneFewer = (error, n) => (error * n * n) / (n - 1) ** 2;
 
 /** @param {{ segments: number | null, mesh: { error: number | null } }} figure */
 export function check({ segments, mesh: { error } }) {
   if (segments === null || error === null) return verdict(false, "Use a uniform mesh, by segments.");
+  if (Math.abs(boundAt4(error, segments) - BOUND_AT_4) > BOUND_ROUNDED)
+    return {
+      ...verdict(false, "The points of the patch have moved: with 4 segments the bound is no longer 1.5."),
+      restore: (/** @type {any} */ element) => (element.surface = null),
+    };
   if (error >= WANTED)
     return verdict(
       false,

@@ -1,9 +1,16 @@
 import { firstCurve, polylineError, px, verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
 /** In pixels. */
 const ALLOWED = 0.5;
 
-export const live = true;
+/** The control points as the page places them. @type {[number, number][]} */
+export const POINTS = [
+  [60, 400],
+  [160, 40],
+  [480, 40],
+  [600, 400],
+];
 
 export const predict = {
   options: ["about 8", "about 25", "about 60", "about 200"],
@@ -11,8 +18,10 @@ export const predict = {
   because: "With twice as many segments the error is four times smaller: it decreases with the square of their number.",
 };
 
-/** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: number }} element */
+/** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ segments: number }} element */
 export function check(figure, element) {
+  const moved = movedPoints(figure.points, POINTS);
+  if (moved) return moved;
   const { segments } = element;
   const curve = firstCurve(figure);
   const error = polylineError(curve, segments);
@@ -24,8 +33,9 @@ export function check(figure, element) {
   );
 }
 
-/** @param {{ figure: any, segments: number }} element */
+/** @param {{ points: [number, number][], figure: any, segments: number }} element */
 export function reveal(element) {
+  element.points = POINTS;
   const curve = firstCurve(element.figure);
   let segments = 1;
   while (polylineError(curve, segments) >= ALLOWED) segments += 1;

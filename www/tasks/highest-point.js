@@ -1,4 +1,6 @@
-import { formatNumber, verdict } from "./utils/surfaces.js";
+import { SURFACES } from "../figures/lib/surfaces.js";
+import { movedPoints } from "./utils/moved.js";
+import { formatNumber, pointsOf, verdict } from "./utils/surfaces.js";
 
 /** The limit that the task states. */
 const MAX_DISTANCE = 0.01;
@@ -25,16 +27,16 @@ function top(patch) {
   return best;
 }
 
-export const live = true;
-
 export const predict = {
   options: ["in u, v < ½", "in u > ½, v < ½", "in u < ½, v > ½", "in u, v > ½"],
   answer: 0,
   because: "P11 has its largest weight at u = v = 1/3, so it pulls the patch up most near there.",
 };
 
-/** @param {{ surface: any, place: { point: number[] } | null }} figure */
-export function check({ surface, place }) {
+/** @param {{ surface: any, points: [number, number, number][], place: { point: number[] } | null }} figure */
+export function check({ surface, points, place }) {
+  const moved = movedPoints(points, pointsOf(SURFACES.hill()), (element) => (element.surface = SURFACES.hill()));
+  if (moved) return moved;
   const highest = surface.bounds().max.z;
   const height = place?.point[2] ?? -Infinity;
   const done = highest - height <= MAX_DISTANCE;
@@ -46,6 +48,7 @@ export function check({ surface, place }) {
 
 /** @param {any} element */
 export function reveal(element) {
+  element.surface = SURFACES.hill();
   const { u, v } = top(element.surface.patch(0));
   Object.assign(element, { u: Math.round(100 * u) / 100, v: Math.round(100 * v) / 100, step: 4 });
 }

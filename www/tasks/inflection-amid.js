@@ -1,12 +1,11 @@
 import { firstCurve, verdict } from "./utils/curves.js";
 
-export const live = true;
-
 /** @param {{ pieces: { curve: any }[] }} figure */
 export function check(figure) {
   const ts = firstCurve(figure).inflections();
   if (ts.length === 0) return verdict(false, "There is no inflection. Make an S first.");
-  const [t] = [...ts].sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5));
+  if (ts.length > 1) return verdict(false, "There are two inflections, and an S has one.");
+  const [t] = ts;
   return verdict(Math.abs(t - 0.5) <= 0.01, `The inflection is at t = ${t.toFixed(3)}.`);
 }
 

@@ -1,5 +1,9 @@
-export const predict = {
-  options: ["5", "6", "9"],
-  answer: 1,
-  because: "The degrees are 2 and 3, and 2 · 3 = 6. For two cubics it is 3 · 3 = 9.",
+export const answer = {
+  values: [6],
+  hints: {
+    3: "That many for a line and a cubic: 1 · 3.",
+    5: "The degrees are multiplied, not added.",
+    9: "That many for two cubics: 3 · 3.",
+  },
+  because: "The degrees are 2 and 3, and 2 · 3 = 6.",
 };

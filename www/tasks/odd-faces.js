@@ -1,6 +1,12 @@
 import { verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
-export const live = true;
+/** The centres of the shapes of the site's figure. @type {[number, number][]} */
+const CENTERS = [
+  [45, 32],
+  [74, 32],
+  [60, 57],
+];
 
 export const predict = {
   options: ["three", "four", "seven"],
@@ -13,8 +19,10 @@ const isOdd = (key) => [...key].filter((each) => each === "1").length % 2 === 1;
 /** @param {{ inside: boolean[] }[]} faces */
 const keysOf = (faces) => faces.map(({ inside }) => inside.map(Number).join(""));
 
-/** @param {unknown} _figure @param {{ chosen: ReadonlySet<string>, faces: { inside: boolean[] }[] }} element the site's figure of the faces */
-export function check(_figure, { chosen, faces }) {
+/** @param {unknown} _figure @param {{ centers: [number, number][], chosen: ReadonlySet<string>, faces: { inside: boolean[] }[] }} element the site's figure of the faces */
+export function check(_figure, { centers, chosen, faces }) {
+  const moved = movedPoints(centers, CENTERS, (element) => (element.centers = CENTERS));
+  if (moved) return moved;
   const keys = keysOf(faces);
   const wrong = keys.filter((key) => chosen.has(key) && !isOdd(key)).length;
   const missing = keys.filter((key) => !chosen.has(key) && isOdd(key)).length;
@@ -24,7 +32,8 @@ export function check(_figure, { chosen, faces }) {
   return verdict(false, `${selected} selected: ${parts.join(", ")}.`);
 }
 
-/** @param {{ chosen: ReadonlySet<string>, faces: { inside: boolean[] }[] }} element */
+/** @param {{ centers: [number, number][], chosen: ReadonlySet<string>, faces: { inside: boolean[] }[] }} element */
 export const reveal = (element) => {
+  element.centers = CENTERS;
   element.chosen = new Set(keysOf(element.faces).filter(isOdd));
 };

@@ -1,6 +1,5 @@
-import { firstCurve, movedPoints, verdict } from "./utils/curves.js";
-
-export const live = true;
+import { firstCurve, verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
 /** The distance may be too small by this. */
 const ALLOWED_PX = 3;
@@ -29,7 +28,7 @@ const sharpest = (curve) =>
 
 /** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ offset: number }} element */
 export function check(figure, element) {
-  const moved = movedPoints(figure, POINTS);
+  const moved = movedPoints(figure.points, POINTS);
   if (moved) return moved;
   const { offset } = element;
   const radius = 1 / sharpest(firstCurve(figure));
@@ -45,8 +44,9 @@ export function check(figure, element) {
   );
 }
 
-/** @param {{ figure: any, offset: number }} element */
+/** @param {{ points: [number, number][], figure: any, offset: number }} element */
 export function reveal(element) {
+  element.points = POINTS;
   const radius = 1 / sharpest(firstCurve(element.figure));
   element.offset = Math.trunc(radius);
 }

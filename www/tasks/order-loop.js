@@ -1,6 +1,13 @@
 import { verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
-export const live = true;
+/** The places of the points of the site's figure. @type {[number, number][]} */
+const PLACES = [
+  [8, 64],
+  [37, 16],
+  [76, 28],
+  [92, 51],
+];
 
 export const predict = {
   options: ["two", "four", "eight"],
@@ -9,8 +16,10 @@ export const predict = {
     "Only the diagonals AC and BD cross. The first leg is one of them, the last leg is the other: 8 of the 24 orders, so 4 of the 12 shapes. Only two of these four curves cross themselves.",
 };
 
-/** @param {unknown} _figure @param {{ chosen: number, curve(order: number): any }} element the site's figure of all orders */
+/** @param {unknown} _figure @param {{ places: [number, number][], chosen: number, curve(order: number): any }} element the site's figure of all orders */
 export function check(_figure, element) {
+  const moved = movedPoints(element.places, PLACES, (figure) => (figure.places = PLACES));
+  if (moved) return moved;
   const [place] = element.curve(element.chosen).selfIntersections();
   if (!place) return verdict(false, "The selected curve does not cross itself.");
   return verdict(
@@ -19,8 +28,9 @@ export function check(_figure, element) {
   );
 }
 
-/** @param {{ chosen: number, curve(order: number): any }} element */
+/** @param {{ places: [number, number][], chosen: number, curve(order: number): any }} element */
 export function reveal(element) {
+  element.places = PLACES;
   for (let order = 0; order < 24; order++) {
     if (element.curve(order).selfIntersections().length === 0) continue;
     element.chosen = order;

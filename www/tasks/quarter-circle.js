@@ -1,8 +1,6 @@
 import { maxRadialError } from "../figures/lib/circle.js";
 import { verdict } from "./utils/curves.js";
 
-export const live = true;
-
 const ARCS = 4;
 /** Of the radius. */
 const ALLOWED = 0.00025;

@@ -1,6 +1,13 @@
 import { verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
-export const live = true;
+/** The control points of the site's figure. @type {[number, number][]} */
+export const POINTS = [
+  [12, 61],
+  [29, 58],
+  [53, 48],
+  [43, 38],
+];
 
 /** The radius may be greater than the smallest one by this factor. */
 const ALLOWED = 1.01;
@@ -22,14 +29,17 @@ export const predict = {
   because: "The control polygon has its sharpest corner at P2, and the curve follows the polygon.",
 };
 
-/** @param {unknown} _figure @param {{ t: number, curve: any }} element */
-export function check(_figure, { t, curve }) {
+/** @param {unknown} _figure @param {{ points: [number, number][], t: number, curve: any }} element the site's figure of the derivative */
+export function check(_figure, { points, t, curve }) {
+  const moved = movedPoints(points, POINTS);
+  if (moved) return moved;
   const radius = radiusOf(curve.curvature(t));
   const done = radius <= ALLOWED * radiusOf(curve.curvature(sharpest(curve)));
   return verdict(done, `At t = ${t.toFixed(2)} the radius of curvature is ${radius.toFixed(1)}.`);
 }
 
-/** @param {{ t: number, curve: any }} element */
+/** @param {{ points: [number, number][], t: number, curve: any }} element */
 export const reveal = (element) => {
+  element.points = POINTS;
   element.t = Math.round(100 * sharpest(element.curve)) / 100;
 };

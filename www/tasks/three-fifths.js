@@ -1,7 +1,5 @@
 import { distance, verdict } from "./utils/curves.js";
 
-export const live = true;
-
 const WANTED = /** @type {const} */ ([0.6, 0.8]);
 /** A slider in steps of a hundredth moves the point by up to 0.02. */
 const ALLOWED = 0.01;

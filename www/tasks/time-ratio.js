@@ -1,7 +1,5 @@
 import { PRECISION_PX, distance, px, verdict } from "./utils/curves.js";
 
-export const live = true;
-
 /** The seconds that the second piece takes for each second of the first. */
 const RATIO = 2;
 

@@ -1,9 +1,13 @@
 import { PRECISION_PX, px, verdict } from "./utils/curves.js";
+import { movedPoints } from "./utils/moved.js";
 
 /** The height of the curve in px above the line from P0 to P2. */
 const WANTED = 180;
-
-export const live = true;
+/** P0 and P2 as the page places them. @type {[number, number][]} */
+const ENDS = [
+  [80, 430],
+  [590, 430],
+];
 
 export const predict = {
   options: ["180 px above it", "270 px above it", "360 px above it"],
@@ -13,8 +17,8 @@ export const predict = {
 
 /** @param {{ points: [number, number][] }} figure */
 export function check({ points: [p0, p1, p2] }) {
-  if (Math.abs(p0[1] - p2[1]) > PRECISION_PX)
-    return verdict(false, "P0 and P2 must have the same height. Move P1 only.");
+  const moved = movedPoints([p0, p2], ENDS, (element) => (element.points = [ENDS[0], element.points[1], ENDS[1]]));
+  if (moved) return moved;
   const high = (p0[1] + p2[1]) / 2 - p1[1];
   return verdict(
     Math.abs(high / 2 - WANTED) <= PRECISION_PX / 2,
@@ -24,6 +28,6 @@ export function check({ points: [p0, p1, p2] }) {
 
 /** @param {{ points: [number, number][] }} element */
 export function reveal(element) {
-  const [p0, , p2] = element.points;
-  element.points = [p0, [(p0[0] + p2[0]) / 2, p0[1] - 2 * WANTED], [p2[0], p0[1]]];
+  const [p0, p2] = ENDS;
+  element.points = [p0, [(p0[0] + p2[0]) / 2, p0[1] - 2 * WANTED], p2];
 }

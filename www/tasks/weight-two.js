@@ -1,7 +1,5 @@
 import { distance, verdict } from "./utils/curves.js";
 
-export const live = true;
-
 const WANTED = 2;
 const ALLOWED = 0.05;
 

@@ -18,17 +18,6 @@ export const px = (value) => `${value < 10 ? value.toFixed(2) : value.toFixed(0)
 /** The first curve of a figure. @param {{ pieces: { curve: any }[] }} figure */
 export const firstCurve = ({ pieces }) => pieces[0]?.curve ?? null;
 
-/**
- * The verdict if the control points of a figure are not those of the page, otherwise null.
- *
- * @param {{ points: Pair[] }} figure
- * @param {readonly Pair[]} points
- */
-export function movedPoints(figure, points) {
-  const same = figure.points.length === points.length && points.every((at, i) => distance(figure.points[i], at) <= 1);
-  return same ? null : verdict(false, "The control points have moved. Undo this first (Ctrl+Z).");
-}
-
 /** Points as the attribute `points` takes them. @param {Iterable<Pair>} points */
 export const asText = (points) => [...points].map(([x, y]) => `${x},${y}`).join(" ");
 
