@@ -462,6 +462,7 @@ pub(crate) fn box_of_surface(surface: NurbsSurface) -> Checked {
 }
 
 pub(crate) fn to_surface(surface: NurbsSurface) -> Checked {
-    let patches: Vec<RationalPatch> = answer!(surface.to_surface().map(|all| all.patches().collect()));
+    let patches: Vec<RationalPatch> =
+        answer!(surface.to_surface().map(|all| all.patches().collect()));
     same(&patches[..], surface.patches(), "the patches")
 }
