@@ -6,8 +6,8 @@ use super::scaling::Scaling;
 use super::small_distance::search_small;
 use super::surface_point::SurfacePoint;
 use crate::geometry::point::Point;
-use crate::patch::{Partials, Patch};
 use crate::patch::normal::binomial;
+use crate::patch::{Partials, Patch};
 use glam::DVec3;
 
 /// Rounding error of a point of a patch, as a fraction of the size.

@@ -2,7 +2,7 @@
 
 use super::within;
 use crate::support::nets::{cube, teapot};
-use crate::support::{Rng, apart, cases};
+use crate::support::{Rng, cases};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::WireframeOptions;
 use casteljau::surface::PatchEdge;
@@ -20,6 +20,10 @@ fn axis() -> DVec3 {
 
 fn valid<T>(result: Result<T, casteljau::Error>) -> T {
     result.expect("valid")
+}
+
+fn distance(a: DVec3, b: DVec3) -> f64 {
+    (a - b).length()
 }
 
 fn random_point(rng: &mut Rng) -> DVec3 {
@@ -79,7 +83,12 @@ fn weights_in_proportion_join_edges() {
         let all: Vec<DVec3> = (0..9).map(|k| at(k % 3, k / 3)).collect();
         all
     };
-    let first = valid(RationalPatch::new(&points(0.0), &[1.0, 1.0, 2.0, 1.0, 1.0, 3.0, 1.0, 1.0, 5.0], 2, 2));
+    let first = valid(RationalPatch::new(
+        &points(0.0),
+        &[1.0, 1.0, 2.0, 1.0, 1.0, 3.0, 1.0, 1.0, 5.0],
+        2,
+        2,
+    ));
     let joined = |column: [f64; 3]| {
         let mut weights = vec![1.0; 9];
         (0..3).for_each(|row| weights[3 * row] = column[row]);
@@ -147,13 +156,20 @@ fn invalid_weights_are_named() {
         error.to_string(),
         "largest weight of a patch divided by its smallest one: expected at most 2^20 for a tolerance, got 2097152"
     );
-    assert!(surface.tessellate(&TessellationOptions::segments(4)).is_ok());
+    assert!(
+        surface
+            .tessellate(&TessellationOptions::segments(4))
+            .is_ok()
+    );
 }
 
 #[test]
 fn areas_and_volumes_of_bodies() {
     let near = |value: f64, exact: f64, name: &str| {
-        assert!((value / exact - 1.0).abs() < 1e-10, "{name}: {value} for {exact}");
+        assert!(
+            (value / exact - 1.0).abs() < 1e-10,
+            "{name}: {value} for {exact}"
+        );
     };
     let surface = |nurbs: Result<NurbsSurface, _>| valid(valid(nurbs).to_surface());
     let sphere = surface(NurbsSurface::sphere(CENTER, 1.5, axis()));
@@ -180,10 +196,16 @@ fn areas_and_volumes_of_bodies() {
     let ring = surface(NurbsSurface::revolve(&profile, CENTER, axis(), TAU));
     let sides: [(f64, f64); 3] = [(2.0, 0.5), (-1.0, 1.5), (-1.0, -2.0)];
     let middles = [2.0, 2.5, 1.5];
-    let way: f64 = (0..3).map(|k| sides[k].0.hypot(sides[k].1) * middles[k]).sum();
+    let way: f64 = (0..3)
+        .map(|k| sides[k].0.hypot(sides[k].1) * middles[k])
+        .sum();
     near(ring.area(), TAU * way, "ring");
     // Twice the area of the triangle is 3.5.
-    near(ring.volume().expect("closed").abs(), TAU * 2.0 * 1.75, "ring");
+    near(
+        ring.volume().expect("closed").abs(),
+        TAU * 2.0 * 1.75,
+        "ring",
+    );
     // A tip at the axis, whose side is curved, and a cap: a bell by Pappus from the areas of a quarter of a circle.
     let (x, z) = (radius, axis());
     let arc = valid(NurbsCurve::arc(CENTER, z * -1.0, x, 0.0, PI));
@@ -203,13 +225,19 @@ fn other_parameters_change_no_measure() {
         let (a, b) = (rational.area(), surface.area());
         assert!((a / b - 1.0).abs() < 1e-4, "{case}: {a} {b}");
         let [a, b] = [rational.bounds(), surface.bounds()].map(|b| b.expect("a patch"));
-        assert!(apart(a.min, b.min) < 1e-13 && apart(a.max, b.max) < 1e-13, "{case}");
+        assert!(
+            distance(a.min, b.min) < 1e-13 && distance(a.max, b.max) < 1e-13,
+            "{case}"
+        );
         for _ in 0..4 {
             let p = random_point(&mut rng) * 2.0;
             let near = [valid(rational.nearest(p)), valid(surface.nearest(p))];
             let [a, b] = near.map(|near| near.expect("a patch"));
-            assert!((a.distance - b.distance).abs() < 1e-13, "{case}: {a:?} {b:?}");
-            assert!(apart(a.point, valid(rational.eval(0, a.u, a.v))) == 0.0);
+            assert!(
+                (a.distance - b.distance).abs() < 1e-13,
+                "{case}: {a:?} {b:?}"
+            );
+            assert!(distance(a.point, valid(rational.eval(0, a.u, a.v))) == 0.0);
             let direction = random_point(&mut rng) - p;
             let hits = [
                 valid(rational.intersect_ray(p, direction)),
@@ -217,7 +245,7 @@ fn other_parameters_change_no_measure() {
             ];
             assert_eq!(hits[0].len(), hits[1].len(), "{case}");
             for (a, b) in hits[0].iter().zip(&hits[1]) {
-                assert!(apart(a.point, b.point) < 1e-9, "{case}: {a:?} {b:?}");
+                assert!(distance(a.point, b.point) < 1e-9, "{case}: {a:?} {b:?}");
             }
         }
     }
@@ -237,7 +265,10 @@ fn other_parameters_change_no_measure() {
     for (a, b) in grids[0].normals.iter().zip(&grids[1].normals) {
         assert!((a - b).abs() <= 2e-5);
     }
-    let lines = [valid(rational.isocurves(3)).len(), valid(teapot.isocurves(3)).len()];
+    let lines = [
+        valid(rational.isocurves(3)).len(),
+        valid(teapot.isocurves(3)).len(),
+    ];
     assert_eq!(lines[0], lines[1]);
     let wires = [
         valid(rational.wireframe(&WireframeOptions::new())),
@@ -271,7 +302,10 @@ fn nearest_points_and_rays_of_bodies() {
         let p = CENTER + random_point(&mut rng) * 3.0;
         let exact = ((p - CENTER).length() - 1.5).abs();
         let near = valid(sphere.nearest(p)).expect("patches");
-        assert!((near.distance - exact).abs() < 1e-14, "{case}: {near:?} {exact}");
+        assert!(
+            (near.distance - exact).abs() < 1e-14,
+            "{case}: {near:?} {exact}"
+        );
         let near = valid(torus.nearest(p)).expect("patches");
         let off = (near.distance - of_torus(p)).abs();
         assert!(off < 1e-14, "{case}: {near:?} {}", of_torus(p));
@@ -313,9 +347,15 @@ fn nearest_points_of_random_patches_are_those_of_samples() {
         for _ in 0..4 {
             let p = random_point(&mut rng);
             let near = valid(surface.nearest(p)).expect("a patch");
-            let closest = samples.iter().map(|q| apart(*q, p)).fold(f64::INFINITY, f64::min);
-            assert!(near.distance <= closest + 1e-14, "{case}: {near:?} {closest}");
-            assert!((apart(near.point, p) - near.distance).abs() < 1e-15);
+            let closest = samples
+                .iter()
+                .map(|q| distance(*q, p))
+                .fold(f64::INFINITY, f64::min);
+            assert!(
+                near.distance <= closest + 1e-14,
+                "{case}: {near:?} {closest}"
+            );
+            assert!((distance(near.point, p) - near.distance).abs() < 1e-15);
             // A point of the patch is found again.
             let q = patch.eval(rng.unit(), rng.unit());
             let near = valid(surface.nearest(q)).expect("a patch");

@@ -43,14 +43,17 @@ struct Tile {
 impl RationalSurface {
     /// The smallest box that contains the surface; `None` without patches. See [`RationalPatch::bounds`].
     pub fn bounds(&self) -> Option<Bounds<DVec3>> {
-        self.patches().fold(None, |all: Option<Bounds<DVec3>>, patch| {
-            let control = patch.control_bounds();
-            match all {
-                Some(all) if all.contains(control.min) && all.contains(control.max) => Some(all),
-                Some(all) => Some(all.union(patch.bounds())),
-                None => Some(patch.bounds()),
-            }
-        })
+        self.patches()
+            .fold(None, |all: Option<Bounds<DVec3>>, patch| {
+                let control = patch.control_bounds();
+                match all {
+                    Some(all) if all.contains(control.min) && all.contains(control.max) => {
+                        Some(all)
+                    }
+                    Some(all) => Some(all.union(patch.bounds())),
+                    None => Some(patch.bounds()),
+                }
+            })
     }
 
     /// The total area of all patches; 0 without patches.
@@ -73,7 +76,10 @@ impl RationalSurface {
     pub fn volume(&self) -> Option<f64> {
         let signs = self.network.orientation(&self.topology())?;
         let whole = Scaling::around(self.control_bounds()?);
-        let cone = |k: usize| self.patch(k).map_or(0.0, |patch| signs[k] * cone(patch, &whole));
+        let cone = |k: usize| {
+            self.patch(k)
+                .map_or(0.0, |patch| signs[k] * cone(patch, &whole))
+        };
         let mut sum = 0.0;
         for cone in map_patches(self.patch_count(), cone) {
             sum += cone;
