@@ -4,6 +4,7 @@ mod forms;
 mod golden;
 mod intersect;
 mod mesh;
+mod network;
 mod nurbs;
 mod surface;
 

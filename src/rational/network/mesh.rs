@@ -14,6 +14,7 @@ use crate::mesh::adaptive::{tessellate, tessellate_f64};
 use crate::mesh::buffers::to_f32;
 use crate::mesh::mesh_patch::{Bends, Frame, MeshPatch, PatchNetwork, PatchSampler};
 use crate::mesh::options::{Detail, TessellationOptions};
+use crate::numeric::float::as_f64;
 use crate::patch::Patch;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::REGULAR_RATIO;
@@ -240,7 +241,7 @@ pub(crate) struct RationalSampler {
 }
 
 impl RationalSampler {
-    fn new(patch: RationalPatch) -> Self {
+    pub(super) fn new(patch: RationalPatch) -> Self {
         let normals = Normals::new(patch);
         let columns = normals.patch.degree_u() + 1;
         let net = normals.patch.scaled(&normals.frame);
@@ -253,15 +254,34 @@ impl RationalSampler {
         }
     }
 
-    /// The point at (u, v) in scaled coordinates, and ∂u and ∂v.
+    /// The homogeneous point at (u, v) in scaled coordinates, and the sums of the differences along u and v.
+    fn homogeneous(&mut self, u: f64, v: f64) -> [Homogeneous<DVec3>; 3] {
+        self.samples
+            .sample(u, v)
+            .map(|[x, y, z, weight]| Homogeneous {
+                vector: DVec3::new(x, y, z),
+                weight,
+            })
+    }
+
+    /// The point at (u, v), and ∂S/∂u and ∂S/∂v there, in scaled coordinates.
+    pub(super) fn derivatives(&mut self, u: f64, v: f64) -> [DVec3; 3] {
+        let [point, along_u, along_v] = self.homogeneous(u, v);
+        let local = point.vector / point.weight;
+        let patch = &self.normals.patch;
+        let derivative = |along: Homogeneous<DVec3>, degree: usize| {
+            (along.vector - local * along.weight) * (as_f64(degree) / point.weight)
+        };
+        [
+            local,
+            derivative(along_u, patch.degree_u()),
+            derivative(along_v, patch.degree_v()),
+        ]
+    }
+
+    /// The point at (u, v) in scaled coordinates, and the [`directions`] there.
     fn sample(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
-        let [point, along_u, along_v] =
-            self.samples
-                .sample(u, v)
-                .map(|[x, y, z, weight]| Homogeneous {
-                    vector: DVec3::new(x, y, z),
-                    weight,
-                });
+        let [point, along_u, along_v] = self.homogeneous(u, v);
         let local = point.vector / point.weight;
         let along = directions(local, point.weight, [along_u, along_v], [u, v]);
         (local, along)

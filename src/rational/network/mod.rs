@@ -5,7 +5,9 @@
 
 mod grid;
 mod lines;
+mod measure;
 mod mesh;
+mod nearest;
 
 use super::check_weights;
 use super::patch::RationalPatch;

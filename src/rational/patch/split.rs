@@ -31,13 +31,23 @@ impl RationalPatch {
     }
 
     fn split_along(&self, t: f64, along_u: bool) -> Result<(Self, Self), Error> {
+        let (before, after) = self.split_unchecked(t, along_u);
+        Ok((before.checked()?, after.checked()?))
+    }
+
+    /// The two halves at ½.
+    pub(in crate::rational) fn halves(&self, along_u: bool) -> (Self, Self) {
+        self.split_unchecked(0.5, along_u)
+    }
+
+    fn split_unchecked(&self, t: f64, along_u: bool) -> (Self, Self) {
         let columns = self.net.columns;
         let mut before = self.weighted();
         let mut after = before.clone();
         let between = |a, b| lerp(a, b, t);
         split_net_with(&mut before, &mut after, columns, along_u, between);
         let [before, after] = [before, after].map(|parts| Self::from_weighted(&parts, columns));
-        Ok((before.checked()?, after.checked()?))
+        (before, after)
     }
 
     /// The curve u = constant, of degree n in v, from S(u, 0) to S(u, 1).
