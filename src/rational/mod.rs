@@ -43,7 +43,7 @@ use crate::numeric::list::{Points, Scalars, points_of};
 use weighted::{Homogeneous, WeightedPoint, are_proportional, weight_scale};
 
 /// The largest weight, 2⁵⁰⁰, and the inverse of the smallest: products of two weights stay in the range of f64.
-const MAX_WEIGHT: f64 = crate::geometry::check::MAX_COORDINATE;
+pub(crate) const MAX_WEIGHT: f64 = crate::geometry::check::MAX_COORDINATE;
 
 /// A rational Bézier curve of degree 1 to 64, in the plane or in space.
 ///

@@ -178,7 +178,8 @@ pub(crate) fn patch_transform(patch: RationalPatch, map: DAffine3) -> Checked {
 }
 
 pub(crate) fn patch_bounds(patch: RationalPatch) -> Checked {
-    let (bounds, outer) = value!((patch.bounds(), patch.control_bounds()));
+    let bounds = value!(patch.bounds());
+    let outer = patch.control_bounds();
     let slack = patch_slack(&patch);
     let outside = locations(6).find(|&(u, v)| !holds(&bounds, patch.eval(u, v), slack));
     ensure!(outside.is_none(), "the point at {outside:?} is outside");
@@ -447,7 +448,8 @@ pub(crate) fn transform(surface: NurbsSurface, map: DAffine3) -> Checked {
 }
 
 pub(crate) fn box_of_surface(surface: NurbsSurface) -> Checked {
-    let (bounds, outer) = value!((surface.bounds(), surface.control_bounds()));
+    let bounds = value!(surface.bounds());
+    let outer = surface.control_bounds();
     let slack = surface_slack(&surface);
     let ([u0, u1], [v0, v1]) = (surface.domain_u(), surface.domain_v());
     for (s, t) in locations(4) {

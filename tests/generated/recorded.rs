@@ -31,7 +31,7 @@ const FUNCTIONS: &[&str] = &[
     "NurbsCurve: new from interpolate greville reverse elevate insert_knot remove_knot refine subsegment transform project",
     "NurbsCurve: bounds control_bounds extrema nearest length flatten to_spline area intersections self_intersections",
     "RationalPatch: from partials normal curvature isocurve_at_u isocurve_at_v split_u split_v elevate transform project",
-    "RationalPatch: bounds control_bounds",
+    "RationalPatch: bounds",
     "NurbsSurface: plane sphere cylinder cone torus ruled extrude revolve loft partials normal curvature isocurve_at_u",
     "NurbsSurface: isocurve_at_v split_u split_v insert_knot_u insert_knot_v elevate_u elevate_v reverse transform project bounds",
     "Spline: new from_curves from_bspline to_bspline interpolate fit simplify approx_eq eval eval_at sample",

@@ -12,7 +12,7 @@ import {
   RationalSurface,
   Spline,
 } from "casteljau/nurbs";
-import { near, owned, refusedAll, untyped } from "./reference.js";
+import { near, owned, recorder, refusedAll, untyped } from "./reference.js";
 
 const HALF = Math.SQRT1_2;
 const ROWS = [
@@ -325,4 +325,28 @@ test("surfaces with weights: vertices, patches and weights", () => {
       /largest weight .*2\^20.*got 10000000$/,
     ],
   ]);
+});
+
+test("surfaces with weights: grids, isocurves and wireframes", () => {
+  const surface = sphere.toSurface();
+  const grid = surface.grid({ segments: { u: 3, v: 2 }, quads: true });
+  assert.deepEqual([grid.positions.length, grid.quads?.length, grid.uvs?.length], [8 * 3 * 12, 8 * 4 * 6, 8 * 2 * 12]);
+  for (let k = 0; k < grid.positions.length; k += 3) {
+    const [x, y, z] = grid.positions.subarray(k, k + 3);
+    assert.ok(Math.abs(Math.hypot(x, y, z) - 2) <= 1e-6);
+    near([...grid.normals.subarray(k, k + 3)], [x / 2, y / 2, z / 2], 1e-6);
+  }
+  assert.equal(surface.grid({ segments: 2, into: grid }), grid);
+  const curves = surface.isocurves({ lines: 1 });
+  // Four meridians from pole to pole and the equator, in eight and four parts.
+  assert.equal(curves.length, 12);
+  for (const curve of curves) near(curve.length(), Math.PI, 1e-13);
+  const tubes = surface.wireframe({ lines: 1, radius: 0.1 });
+  for (let k = 0; k < tubes.positions.length; k += 3) {
+    const size = Math.hypot(...tubes.positions.subarray(k, k + 3));
+    assert.ok(size > 1.89 && size < 2.11, `${size}`);
+  }
+  const target = recorder();
+  surface.trace(untyped(target), { matrix: [10, 0, 0, 10, 0, 0], lines: 1 });
+  assert.ok(target.calls.length > 12);
 });

@@ -3,7 +3,7 @@
 use super::surface::random_patch;
 use super::within;
 use crate::support::nets::{triangles, vectors};
-use crate::support::{Rng, apart, cases};
+use crate::support::{Rng, cases};
 use casteljau::glam::{DMat4, DVec2, DVec3};
 use casteljau::mesh::{Grid, TessellationOptions, View, Weld};
 use casteljau::{Mesh, NurbsCurve, NurbsSurface, RationalPatch, RationalSurface, Surface};
@@ -164,6 +164,10 @@ fn edges<T>(mesh: &Mesh<T>) -> (usize, i64) {
     )
 }
 
+fn distance(a: DVec3, b: DVec3) -> f64 {
+    (a - b).length()
+}
+
 /// The denominator of a patch.
 fn denominator(patch: &RationalPatch, u: f64, v: f64) -> f64 {
     let row = |row: &[f64], t: f64| {
@@ -206,7 +210,7 @@ fn deviation(surface: &RationalSurface, mesh: &Mesh<f64>) -> f64 {
                 point += points[triangle[k]] * (share * weights[k]);
                 weight += share * weights[k];
             }
-            largest = largest.max(apart(patch.eval(at.x, at.y), point / weight));
+            largest = largest.max(distance(patch.eval(at.x, at.y), point / weight));
         }
     }
     largest
@@ -246,7 +250,7 @@ fn bodies_keep_the_tolerance_without_cracks() {
                 let expected = (body.normal)(*p);
                 if expected != DVec3::ZERO {
                     // v of a profile may run either way.
-                    let off = apart(normal, expected).min(apart(normal, -expected));
+                    let off = distance(normal, expected).min(distance(normal, -expected));
                     assert!(off < 1e-13, "{name} at {p}: {normal} for {expected}");
                 }
             }
@@ -281,8 +285,8 @@ fn random_patches_keep_the_tolerance() {
             let [u, v] = uv.map(f64::from);
             let normal = DVec3::from_slice(&mesh.normals[3 * k..3 * k + 3]);
             let p = DVec3::from_slice(&mesh.positions[3 * k..3 * k + 3]);
-            assert!(apart(p, patch.eval(u, v)) < 1e-13);
-            assert!(apart(normal, patch.normal(u, v)) < 1e-8, "{case}");
+            assert!(distance(p, patch.eval(u, v)) < 1e-13);
+            assert!(distance(normal, patch.normal(u, v)) < 1e-8, "{case}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::within;
 use crate::support::nets::{cube, teapot};
-use crate::support::{Rng, apart, cases};
+use crate::support::{Rng, cases};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::WireframeOptions;
 use casteljau::surface::PatchEdge;
@@ -20,6 +20,10 @@ fn axis() -> DVec3 {
 
 fn valid<T>(result: Result<T, casteljau::Error>) -> T {
     result.expect("valid")
+}
+
+fn distance(a: DVec3, b: DVec3) -> f64 {
+    (a - b).length()
 }
 
 fn random_point(rng: &mut Rng) -> DVec3 {
@@ -222,7 +226,7 @@ fn other_parameters_change_no_measure() {
         assert!((a / b - 1.0).abs() < 1e-4, "{case}: {a} {b}");
         let [a, b] = [rational.bounds(), surface.bounds()].map(|b| b.expect("a patch"));
         assert!(
-            apart(a.min, b.min) < 1e-13 && apart(a.max, b.max) < 1e-13,
+            distance(a.min, b.min) < 1e-13 && distance(a.max, b.max) < 1e-13,
             "{case}"
         );
         for _ in 0..4 {
@@ -233,7 +237,7 @@ fn other_parameters_change_no_measure() {
                 (a.distance - b.distance).abs() < 1e-13,
                 "{case}: {a:?} {b:?}"
             );
-            assert!(apart(a.point, valid(rational.eval(0, a.u, a.v))) == 0.0);
+            assert!(distance(a.point, valid(rational.eval(0, a.u, a.v))) == 0.0);
             let direction = random_point(&mut rng) - p;
             let hits = [
                 valid(rational.intersect_ray(p, direction)),
@@ -241,7 +245,7 @@ fn other_parameters_change_no_measure() {
             ];
             assert_eq!(hits[0].len(), hits[1].len(), "{case}");
             for (a, b) in hits[0].iter().zip(&hits[1]) {
-                assert!(apart(a.point, b.point) < 1e-9, "{case}: {a:?} {b:?}");
+                assert!(distance(a.point, b.point) < 1e-9, "{case}: {a:?} {b:?}");
             }
         }
     }
@@ -345,13 +349,13 @@ fn nearest_points_of_random_patches_are_those_of_samples() {
             let near = valid(surface.nearest(p)).expect("a patch");
             let closest = samples
                 .iter()
-                .map(|q| apart(*q, p))
+                .map(|q| distance(*q, p))
                 .fold(f64::INFINITY, f64::min);
             assert!(
                 near.distance <= closest + 1e-14,
                 "{case}: {near:?} {closest}"
             );
-            assert!((apart(near.point, p) - near.distance).abs() < 1e-15);
+            assert!((distance(near.point, p) - near.distance).abs() < 1e-15);
             // A point of the patch is found again.
             let q = patch.eval(rng.unit(), rng.unit());
             let near = valid(surface.nearest(q)).expect("a patch");
@@ -371,4 +375,41 @@ fn affine_maps_and_moves_keep_weights() {
     bent.move_point(0, DVec3::splat(4.0)).expect("a vertex");
     assert_eq!(bent.topology(), torus.topology());
     assert!(bent.volume().expect("closed") > 0.0);
+}
+
+#[test]
+fn text_keeps_every_bit() {
+    let torus = valid(valid(NurbsSurface::torus(CENTER, 2.0, 0.5, axis())).to_surface());
+    let text = torus.to_text();
+    assert_eq!(RationalSurface::parse(&text), Ok(torus));
+    let teapot = teapot();
+    let plain = RationalSurface::from(&teapot);
+    assert_eq!(plain.to_text(), teapot.to_text());
+    assert_eq!(RationalSurface::parse(&plain.to_text()), Ok(plain));
+    let start = "surface\nvertices 2\n0 0 0\n1 0 0\npatches 1\n1 1\n0 0\n1 1\n";
+    let message = |end: &str| {
+        let surface = RationalSurface::parse(&format!("{start}{end}"));
+        surface.map(|_| ()).expect_err("invalid").to_string()
+    };
+    assert_eq!(
+        message("w 1 1\nw 1 0"),
+        "line 10: expected a number above 0, from 2^-500 to 2^500, got \"0\""
+    );
+    assert_eq!(
+        message("w 1 1"),
+        "line 9: expected 3 words: w and weights, got the end of the text"
+    );
+    assert_eq!(
+        message("w 1\n"),
+        "line 9: expected 3 words: w and weights, got 2"
+    );
+    assert_eq!(
+        message("w 1 1\nv 1 1"),
+        "line 10: expected \"w\", got \"v\""
+    );
+    assert_eq!(
+        message("1 1"),
+        "line 9: expected the end of the text, got \"1\""
+    );
+    assert!(Surface::parse(&format!("{start}w 1 1\nw 1 1")).is_err());
 }

@@ -1,23 +1,28 @@
 import * as check from "../check.js";
-import { core, readResult, unwrapCount, writeArguments } from "../../wasm/surfaces-transfer.js";
+import { core, readResult, releaseMemory, unwrapCount, writeArguments } from "../../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../../wasm/transfer.js";
 import { patchData, rationalPatchData, rationalSurfaceData, requireJSON, surfaceData, typeOf } from "../brand.js";
 import { showInNode } from "../inspected.js";
-import { readMesh } from "../mesh.js";
+import { meshInto, readMesh, segmentsOf } from "../mesh.js";
 import { writePoint } from "../points.js";
 import { joinedOf } from "../surface/network.js";
+import { projectionNumbers } from "../surface-queries.js";
 import { checkedNetwork, networkJSON, networkOfJSON, networkOfNets } from "../surface-network.js";
 import { tessellation } from "../tessellation.js";
 import { readTopology } from "../topology.js";
-import { checkedWeights } from "./rational-curve.js";
+import { linesOf, wireframeArguments } from "../wireframe.js";
+import { checkedWeights, rationalCurveOf } from "./rational-curve.js";
 import { rationalPatchOf, transformed } from "./rational-patch.js";
 import type { PatchData, RationalSurfaceData } from "../brand.js";
-import type { PointLike, PointsLike, TransformLike } from "../check.js";
-import type { Mesh } from "../mesh.js";
+import type { MatrixLike, PointLike, PointsLike, TransformLike } from "../check.js";
+import type { GridOptions, Mesh } from "../mesh.js";
 import type { CorePatch } from "../patch/core-patch.js";
 import type { CoreSurface } from "../surface/core-surface.js";
 import type { SurfaceJSON } from "../surface-network.js";
 import type { TessellationOptions } from "../tessellation.js";
 import type { Topology } from "../topology.js";
+import type { WireframeOptions } from "../wireframe.js";
+import type { RationalCurve } from "./rational-curve.js";
 import type { RationalPatch } from "./rational-patch.js";
 
 /** Whether Node knows how to show the instances. */
@@ -199,6 +204,78 @@ export class RationalSurface {
     this.#write(extra);
     unwrapCount(core().rationalsurface_tessellate(...args));
     return readMesh(into, kind);
+  }
+
+  /**
+   * A mesh of one grid of samples per patch; see `Surface.grid`. Normals are exact, also at collapsed edges.
+   *
+   * @param options `segments`: cells of every patch along u and v; `quads`: whether the mesh has quads, too; `into`: an earlier mesh
+   */
+  grid(options: Omit<GridOptions, "method">): Mesh {
+    const { segments, quads, into } = check.options(options, ["segments", "quads", "into"]);
+    const { u, v } = segmentsOf(segments);
+    const earlier = meshInto(into);
+    const withQuads = check.optionalBoolean(quads, "quads");
+    this.#write();
+    unwrapCount(core().rationalsurface_grid(u, v, withQuads));
+    return readMesh(earlier);
+  }
+
+  /**
+   * The isocurves that divide every patch into `lines` strips in each direction (4 by default), edges included; see
+   * `Surface.isocurves`.
+   *
+   * @param options `lines`: how many strips, 4 by default
+   * @throws {RangeError} for 0 lines and above 1 GiB
+   */
+  isocurves(options?: { lines?: number }): RationalCurve<3>[] {
+    const lines = linesOf(options);
+    this.#write();
+    const numbers = readResult(0, core().rationalsurface_isocurves(lines));
+    releaseMemory();
+    const curves: RationalCurve<3>[] = [];
+    for (let at = 0; at < numbers.length; ) {
+      const weights = at + 1 + 3 * numbers[at];
+      const end = weights + numbers[at];
+      const points = new CheckedPoints(numbers.slice(at + 1, weights), 3);
+      curves.push(rationalCurveOf(points, numbers.slice(weights, end)) as RationalCurve<3>);
+      at = end;
+    }
+    return curves;
+  }
+
+  /**
+   * A mesh of the isocurves: tubes, or ribbons that lie in the surface; see `Surface.wireframe`.
+   *
+   * @throws {TypeError} for neither radius nor width, and for both
+   * @throws {RangeError} for a radius or a width below the precision of f32, and above 1 GiB
+   */
+  wireframe(options: WireframeOptions): Mesh {
+    const { args, into } = wireframeArguments(options);
+    this.#write();
+    unwrapCount(core().rationalsurface_wireframe(...args));
+    return readMesh(into, { separatePatches: false });
+  }
+
+  /**
+   * Draws the projected isocurves of all patches on a canvas context or a Path2D; see `Surface.trace`. Curves whose weights
+   * differ are replaced by cubics within the tolerance.
+   *
+   * @param target a canvas context or a Path2D
+   * @param options `matrix`: maps the surface's coordinates to pixels, 16 numbers column-major; `lines`: the number of strips per
+   *   patch in each direction, 4 by default; `tolerance`: in pixels, 0.1 by default
+   */
+  trace(
+    target: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D,
+    options: { matrix: MatrixLike; lines?: number; tolerance?: number },
+  ) {
+    const sink = check.drawingTarget(target);
+    const { matrix, tolerance, ...others } = check.options(options, ["matrix", "lines", "tolerance"]);
+    const m = projectionNumbers(matrix as MatrixLike);
+    const lines = linesOf(others);
+    const tolerancePx = check.optionalTolerance(tolerance);
+    this.#write(m);
+    unwrapCount(core().rationalsurface_trace(sink, lines, tolerancePx));
   }
 
   /**

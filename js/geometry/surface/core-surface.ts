@@ -373,11 +373,11 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   ) {
     const sink = check.drawingTarget(target);
     const { matrix, lines = 4, tolerance } = check.options(options, ["matrix", "lines", "tolerance"]);
-    const m = check.matrixNumbers(matrix as MatrixLike);
+    const m = queries.projectionNumbers(matrix as MatrixLike);
     check.segmentCount(lines, "lines");
     const tolerancePx = check.optionalTolerance(tolerance);
     const end = this._write(16);
-    end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
+    end.view.set(m, end.at);
     unwrapCount(core().surface_trace(sink, lines, tolerancePx));
   }
 
