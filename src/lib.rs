@@ -142,7 +142,7 @@ pub use path::{FillRule, Path, PathBuilder, PathTime};
 #[cfg(feature = "nurbs")]
 pub use rational::{EllipticalArc, NurbsCurve, RationalCurve};
 #[cfg(feature = "surfaces")]
-pub use rational::{NurbsSurface, RationalPatch};
+pub use rational::{NurbsSurface, RationalPatch, RationalSurface};
 pub use spline::Spline;
 #[cfg(feature = "surfaces")]
 pub use surface::Surface;

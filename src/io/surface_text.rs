@@ -4,6 +4,8 @@ use super::surface_arrays::read_arrays;
 use super::text_reader::{ParseError, RowReader, number, refuse, whole_number};
 use crate::geometry::check::MAX_COORDINATE;
 use crate::geometry::error::MAX_DEGREE;
+use crate::mesh::mesh_patch::PatchNetwork;
+use crate::rational::{MAX_WEIGHT, RationalSurface};
 use crate::surface::network::Surface;
 use crate::text::number::{push, written_number};
 use crate::text::shown::{END, shown};
@@ -45,25 +47,7 @@ impl Surface {
     /// # Ok::<(), casteljau::Error>(())
     /// ```
     pub fn to_text(&self) -> String {
-        let mut text = format!("surface\nvertices {}\n", self.vertices().len());
-        for vertex in self.vertices() {
-            let [x, y, z] = vertex.to_array().map(written_number);
-            push(&mut text, format_args!("{x} {y} {z}\n"));
-        }
-        push(&mut text, format_args!("patches {}\n", self.patch_count()));
-        for patch in 0..self.patch_count() {
-            let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
-            push(&mut text, format_args!("{degree_u} {degree_v}\n"));
-            let indices = self.patch_indices(patch).unwrap_or_default();
-            for (last_digit, index) in indices.iter().enumerate() {
-                let last = last_digit % (degree_u + 1) == degree_u;
-                push(
-                    &mut text,
-                    format_args!("{index}{}", if last { '\n' } else { ' ' }),
-                );
-            }
-        }
-        text
+        written(self, |_, _| None)
     }
 
     /// Parses a surface from text in one of four forms, which are distinguished by their first rows.
@@ -91,19 +75,87 @@ impl Surface {
     /// [`ParseError`] with the line number, for a wrong count, a word that is not a finite number, a degree outside 1
     /// to 64, or a vertex that does not exist.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
-        let mut parser = SurfaceParser {
-            text,
-            reader: RowReader::new(text),
-            // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
-            characters: text.encode_utf16().count(),
-            vertices: Vec::new(),
-            indices: Vec::new(),
-            degrees: Vec::new(),
-        };
+        let mut parser = SurfaceParser::new(text);
         parser.read()?;
         let surface = Self::with_degrees(parser.vertices, parser.indices, &parser.degrees);
         surface.map_err(|error| parser.reader.refuse("a surface", error))
     }
+}
+
+impl RationalSurface {
+    /// The surface as text; [`parse`](Self::parse) reads back an equal surface, bit for bit, with the exception that
+    /// [`Surface::to_text`] names.
+    ///
+    /// The format is that of [`Surface::to_text`]. The net of a patch whose weights are not all 1 is followed by rows of the letter
+    /// w and the weights of a row of the net.
+    ///
+    /// ```
+    /// use casteljau::{RationalSurface, glam::DVec3};
+    ///
+    /// let square = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.5)];
+    /// let surface = RationalSurface::new(square, vec![0, 1, 2, 3], vec![1.0, 1.0, 2.0, 0.5], 1, 1)?;
+    /// let text = surface.to_text();
+    /// assert!(text.ends_with("1 1\n0 1\n2 3\nw 1 1\nw 2 0.5\n"));
+    /// assert_eq!(RationalSurface::parse(&text), Ok(surface));
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn to_text(&self) -> String {
+        written(self.network(), |patch, row| {
+            let weights = self.patch_weights(patch)?;
+            let columns = self.degrees(patch)?[0] + 1;
+            let row = weights.get(row * columns..(row + 1) * columns)?;
+            weights.iter().any(|&w| w != 1.0).then_some(row)
+        })
+    }
+
+    /// Parses a surface from the text of [`to_text`](Self::to_text) or a text that [`Surface::parse`] reads. Weights are 1 where
+    /// there are none.
+    ///
+    /// # Errors
+    /// As [`Surface::parse`], also for a weight that is not a number from 2⁻⁵⁰⁰ to 2⁵⁰⁰.
+    pub fn parse(text: &str) -> Result<Self, ParseError> {
+        let mut parser = SurfaceParser::new(text);
+        parser.weights = Some(Vec::new());
+        parser.read()?;
+        let mut weights = parser.weights.unwrap_or_default();
+        weights.resize(parser.indices.len(), 1.0);
+        let (vertices, indices) = (parser.vertices, parser.indices);
+        let surface = Self::with_degrees(vertices, indices, weights, &parser.degrees);
+        surface.map_err(|error| parser.reader.refuse("a surface", error))
+    }
+}
+
+/// The text of a surface; `weights` returns those of a row of a patch, if they are written.
+fn written<'a>(surface: &Surface, weights: impl Fn(usize, usize) -> Option<&'a [f64]>) -> String {
+    let mut text = format!("surface\nvertices {}\n", surface.vertices().len());
+    for vertex in surface.vertices() {
+        let [x, y, z] = vertex.to_array().map(written_number);
+        push(&mut text, format_args!("{x} {y} {z}\n"));
+    }
+    push(
+        &mut text,
+        format_args!("patches {}\n", surface.patch_count()),
+    );
+    for patch in 0..surface.patch_count() {
+        let [degree_u, degree_v] = surface.degrees(patch).unwrap_or_default();
+        push(&mut text, format_args!("{degree_u} {degree_v}\n"));
+        let indices = surface.patch_indices(patch).unwrap_or_default();
+        for (last_digit, index) in indices.iter().enumerate() {
+            let last = last_digit % (degree_u + 1) == degree_u;
+            push(
+                &mut text,
+                format_args!("{index}{}", if last { '\n' } else { ' ' }),
+            );
+        }
+        for weights in (0..=degree_v).map_while(|row| weights(patch, row)) {
+            text.push('w');
+            for &weight in weights {
+                push(&mut text, format_args!(" {}", written_number(weight)));
+            }
+            text.push('\n');
+        }
+    }
+    text
 }
 
 /// The state of the surface parser.
@@ -114,9 +166,24 @@ struct SurfaceParser<'a> {
     vertices: Vec<DVec3>,
     indices: Vec<u32>,
     degrees: Vec<[usize; 2]>,
+    /// `None` if weights are not allowed.
+    weights: Option<Vec<f64>>,
 }
 
-impl SurfaceParser<'_> {
+impl<'a> SurfaceParser<'a> {
+    fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            reader: RowReader::new(text),
+            // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
+            characters: text.encode_utf16().count(),
+            vertices: Vec::new(),
+            indices: Vec::new(),
+            degrees: Vec::new(),
+            weights: None,
+        }
+    }
+
     fn read(&mut self) -> Result<(), ParseError> {
         let words = self.reader.row(1);
         if words == 1 && self.reader.last_words().first() == Some(&"surface") {
@@ -161,7 +228,35 @@ impl SurfaceParser<'_> {
                 self.reader.words(degree_u + 1, "vertex numbers")?;
                 self.read_indices(0, count)?;
             }
+            self.read_weights(degree_u + 1, degree_v + 1)?;
         }
+        Ok(())
+    }
+
+    /// Reads the weights of a patch, or sets them to 1 if there are none.
+    fn read_weights(&mut self, columns: usize, rows: usize) -> Result<(), ParseError> {
+        let Some(mut weights) = self.weights.take() else {
+            return Ok(());
+        };
+        if self.reader.next_row_begins_with("w") {
+            for _ in 0..rows {
+                self.reader.words(columns + 1, "words: w and weights")?;
+                if self.reader.last_words().first() != Some(&"w") {
+                    return Err(self.refuse(0, "\"w\""));
+                }
+                for index in 1..=columns {
+                    let weight = number(self.reader.last_words()[index]);
+                    let is_valid = |w: &f64| (1.0 / MAX_WEIGHT..=MAX_WEIGHT).contains(w);
+                    let weight = weight.filter(is_valid).ok_or_else(|| {
+                        self.refuse(index, "a number above 0, from 2^-500 to 2^500")
+                    })?;
+                    weights.push(weight);
+                }
+            }
+        } else {
+            weights.resize(weights.len() + columns * rows, 1.0);
+        }
+        self.weights = Some(weights);
         Ok(())
     }
 

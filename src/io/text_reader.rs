@@ -93,6 +93,16 @@ impl<'a> RowReader<'a> {
         count
     }
 
+    /// Whether the row after the current one begins with a word.
+    pub(crate) fn next_row_begins_with(&self, word: &str) -> bool {
+        let mut ahead = Self {
+            words: Vec::new(),
+            ..*self
+        };
+        ahead.row(1);
+        ahead.last_words().first() == Some(&word)
+    }
+
     /// Reads the next row, which must have exactly `count` words; `what` names them.
     pub(crate) fn words(&mut self, count: usize, what: &str) -> Result<&[&'a str], ParseError> {
         match self.row(count) {

@@ -2,7 +2,8 @@
 
 use super::Mesh;
 use super::buffers::to_f32;
-use super::cut::SurfaceCells;
+use super::cut::{SurfaceCells, cut_finely};
+use super::mesh_patch::PatchNetwork;
 use super::options::{Detail, TessellationOptions};
 use super::stitched_mesh::stitch;
 use crate::geometry::check::{check_tolerance, max_abs};
@@ -71,9 +72,7 @@ impl Surface {
     /// degree 24, which take seconds. Most meshes that are too large are rejected by an estimate, before cells are
     /// made.
     pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
-        let mut mesh = Mesh::default();
-        self.tessellate_with(SINGLE, options, &mut mesh)?;
-        Ok(mesh.to_f32())
+        tessellate(self, options)
     }
 
     /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
@@ -81,40 +80,7 @@ impl Surface {
     /// # Errors
     /// As `tessellate`, with ulps of f64.
     pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
-        let mut mesh = Mesh::default();
-        self.tessellate_with(DOUBLE, options, &mut mesh)?;
-        Ok(mesh)
-    }
-
-    fn tessellate_with(
-        &self,
-        precision: Precision,
-        options: &TessellationOptions,
-        mesh: &mut Mesh<f64>,
-    ) -> Result<(), Error> {
-        let cut = self.cut(precision, &options.detail)?;
-        stitch(self, &cut, precision.round).weld(options.weld, mesh);
-        Ok(())
-    }
-
-    /// The cells of all patches.
-    fn cut(&self, precision: Precision, detail: &Detail) -> Result<SurfaceCells, Error> {
-        let size = self.max_abs();
-        if size > precision.max {
-            return Err(Error::Range {
-                what: "vertices",
-                expected: "coordinates that f32 can hold, or the precision f64",
-                got: size,
-            });
-        }
-        // Rounding moves a vertex by half an ulp along each axis: by less than one ulp in total.
-        let ulp = (precision.ulp * size).max(precision.tiny);
-        match detail {
-            Detail::Segments(grid) => return self.cut_evenly(*grid),
-            Detail::Tolerance(tolerance) => check_min(*tolerance, MIN_ULPS * ulp)?,
-            Detail::Pixels(view) => view.check()?,
-        }
-        self.cut_finely(detail, MIN_ULPS * ulp, ulp)
+        tessellate_f64(self, options)
     }
 
     /// The largest absolute coordinate of the control points.
@@ -122,6 +88,57 @@ impl Surface {
         self.control_bounds()
             .map_or(0.0, |b| max_abs(&[b.min, b.max]))
     }
+}
+
+/// A mesh of a surface of any kind; see [`Surface::tessellate`].
+pub(crate) fn tessellate(
+    surface: &impl PatchNetwork,
+    options: &TessellationOptions,
+) -> Result<Mesh, Error> {
+    Ok(tessellate_with(surface, SINGLE, options)?.to_f32())
+}
+
+/// As [`tessellate`], with positions and normals in f64.
+pub(crate) fn tessellate_f64(
+    surface: &impl PatchNetwork,
+    options: &TessellationOptions,
+) -> Result<Mesh<f64>, Error> {
+    tessellate_with(surface, DOUBLE, options)
+}
+
+fn tessellate_with(
+    surface: &impl PatchNetwork,
+    precision: Precision,
+    options: &TessellationOptions,
+) -> Result<Mesh<f64>, Error> {
+    let cut = cut(surface, precision, &options.detail)?;
+    let mut mesh = Mesh::default();
+    stitch(surface, &cut, precision.round).weld(options.weld, &mut mesh);
+    Ok(mesh)
+}
+
+/// The cells of all patches.
+fn cut(
+    surface: &impl PatchNetwork,
+    precision: Precision,
+    detail: &Detail,
+) -> Result<SurfaceCells, Error> {
+    let size = surface.network().max_abs();
+    if size > precision.max {
+        return Err(Error::Range {
+            what: "vertices",
+            expected: "coordinates that f32 can hold, or the precision f64",
+            got: size,
+        });
+    }
+    // Rounding moves a vertex by half an ulp along each axis: by less than one ulp in total.
+    let ulp = (precision.ulp * size).max(precision.tiny);
+    match detail {
+        Detail::Segments(grid) => return surface.network().cut_evenly(*grid),
+        Detail::Tolerance(tolerance) => check_min(*tolerance, MIN_ULPS * ulp)?,
+        Detail::Pixels(view) => view.check()?,
+    }
+    cut_finely(surface, detail, MIN_ULPS * ulp, ulp)
 }
 
 impl Patch {

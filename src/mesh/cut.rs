@@ -1,6 +1,7 @@
 //! The cells of all patches of a surface: of equal size, or by a tolerance or pixels.
 
 use super::grid::Grid;
+use super::mesh_patch::{Frame, PatchNetwork};
 use super::options::Detail;
 use super::subdivider::{
     AdaptiveSubdivider, CLOSE_FORECAST_DEPTHS, DYADIC, FORECAST_DEPTHS, cell_limit,
@@ -13,7 +14,6 @@ use casteljau_kernels::numeric::order::to_u32;
 #[cfg(feature = "rayon")]
 use {
     crate::parallel::{PATCHES_AT_ONCE, has_cores, map_patches},
-    crate::patch::Patch,
     std::sync::atomic::{AtomicUsize, Ordering::Relaxed},
 };
 
@@ -57,121 +57,134 @@ impl SurfaceCells {
     }
 }
 
-impl Surface {
-    /// The cells of all patches by a tolerance or pixels. The tolerance is at least `min`, and `rounding` is subtracted.
-    pub(crate) fn cut_finely(
-        &self,
-        detail: &Detail,
-        min: f64,
-        rounding: f64,
-    ) -> Result<SurfaceCells, Error> {
-        let mut subdivider = AdaptiveSubdivider {
-            detail,
-            min,
-            rounding,
-            limit: self.max_cells(),
-            forecast: None,
-            expected: 0.0,
-            expected_max: 0.0,
-            cells: Vec::new(),
-            second_differences: SecondDifferences::default(),
-            size: 0.0,
-        };
-        self.check_cell_limit(&mut subdivider)?;
-        let ends = self.cut_patches(&mut subdivider)?;
-        Ok(SurfaceCells {
-            cells: subdivider.cells,
-            ends,
-            full: DYADIC,
-            has_tolerance: true,
-        })
-    }
+/// The cells of all patches by a tolerance or pixels. The tolerance is at least `min`, and `rounding` is subtracted.
+pub(crate) fn cut_finely<S: PatchNetwork>(
+    surface: &S,
+    detail: &Detail,
+    min: f64,
+    rounding: f64,
+) -> Result<SurfaceCells, Error> {
+    let mut subdivider = AdaptiveSubdivider {
+        detail,
+        min,
+        rounding,
+        limit: surface.network().max_cells(),
+        forecast: None,
+        expected: 0.0,
+        expected_max: 0.0,
+        cells: Vec::new(),
+        second_differences: SecondDifferences::default(),
+        frame: Frame::default(),
+    };
+    check_cell_limit(surface, &mut subdivider)?;
+    let ends = cut_patches(surface, &mut subdivider)?;
+    Ok(SurfaceCells {
+        cells: subdivider.cells,
+        ends,
+        full: DYADIC,
+        has_tolerance: true,
+    })
+}
 
-    /// Appends the cells of all patches; returns where those of each patch end.
-    fn cut_patches(&self, subdivider: &mut AdaptiveSubdivider) -> Result<Vec<usize>, Error> {
-        #[cfg(feature = "rayon")]
-        if has_cores() {
-            return self.cut_on_all_cores(subdivider);
-        }
-        let mut ends = Vec::with_capacity(self.patch_count());
-        for patch in self.patches() {
-            subdivider.cut(&patch.points, patch.columns)?;
+/// Appends the cells of all patches; returns where those of each patch end.
+fn cut_patches<S: PatchNetwork>(
+    surface: &S,
+    subdivider: &mut AdaptiveSubdivider,
+) -> Result<Vec<usize>, Error> {
+    #[cfg(feature = "rayon")]
+    if has_cores() {
+        return cut_on_all_cores(surface, subdivider);
+    }
+    let mut ends = Vec::with_capacity(surface.network().patch_count());
+    for patch in surface.patches() {
+        subdivider.cut(&patch)?;
+        ends.push(subdivider.cells.len());
+    }
+    Ok(ends)
+}
+
+/// Some patches at a time, each with a subdivider of its own; no more patches once the limit is exceeded.
+#[cfg(feature = "rayon")]
+fn cut_on_all_cores<S: PatchNetwork>(
+    surface: &S,
+    subdivider: &mut AdaptiveSubdivider,
+) -> Result<Vec<usize>, Error> {
+    let patches: Vec<S::Patch> = surface.patches().collect();
+    let total = AtomicUsize::new(0);
+    let mut ends = Vec::with_capacity(patches.len());
+    for batch in patches.chunks(PATCHES_AT_ONCE) {
+        // Each part may have as many cells as all parts together; the sum is checked before each part and after the
+        // batch.
+        let empty = &*subdivider;
+        let parts = map_patches(batch.len(), |k| {
+            if total.load(Relaxed) > empty.limit {
+                return Err(empty.too_many());
+            }
+            let mut part = empty.without_cells();
+            part.cut(&batch[k])?;
+            total.fetch_add(part.cells.len(), Relaxed);
+            Ok(part.cells)
+        });
+        for cells in parts {
+            subdivider.cells.extend(cells?);
             ends.push(subdivider.cells.len());
         }
-        Ok(ends)
-    }
-
-    /// Some patches at a time, each with a subdivider of its own; no more patches once the limit is exceeded.
-    #[cfg(feature = "rayon")]
-    fn cut_on_all_cores(&self, subdivider: &mut AdaptiveSubdivider) -> Result<Vec<usize>, Error> {
-        let patches: Vec<Patch> = self.patches().collect();
-        let total = AtomicUsize::new(0);
-        let mut ends = Vec::with_capacity(patches.len());
-        for batch in patches.chunks(PATCHES_AT_ONCE) {
-            // Each part may have as many cells as all parts together; the sum is checked before each part and after the
-            // batch.
-            let empty = &*subdivider;
-            let parts = map_patches(batch.len(), |k| {
-                if total.load(Relaxed) > empty.limit {
-                    return Err(empty.too_many());
-                }
-                let mut part = empty.without_cells();
-                part.cut(&batch[k].points, batch[k].columns)?;
-                total.fetch_add(part.cells.len(), Relaxed);
-                Ok(part.cells)
-            });
-            for cells in parts {
-                subdivider.cells.extend(cells?);
-                ends.push(subdivider.cells.len());
-            }
-            if subdivider.cells.len() > subdivider.limit {
-                return Err(subdivider.too_many());
-            }
-        }
-        Ok(ends)
-    }
-
-    /// Returns an error if more cells than the limit are expected, before any are made.
-    fn check_cell_limit(&self, subdivider: &mut AdaptiveSubdivider) -> Result<(), Error> {
-        let limit = subdivider.limit as f64;
-        for depth in FORECAST_DEPTHS {
-            self.forecast(subdivider, depth)?;
-            if subdivider.expected <= limit {
-                break;
-            }
-        }
-        if subdivider.expected > limit {
+        if subdivider.cells.len() > subdivider.limit {
             return Err(subdivider.too_many());
         }
-        // Halvings do not end exactly at the tolerance, so there will be more cells than the minimum. `expected_max`
-        // falls with the depth, because the second derivatives have smaller maxima on smaller pieces.
-        let mut before = f64::INFINITY;
-        for depth in CLOSE_FORECAST_DEPTHS {
-            if subdivider.expected_max <= limit {
-                break;
-            }
-            before = subdivider.expected_max;
-            self.forecast(subdivider, depth)?;
-        }
-        let [cells, before] = [subdivider.expected_max, before].map(|cells| cells * CLOSE_SHARE);
-        if cells > limit && cells >= before * CLOSE_SHARE {
-            subdivider.expected = subdivider.expected_max;
-            return Err(subdivider.too_many());
-        }
-        subdivider.forecast = None;
-        Ok(())
     }
+    Ok(ends)
+}
 
-    /// Counts the cells that are expected from the pieces of this depth.
-    fn forecast(&self, subdivider: &mut AdaptiveSubdivider, depth: u32) -> Result<(), Error> {
-        subdivider.forecast = Some(depth);
-        (subdivider.expected, subdivider.expected_max) = (0.0, 0.0);
-        for patch in self.patches() {
-            subdivider.cut(&patch.points, patch.columns)?;
+/// Returns an error if more cells than the limit are expected, before any are made.
+fn check_cell_limit<S: PatchNetwork>(
+    surface: &S,
+    subdivider: &mut AdaptiveSubdivider,
+) -> Result<(), Error> {
+    let limit = subdivider.limit as f64;
+    for depth in FORECAST_DEPTHS {
+        forecast(surface, subdivider, depth)?;
+        if subdivider.expected <= limit {
+            break;
         }
-        Ok(())
     }
+    if subdivider.expected > limit {
+        return Err(subdivider.too_many());
+    }
+    // Halvings do not end exactly at the tolerance, so there will be more cells than the minimum. `expected_max`
+    // falls with the depth, because the second derivatives have smaller maxima on smaller pieces.
+    let mut before = f64::INFINITY;
+    for depth in CLOSE_FORECAST_DEPTHS {
+        if subdivider.expected_max <= limit {
+            break;
+        }
+        before = subdivider.expected_max;
+        forecast(surface, subdivider, depth)?;
+    }
+    let [cells, before] = [subdivider.expected_max, before].map(|cells| cells * CLOSE_SHARE);
+    if cells > limit && cells >= before * CLOSE_SHARE {
+        subdivider.expected = subdivider.expected_max;
+        return Err(subdivider.too_many());
+    }
+    subdivider.forecast = None;
+    Ok(())
+}
 
+/// Counts the cells that are expected from the pieces of this depth.
+fn forecast<S: PatchNetwork>(
+    surface: &S,
+    subdivider: &mut AdaptiveSubdivider,
+    depth: u32,
+) -> Result<(), Error> {
+    subdivider.forecast = Some(depth);
+    (subdivider.expected, subdivider.expected_max) = (0.0, 0.0);
+    for patch in surface.patches() {
+        subdivider.cut(&patch)?;
+    }
+    Ok(())
+}
+
+impl Surface {
     /// The maximum number of cells of a mesh by tolerance: fewer for degrees at which the subdivision would take long.
     fn max_cells(&self) -> usize {
         (0..self.patch_count())

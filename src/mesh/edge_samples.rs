@@ -2,9 +2,7 @@
 //! patches needs.
 
 use super::cut::SurfaceCells;
-use crate::bernstein::evaluate::evaluate;
-use crate::numeric::list::Points;
-use crate::surface::network::Surface;
+use super::mesh_patch::PatchNetwork;
 use crate::surface::topology::{SIDES, SideUse};
 use casteljau_kernels::mesh::cell_triangulator::{
     Cell, index_of, lower_half, pack, sort_distinct, upper_half,
@@ -25,14 +23,18 @@ pub(crate) struct EdgeSamples {
 
 impl EdgeSamples {
     /// `round` rounds a point to the mesh's number type.
-    pub(crate) fn new(surface: &Surface, cut: &SurfaceCells, round: fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn new<S: PatchNetwork>(
+        surface: &S,
+        cut: &SurfaceCells,
+        round: fn(DVec3) -> DVec3,
+    ) -> Self {
         let mut all = Self {
             points: Vec::new(),
             uses: surface.side_uses(),
             samples: Vec::new(),
             full: cut.full,
         };
-        for patch in 0..surface.patch_count() {
+        for patch in 0..surface.network().patch_count() {
             for cell in cut.of_patch(patch) {
                 for (side, from, length) in all.sides_of(cell).into_iter().flatten() {
                     for k in [from, from + length] {
@@ -47,16 +49,16 @@ impl EdgeSamples {
         all
     }
 
-    fn evaluate(&mut self, surface: &Surface, round: fn(DVec3) -> DVec3) {
-        let (mut side, mut line) = (u32::MAX, Points::new());
+    fn evaluate<S: PatchNetwork>(&mut self, surface: &S, round: fn(DVec3) -> DVec3) {
+        let mut line = None;
         for &sample in &self.samples {
-            if upper_half(sample) != side {
-                side = upper_half(sample);
-                let vertices = surface.side(side as usize);
-                line = vertices.map(|v| surface.vertices()[v as usize]).collect();
-            }
+            let side = upper_half(sample);
+            let edge = match line {
+                Some((number, ref edge)) if number == side => edge,
+                _ => &line.insert((side, surface.edge(side as usize))).1,
+            };
             let t = f64::from(lower_half(sample)) / f64::from(self.full);
-            self.points.push(round(evaluate(&line, t)));
+            self.points.push(round(S::edge_point(edge, t)));
         }
     }
 

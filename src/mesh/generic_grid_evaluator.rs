@@ -11,7 +11,9 @@ use super::grid::{Grid, GridMethod};
 use crate::geometry::check::max_abs;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
 use casteljau_kernels::bernstein::weights::weights;
+use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
+use std::ops::AddAssign;
 
 /// The square of the length of ∂u × ∂v below which a point is not regular.
 const MIN_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
@@ -31,7 +33,7 @@ pub(crate) struct GenericGridEvaluator {
 
 /// The Bernstein weights of one degree at k/n for k = 0 … n: `degree` + 1 weights for each k.
 #[derive(Default)]
-struct GridWeights {
+pub(crate) struct GridWeights {
     degree: usize,
     values: Vec<f64>,
 }
@@ -131,7 +133,7 @@ fn make_unit(cross_products: &mut [[f32; 3]]) -> bool {
 }
 
 /// The nearest f32, with 0 for −0, since neighbouring patches may compute zeros of different sign.
-fn round(p: DVec3) -> [f32; 3] {
+pub(crate) fn round(p: DVec3) -> [f32; 3] {
     p.to_array().map(|x| to_f32(x) + 0.0)
 }
 
@@ -143,8 +145,8 @@ fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
 }
 
 /// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same bits.
-fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
-    let mut sum = DVec3::ZERO;
+pub(crate) fn blend<V: Vector + AddAssign>(weights: &[f64], points: &[V]) -> V {
+    let mut sum = V::default();
     let mut terms = weights.iter().zip(points).map(|(&w, &p)| p * w);
     while let (Some(first), last) = (terms.next(), terms.next_back()) {
         sum += last.map_or(first, |last| first + last);
@@ -153,7 +155,7 @@ fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
 }
 
 /// Recomputes the weights of a degree and of the degree below if the degree has changed.
-fn prepare(pair: &mut [GridWeights; 2], degree: usize, segments: usize) {
+pub(crate) fn prepare(pair: &mut [GridWeights; 2], degree: usize, segments: usize) {
     if pair[0].degree != degree {
         *pair = [degree, degree - 1].map(|degree| GridWeights {
             degree,
@@ -163,11 +165,22 @@ fn prepare(pair: &mut [GridWeights; 2], degree: usize, segments: usize) {
 }
 
 impl GridWeights {
+    /// The weights at sample k.
+    pub(crate) fn at(&self, k: usize) -> &[f64] {
+        &self.values[k * (self.degree + 1)..][..=self.degree]
+    }
+
     /// Blends the rows of a net at sample k: one point per column, summed in the same order as in [`blend`].
-    fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
-        let weights = &self.values[k * (self.degree + 1)..][..=self.degree];
+    pub(crate) fn blend_rows<V: Vector + AddAssign>(
+        &self,
+        k: usize,
+        net: &[V],
+        columns: usize,
+        out: &mut Vec<V>,
+    ) {
+        let weights = self.at(k);
         out.clear();
-        out.resize(columns, DVec3::ZERO);
+        out.resize(columns, V::default());
         let mut rows = net.chunks_exact(columns).zip(weights);
         while let (Some((a, wa)), last) = (rows.next(), rows.next_back()) {
             match last {

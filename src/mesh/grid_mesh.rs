@@ -68,13 +68,18 @@ impl GridMeshBuilder {
         has_layout: bool,
         mesh: &mut Mesh,
     ) {
+        self.prepare(&part, has_layout, mesh);
+        self.fill_vertices(part, net_of, mesh);
+    }
+
+    /// As [`fill`](Self::fill), without positions and normals.
+    pub(crate) fn prepare(&self, part: &Range<usize>, has_layout: bool, mesh: &mut Mesh) {
         if !has_layout {
-            self.fill_layout(&part, mesh);
+            self.fill_layout(part, mesh);
         }
         let numbers = 3 * self.grid.vertex_count();
         mesh.positions.resize(part.len() * numbers, 0.0);
         mesh.normals.resize(part.len() * numbers, 0.0);
-        self.fill_vertices(part, net_of, mesh);
     }
 
     fn fill_vertices(&mut self, part: Range<usize>, net_of: impl NetOf, mesh: &mut Mesh) {

@@ -1,5 +1,6 @@
 //! Isocurves of a surface: curves of constant u and of constant v.
 
+use super::mesh_patch::{MeshPatch, PatchNetwork};
 use super::projected::Projection;
 use crate::curve::Curve;
 use crate::curve::eval::MAX_OUTPUT_F64;
@@ -7,7 +8,6 @@ use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
-use crate::patch::Patch;
 use crate::surface::network::Surface;
 use crate::surface::topology::SIDES;
 use glam::{DMat4, DVec3};
@@ -16,14 +16,14 @@ use glam::{DMat4, DVec3};
 const TOLERANCE_PX: f64 = 0.1;
 
 /// An isocurve of a patch.
-pub(crate) struct Isocurve<'a> {
+pub(crate) struct Isocurve<'a, P: MeshPatch> {
     pub(crate) patch_number: usize,
-    pub(crate) patch: &'a Patch,
+    pub(crate) patch: &'a P,
     /// Whether u is constant along the curve; otherwise v is.
     pub(crate) constant_u: bool,
     /// The constant parameter.
     pub(crate) at: f64,
-    pub(crate) curve: Curve<DVec3>,
+    pub(crate) curve: P::Isocurve,
 }
 
 impl Surface {
@@ -36,9 +36,7 @@ impl Surface {
     /// # Errors
     /// [`Error::Range`] for 0 lines, [`Error::TooMany`] above 1 GiB of numbers.
     pub fn isocurves(&self, lines: usize) -> Result<Vec<Curve<DVec3>>, Error> {
-        let mut curves = Vec::new();
-        self.each_isocurve(lines, &mut |line| curves.push(line.curve))?;
-        Ok(curves)
+        isocurves(self, lines)
     }
 
     /// Draws the [`isocurves`](Self::isocurves), projected to a canvas by `matrix`.
@@ -58,50 +56,7 @@ impl Surface {
         lines: usize,
         tolerance: Option<f64>,
     ) -> Result<(), Error> {
-        if let Some(tolerance) = tolerance {
-            check_tolerance(tolerance, 0.0)?;
-        }
-        Error::unless_finite("matrix", &matrix.to_cols_array())?;
-        let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
-        let projection = Projection::new(matrix, self.vertices(), tolerance);
-        self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, sink))
-    }
-
-    /// Passes each isocurve to `draw`. The closure is a trait object, so that the loop is compiled once.
-    pub(crate) fn each_isocurve(
-        &self,
-        lines: usize,
-        draw: &mut dyn FnMut(Isocurve<'_>),
-    ) -> Result<(), Error> {
-        self.check_lines(lines)?;
-        let uses = self.side_uses();
-        for (patch_number, patch) in self.patches().enumerate() {
-            // An edge that is a point, or that an earlier patch has drawn, is omitted.
-            let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
-                let number = SIDES * patch_number + side;
-                uses[number].first == number && !uses[number].collapsed
-            });
-            let wanted =
-                |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
-            for (constant_u, first, last) in [(true, u0, u1), (false, v0, v1)] {
-                for k in (0..=lines).filter(|&k| wanted(k, first, last)) {
-                    let at = ratio(k, lines);
-                    let curve = if constant_u {
-                        patch.isocurve_at_u(at)
-                    } else {
-                        patch.isocurve_at_v(at)
-                    };
-                    draw(Isocurve {
-                        patch_number,
-                        patch: &patch,
-                        constant_u,
-                        at,
-                        curve,
-                    });
-                }
-            }
-        }
-        Ok(())
+        trace_projected(self, sink, matrix, lines, tolerance)
     }
 
     /// Returns an error for 0 lines, and for more lines than the output limit allows.
@@ -123,4 +78,65 @@ impl Surface {
         }
         Ok(())
     }
+}
+
+/// The isocurves of a surface; see [`Surface::isocurves`].
+pub(crate) fn isocurves<S: PatchNetwork>(
+    surface: &S,
+    lines: usize,
+) -> Result<Vec<<S::Patch as MeshPatch>::Isocurve>, Error> {
+    let mut curves = Vec::new();
+    each_isocurve(surface, lines, &mut |line| curves.push(line.curve))?;
+    Ok(curves)
+}
+
+/// Draws isocurves, projected to a canvas; see [`Surface::trace_projected`].
+pub(crate) fn trace_projected(
+    surface: &impl PatchNetwork,
+    sink: &mut (impl PathSink + ?Sized),
+    matrix: &DMat4,
+    lines: usize,
+    tolerance: Option<f64>,
+) -> Result<(), Error> {
+    if let Some(tolerance) = tolerance {
+        check_tolerance(tolerance, 0.0)?;
+    }
+    Error::unless_finite("matrix", &matrix.to_cols_array())?;
+    let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
+    let projection = Projection::new(matrix, surface.network().vertices(), tolerance);
+    each_isocurve(surface, lines, &mut |line| {
+        projection.draw(&line.curve, sink)
+    })
+}
+
+/// Passes each isocurve to `draw`. The closure is a trait object, so that the loop is compiled once.
+pub(crate) fn each_isocurve<S: PatchNetwork>(
+    surface: &S,
+    lines: usize,
+    draw: &mut dyn FnMut(Isocurve<'_, S::Patch>),
+) -> Result<(), Error> {
+    surface.network().check_lines(lines)?;
+    let uses = surface.side_uses();
+    for (patch_number, patch) in surface.patches().enumerate() {
+        // An edge that is a point, or that an earlier patch has drawn, is omitted.
+        let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
+            let number = SIDES * patch_number + side;
+            uses[number].first == number && !uses[number].collapsed
+        });
+        let wanted = |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
+        for (constant_u, first, last) in [(true, u0, u1), (false, v0, v1)] {
+            for k in (0..=lines).filter(|&k| wanted(k, first, last)) {
+                let at = ratio(k, lines);
+                let curve = patch.isocurve(constant_u, at);
+                draw(Isocurve {
+                    patch_number,
+                    patch: &patch,
+                    constant_u,
+                    at,
+                    curve,
+                });
+            }
+        }
+    }
+    Ok(())
 }

@@ -3,6 +3,7 @@
 //! A projection maps the control points Pᵢ to (Xᵢ, Yᵢ, Wᵢ), and the curve to the rational curve (ΣBᵢXᵢ, ΣBᵢYᵢ) / ΣBᵢWᵢ.
 //! Canvases draw cubics, so the curve is halved until the cubic with the same ends and end tangents is close enough.
 
+use super::mesh_patch::SpaceCurve;
 use crate::curve::Curve;
 use crate::curve::trace::{CUBIC_HALVINGS, PathSink, hidden_by_rounding};
 use crate::geometry::point::Point;
@@ -41,9 +42,11 @@ impl Projection {
     }
 
     /// Draws the part of a curve that lies in front of the eye.
-    pub(crate) fn draw(&self, curve: &Curve<DVec3>, sink: &mut (impl PathSink + ?Sized)) {
-        let points = curve.control_points().iter();
-        let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
+    pub(crate) fn draw(&self, curve: &impl SpaceCurve, sink: &mut (impl PathSink + ?Sized)) {
+        let points = curve.weighted_points();
+        let image = points
+            .map(|(p, weight)| homogeneous(&self.matrix, p) * weight)
+            .collect();
         let mut stroke = ProjectedSubpath { sink, down: false };
         self.draw_piece(&Curve::from_points(image), &mut stroke, CUBIC_HALVINGS);
     }

@@ -6,8 +6,7 @@
 
 use super::cut::SurfaceCells;
 use super::edge_samples::EdgeSamples;
-use super::sampler::Sampler;
-use crate::surface::network::Surface;
+use super::mesh_patch::{MeshPatch, PatchNetwork, PatchSampler};
 use crate::surface::topology::SIDES;
 use casteljau_kernels::mesh::cell_triangulator::{Cell, CellTriangulator};
 use casteljau_kernels::numeric::order::to_u32;
@@ -52,20 +51,20 @@ pub(crate) struct StitchedMesh {
 }
 
 /// Triangulates the cells of all patches; `round` rounds a point to the mesh's number type.
-pub(crate) fn stitch(
-    surface: &Surface,
+pub(crate) fn stitch<S: PatchNetwork>(
+    surface: &S,
     cut: &SurfaceCells,
     round: fn(DVec3) -> DVec3,
 ) -> StitchedMesh {
     let edges = EdgeSamples::new(surface, cut, round);
     #[cfg(feature = "rayon")]
     if has_cores() {
-        return stitch_on_all_cores(&edges, surface.patch_count(), || {
+        return stitch_on_all_cores(&edges, surface.network().patch_count(), || {
             Stitcher::new(surface, cut, round, &edges)
         });
     }
     let mut stitcher = Stitcher::new(surface, cut, round, &edges);
-    stitcher.add_patches(0..surface.patch_count());
+    stitcher.add_patches(0..surface.network().patch_count());
     let mut out = stitcher.out;
     let mut nodes = edges.points;
     nodes.append(&mut out.nodes);
@@ -74,8 +73,8 @@ pub(crate) fn stitch(
 }
 
 /// The state of the stitching.
-pub(super) struct Stitcher<'a> {
-    surface: &'a Surface,
+pub(super) struct Stitcher<'a, S> {
+    surface: &'a S,
     cut: &'a SurfaceCells,
     round: fn(DVec3) -> DVec3,
     edges: &'a EdgeSamples,
@@ -85,9 +84,9 @@ pub(super) struct Stitcher<'a> {
     pub(super) out: StitchedMesh,
 }
 
-impl<'a> Stitcher<'a> {
+impl<'a, S: PatchNetwork> Stitcher<'a, S> {
     fn new(
-        surface: &'a Surface,
+        surface: &'a S,
         cut: &'a SurfaceCells,
         round: fn(DVec3) -> DVec3,
         edges: &'a EdgeSamples,
@@ -97,7 +96,7 @@ impl<'a> Stitcher<'a> {
             cut,
             round,
             edges,
-            node_of_vertex: vec![NONE; surface.vertices().len()],
+            node_of_vertex: vec![NONE; surface.network().vertices().len()],
             out: StitchedMesh::default(),
         }
     }
@@ -108,7 +107,7 @@ impl<'a> Stitcher<'a> {
             let Some(patch) = self.surface.patch(k) else {
                 return;
             };
-            let mut sampler = Sampler::new(&patch.points, patch.columns);
+            let mut sampler = patch.sampler();
             if sampler.has_area() {
                 let (cells, samples) = (self.cut.of_patch(k), self.edges.of_patch(k));
                 triangulator.fill(cells, self.cut.full, samples);
@@ -125,7 +124,7 @@ impl<'a> Stitcher<'a> {
         &mut self,
         patch: usize,
         triangulator: &CellTriangulator,
-        sampler: &mut Sampler,
+        sampler: &mut impl PatchSampler,
     ) {
         for (u, v) in triangulator.vertices() {
             let (at_u, at_v) = (self.parameter(u), self.parameter(v));
@@ -173,7 +172,7 @@ impl<'a> Stitcher<'a> {
             return Some(to_u32(index));
         }
         // An end of an edge, or any point of an edge that is a point: a vertex of the surface.
-        let mut ends = self.surface.side(side);
+        let mut ends = self.surface.network().side(side);
         let vertex = if k == full {
             ends.next_back()
         } else {
@@ -181,7 +180,7 @@ impl<'a> Stitcher<'a> {
         }?;
         let index = vertex as usize;
         if self.node_of_vertex[index] == NONE {
-            let point = self.surface.vertices()[index];
+            let point = self.surface.network().vertices()[index];
             self.node_of_vertex[index] = self.add_node(point);
         }
         Some(self.node_of_vertex[index])
@@ -192,7 +191,7 @@ impl<'a> Stitcher<'a> {
         &mut self,
         patch: usize,
         triangulator: &mut CellTriangulator,
-        sampler: &mut Sampler,
+        sampler: &mut impl PatchSampler,
         base: usize,
     ) {
         let corners = self.out.corners[base..].iter();
@@ -225,7 +224,7 @@ impl<'a> Stitcher<'a> {
         &mut self,
         cell: &Cell,
         triangulator: &CellTriangulator,
-        sampler: &mut Sampler,
+        sampler: &mut impl PatchSampler,
         points: &[[f64; 3]],
     ) -> Option<MeshCorner> {
         if cell.du.min(cell.dv) < INNER_PARTS {
@@ -260,15 +259,15 @@ const PARTS_PER_CORE: usize = 4;
 /// The mesh of all patches on all cores: the patches in several parts, whose nodes, corners and triangles are then
 /// renumbered as if the patches had been added one after the other. `start` makes a stitcher without patches.
 #[cfg(feature = "rayon")]
-fn stitch_on_all_cores<'a>(
+fn stitch_on_all_cores<'a, S: PatchNetwork + 'a>(
     edges: &EdgeSamples,
     patches: usize,
-    start: impl Fn() -> Stitcher<'a> + Sync,
+    start: impl Fn() -> Stitcher<'a, S> + Sync,
 ) -> StitchedMesh {
     let length = patches
         .div_ceil(PARTS_PER_CORE * rayon::current_num_threads())
         .max(1);
-    let parts: Vec<Stitcher> = (0..patches.div_ceil(length))
+    let parts: Vec<Stitcher<S>> = (0..patches.div_ceil(length))
         .into_par_iter()
         .map(|k| {
             let mut part = start();
@@ -287,7 +286,7 @@ fn stitch_on_all_cores<'a>(
 
 /// Room for all parts at once, so that nothing is copied again when a list grows.
 #[cfg(feature = "rayon")]
-fn reserve(out: &mut StitchedMesh, parts: &[Stitcher]) {
+fn reserve<S>(out: &mut StitchedMesh, parts: &[Stitcher<S>]) {
     let total =
         |length: fn(&StitchedMesh) -> usize| parts.iter().map(|part| length(&part.out)).sum();
     out.nodes.reserve(total(|part| part.nodes.len()));
@@ -297,7 +296,7 @@ fn reserve(out: &mut StitchedMesh, parts: &[Stitcher]) {
 
 /// Appends a part whose own nodes begin at number `shared`. A vertex that an earlier part has as a node keeps it.
 #[cfg(feature = "rayon")]
-fn append(whole: &mut Stitcher, part: Stitcher, shared: usize) {
+fn append<S>(whole: &mut Stitcher<S>, part: Stitcher<S>, shared: usize) {
     let nodes = renumber(whole, &part, shared);
     let out = &mut whole.out;
     let (corners, triangles) = (out.corners.len(), out.triangles.len());
@@ -320,7 +319,7 @@ fn append(whole: &mut Stitcher, part: Stitcher, shared: usize) {
 
 /// The number in the whole of each own node of a part; new nodes are appended.
 #[cfg(feature = "rayon")]
-fn renumber(whole: &mut Stitcher, part: &Stitcher, shared: usize) -> Vec<u32> {
+fn renumber<S>(whole: &mut Stitcher<S>, part: &Stitcher<S>, shared: usize) -> Vec<u32> {
     let mut vertex_of = vec![NONE; part.out.nodes.len()];
     for (vertex, &node) in (0..).zip(&part.node_of_vertex) {
         if node != NONE {

@@ -7,15 +7,11 @@
 //! halved in the direction with the larger second derivative. If the maxima over the two halves show that the piece was
 //! not too large, it is not split. All cuts are at dyadic parameters, which are exact.
 
-use super::buffers::to_f32;
+use super::mesh_patch::{Bends, Frame, MeshPatch};
 use super::options::Detail;
-use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
-use crate::numeric::list::Net;
-use crate::patch::net::{differences_u, differences_v};
 use casteljau_kernels::mesh::cell_triangulator::Cell;
-use casteljau_kernels::mesh::second_differences::{BEND_SLACK, SecondDifferences};
-use casteljau_kernels::numeric::order::larger;
+use casteljau_kernels::mesh::second_differences::SecondDifferences;
 use glam::DVec3;
 
 /// Parameters are integers from 0 to this: pieces can be halved 30 times in each direction.
@@ -33,15 +29,14 @@ pub(crate) const CLOSE_FORECAST_DEPTHS: [u32; 2] = [12, 14];
 /// the largest mesh needs.
 const MAX_VECTORS: usize = 1 << 31;
 
-/// A piece that may be too large, with bounds on its second derivatives uu, uv and vv per unit of the patch's
-/// parameters.
+/// A piece that may be too large, with bounds on its second derivatives.
 #[derive(Clone, Copy, Debug)]
-struct PatchPiece {
+struct PatchPiece<B> {
     cell: Cell,
     /// The cell's size in the patch's parameters, along u and v.
     lengths: [f64; 2],
     depth: u32,
-    second_derivatives: [f64; 3],
+    bends: B,
 }
 
 /// Subdivides patches into cells.
@@ -59,9 +54,9 @@ pub(crate) struct AdaptiveSubdivider<'a> {
     /// an upper bound.
     pub(crate) expected_max: f64,
     pub(crate) cells: Vec<Cell>,
-    /// The vectors of the pieces on the stack, in units of `size`.
+    /// The vectors of the pieces on the stack, in coordinates of the frame.
     pub(crate) second_differences: SecondDifferences,
-    pub(crate) size: f64,
+    pub(crate) frame: Frame,
 }
 
 impl AdaptiveSubdivider<'_> {
@@ -69,10 +64,11 @@ impl AdaptiveSubdivider<'_> {
     ///
     /// # Errors
     /// [`Error::TooMany`] above the limit.
-    pub(crate) fn cut(&mut self, net: &[DVec3], columns: usize) -> Result<(), Error> {
-        self.start(net, columns);
+    pub(crate) fn cut<P: MeshPatch>(&mut self, patch: &P) -> Result<(), Error> {
+        let has_position = self.detail.depends_on_position();
+        self.frame = patch.start(has_position, &mut self.second_differences);
         // Depth first. `second_differences` is a stack, too: its top belongs to the piece on top of `pieces`.
-        let mut pieces = vec![PatchPiece {
+        let mut pieces: Vec<PatchPiece<P::Bends>> = vec![PatchPiece {
             cell: Cell {
                 u: 0,
                 v: 0,
@@ -81,15 +77,16 @@ impl AdaptiveSubdivider<'_> {
             },
             lengths: [1.0; 2],
             depth: 0,
-            second_derivatives: self.second_derivatives(0),
+            bends: self.bends(0),
         }];
-        let closed_directions = closed_directions(net, columns);
-        let mut tolerance = self.tolerance();
+        let net = patch.net();
+        let closed_directions = closed_directions(&net.points, net.columns);
+        let mut tolerance = self.tolerance(&pieces[0].bends);
         while let Some(piece) = pieces.pop() {
-            if self.detail.depends_on_position() {
-                tolerance = self.tolerance();
+            if has_position {
+                tolerance = self.tolerance(&piece.bends);
             }
-            let distance = distance_bound(piece.lengths, piece.second_derivatives);
+            let distance = distance_bound(piece.lengths, piece.bends.lengths());
             // A forecast counts the cells that the piece may need, without cutting it further.
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
@@ -114,15 +111,15 @@ impl AdaptiveSubdivider<'_> {
             };
             self.second_differences.halve(along_u);
             // The larger of the bounds on both halves is a tighter bound for the piece, which may then need no cut.
-            let bounds_of_halves = [self.second_derivatives(1), self.second_derivatives(0)];
-            let closer = [0, 1, 2].map(|k| larger(bounds_of_halves[0][k], bounds_of_halves[1][k]));
+            let halves: [P::Bends; 2] = [self.bends(1), self.bends(0)];
+            let closer = P::Bends::lengths_of_halves(&halves, &self.frame);
             if closed_direction.is_none() && distance_bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
                 // Those of both halves.
                 self.second_differences.pop();
                 self.second_differences.pop();
             } else {
-                pieces.extend(piece.halves(along_u, bounds_of_halves));
+                pieces.extend(piece.halves(along_u, halves));
             }
         }
         Ok(())
@@ -138,64 +135,18 @@ impl AdaptiveSubdivider<'_> {
         }
     }
 
-    /// Pushes the second derivatives of a patch, as Bézier nets, onto the empty stack.
-    fn start(&mut self, net: &[DVec3], columns: usize) {
-        // The second differences are f32, so they are those of the net scaled to a size of 1.
-        self.size = max_abs(net).max(f64::MIN_POSITIVE);
-        let (m, n) = (columns - 1, net.len() / columns - 1);
-        let (a, b) = (m as f64, n as f64);
-        let net: Vec<DVec3> = net.iter().map(|&p| p / self.size).collect();
-        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
-        // A direction of degree 1 has no second differences: its net is empty.
-        let uu = if m > 1 {
-            differences_u(&du, m)
-        } else {
-            Net::new()
-        };
-        let vv = if n > 1 {
-            differences_v(&dv, columns)
-        } else {
-            Net::new()
-        };
-        let uv = differences_v(&du, m);
-        let position = if self.detail.depends_on_position() {
-            &net[..]
-        } else {
-            &[]
-        };
-        let sizes = [
-            (m - 1, n + 1),
-            (m, n),
-            (m + 1, n - 1),
-            (columns, position.len() / columns),
-        ];
-        let nets = [
-            (&uu[..], a * (a - 1.0)),
-            (&uv, a * b),
-            (&vv, b * (b - 1.0)),
-            (position, 1.0),
-        ];
-        let vectors = nets.into_iter().flat_map(|(net, factor)| {
-            net.iter()
-                .map(move |&p| (p * factor).to_array().map(to_f32))
-        });
-        self.second_differences.start(sizes, vectors);
-    }
-
     /// Bounds on the second derivatives of the piece that is `before` entries below the top of the stack.
-    fn second_derivatives(&self, before: usize) -> [f64; 3] {
-        let scale = self.size * (1.0 + BEND_SLACK);
-        self.second_differences
-            .longest(before)
-            .map(|length| f64::from(length) * scale)
+    fn bends<B: Bends>(&self, before: usize) -> B {
+        B::of_piece(&self.second_differences, before, &self.frame)
     }
 
     /// The tolerance for the piece on top of the stack.
-    fn tolerance(&self) -> f64 {
+    fn tolerance<B: Bends>(&self, bends: &B) -> f64 {
+        let Frame { origin, size } = self.frame;
         let wanted = self.detail.tolerance_for(|| {
-            self.second_differences
-                .control_box()
-                .map(|corner| DVec3::from(corner.map(f64::from)) * self.size)
+            bends
+                .control_box(&self.second_differences)
+                .map(|corner| DVec3::from(corner.map(f64::from)) * size + origin)
         });
         wanted.max(self.min) - self.rounding
     }
@@ -225,16 +176,14 @@ impl AdaptiveSubdivider<'_> {
     }
 }
 
-impl PatchPiece {
+impl<B: Bends> PatchPiece<B> {
     /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
     /// both are equal. `None` if the parameters cannot be halved again.
     fn longer_along_u(&self) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
         let [h, k] = self.lengths;
-        let (along_u, along_v) = (
-            h * h * self.second_derivatives[0],
-            k * k * self.second_derivatives[2],
-        );
+        let [uu, _, vv] = self.bends.lengths();
+        let (along_u, along_v) = (h * h * uu, k * k * vv);
         let better = along_u > along_v || (along_u == along_v && du >= dv);
         match (du > 1, dv > 1) {
             (true, true) => Some(better),
@@ -247,7 +196,7 @@ impl PatchPiece {
     /// a/i² + b/(i·j) + c/j² must be within the tolerance, so i·j is at least each of the resulting lower bounds.
     fn min_cells(&self, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
-        let [uu, uv, vv] = self.second_derivatives;
+        let [uu, uv, vv] = self.bends.lengths();
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
         // a/i² + c/j² ≥ 2√(ac)/(i·j), the arithmetic and the geometric mean; and i·j ≥ i ≥ √(a/tolerance).
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
@@ -258,11 +207,11 @@ impl PatchPiece {
     /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while distance_bound(self.lengths, self.second_derivatives) > tolerance {
+        while distance_bound(self.lengths, self.bends.lengths()) > tolerance {
             let Some(along_u) = self.longer_along_u() else {
                 break;
             };
-            [self, _] = self.halves(along_u, [self.second_derivatives; 2]);
+            [self, _] = self.halves(along_u, [self.bends; 2]);
             cells *= 2.0;
         }
         cells
@@ -279,7 +228,7 @@ impl PatchPiece {
         }
     }
 
-    fn halves(&self, along_u: bool, bounds_of_halves: [[f64; 3]; 2]) -> [Self; 2] {
+    fn halves(&self, along_u: bool, bends: [B; 2]) -> [Self; 2] {
         let (mut near, [mut h, mut k]) = (self.cell, self.lengths);
         let mut far;
         if along_u {
@@ -298,7 +247,7 @@ impl PatchPiece {
             cell: cells[k],
             lengths,
             depth: self.depth + 1,
-            second_derivatives: bounds_of_halves[k],
+            bends: bends[k],
         })
     }
 }

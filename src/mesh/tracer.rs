@@ -1,6 +1,7 @@
 //! Samples and frames along the isocurves of a surface, for tubes and ribbons.
 
 use super::isocurves::Isocurve;
+use super::mesh_patch::{MeshPatch, SpaceCurve};
 use super::sweep::{Sweep, SweepFrame, cos_sin};
 use super::wire::Wire;
 use crate::curve::carried_frame::double_reflection;
@@ -70,7 +71,7 @@ impl Tracer {
     /// Sweeps the section along one line.
     pub(crate) fn sweep_line(
         &self,
-        line: &Isocurve<'_>,
+        line: &Isocurve<'_, impl MeshPatch>,
         sweep: &mut Sweep<'_>,
     ) -> Result<(), Error> {
         // Only a curve that is a point has no tangent.
@@ -92,7 +93,7 @@ impl Tracer {
         Ok(())
     }
 
-    fn sample_at(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> LineSample {
+    fn sample_at(&self, line: &Isocurve<'_, impl MeshPatch>, t: f64, point: DVec3) -> LineSample {
         let (u, v) = if line.constant_u {
             (line.at, t)
         } else {
@@ -119,7 +120,7 @@ impl Tracer {
     /// Advances to the next sample, with intermediate samples as the largest angle requires.
     fn sweep_to(
         &self,
-        line: &Isocurve<'_>,
+        line: &Isocurve<'_, impl MeshPatch>,
         (from, before): (LineSample, SweepFrame),
         to: LineSample,
         sweep: &mut Sweep<'_>,

@@ -1,5 +1,7 @@
 //! Wireframe meshes: tubes or ribbons along the isocurves of a surface.
 
+use super::isocurves::each_isocurve;
+use super::mesh_patch::PatchNetwork;
 use super::sweep::{CrossSection, Sweep};
 use super::tracer::Tracer;
 use super::wire::{Wire, WireframeOptions};
@@ -41,50 +43,7 @@ impl Surface {
     /// [`Error::Range`] for 0 lines, fewer than 3 sides, and a radius or a width that is not above 0;
     /// [`Error::TooSmall`] for a radius or a width too small for the precision of f32; [`Error::TooMany`] above 1 GiB.
     pub fn wireframe(&self, options: &WireframeOptions) -> Result<Mesh, Error> {
-        let section = options.wire.section()?;
-        let tracer = Tracer::new(self, &options.wire)?;
-        self.check_min_count(options.lines, &section)?;
-        // Vertices are counted first, so that nothing is allocated for a mesh that is too large.
-        let mut sweep = Sweep::new(&section);
-        let mut patch_ranges = vec![PatchRange::default(); self.patch_count()];
-        self.draw_wires(options.lines, &tracer, &mut sweep, &mut patch_ranges)?;
-        let count = sweep.vertices as usize;
-        if sweep.vertices > MAX_VERTICES {
-            return Err(too_many(count));
-        }
-        let mut sweep = Sweep::writing(&section, count);
-        self.draw_wires(options.lines, &tracer, &mut sweep, &mut patch_ranges)?;
-        Ok(Mesh {
-            positions: sweep.positions,
-            normals: sweep.normals,
-            indices: Indices::smallest(sweep.indices, count),
-            patch_ranges,
-            ..Mesh::default()
-        })
-    }
-
-    fn draw_wires(
-        &self,
-        lines: usize,
-        tracer: &Tracer,
-        sweep: &mut Sweep<'_>,
-        ranges: &mut [PatchRange],
-    ) -> Result<(), Error> {
-        ranges.fill(PatchRange::default());
-        let mut outcome = Ok(());
-        self.each_isocurve(lines, &mut |line| {
-            if outcome.is_ok() && sweep.vertices <= MAX_VERTICES {
-                let (first_vertex, first_index) = (sweep.vertices, sweep.first_index());
-                outcome = tracer.sweep_line(&line, sweep);
-                let range = &mut ranges[line.patch_number];
-                if range.vertices == 0 {
-                    (range.first_vertex, range.first_index) = (first_vertex, first_index);
-                }
-                range.vertices = sweep.vertices - range.first_vertex;
-                range.indices = sweep.first_index() - range.first_index;
-            }
-        })?;
-        outcome
+        wireframe(self, options)
     }
 
     /// Returns an error if the minimum number of vertices is above the limit, without examining the lines.
@@ -99,6 +58,69 @@ impl Surface {
             Ok(())
         }
     }
+}
+
+/// A mesh of isocurves; see [`Surface::wireframe`].
+pub(crate) fn wireframe(
+    surface: &impl PatchNetwork,
+    options: &WireframeOptions,
+) -> Result<Mesh, Error> {
+    let section = options.wire.section()?;
+    let tracer = Tracer::new(surface.network(), &options.wire)?;
+    surface.network().check_min_count(options.lines, &section)?;
+    // Vertices are counted first, so that nothing is allocated for a mesh that is too large.
+    let mut sweep = Sweep::new(&section);
+    let mut patch_ranges = vec![PatchRange::default(); surface.network().patch_count()];
+    draw_wires(
+        surface,
+        options.lines,
+        &tracer,
+        &mut sweep,
+        &mut patch_ranges,
+    )?;
+    let count = sweep.vertices as usize;
+    if sweep.vertices > MAX_VERTICES {
+        return Err(too_many(count));
+    }
+    let mut sweep = Sweep::writing(&section, count);
+    draw_wires(
+        surface,
+        options.lines,
+        &tracer,
+        &mut sweep,
+        &mut patch_ranges,
+    )?;
+    Ok(Mesh {
+        positions: sweep.positions,
+        normals: sweep.normals,
+        indices: Indices::smallest(sweep.indices, count),
+        patch_ranges,
+        ..Mesh::default()
+    })
+}
+
+fn draw_wires<S: PatchNetwork>(
+    surface: &S,
+    lines: usize,
+    tracer: &Tracer,
+    sweep: &mut Sweep<'_>,
+    ranges: &mut [PatchRange],
+) -> Result<(), Error> {
+    ranges.fill(PatchRange::default());
+    let mut outcome = Ok(());
+    each_isocurve(surface, lines, &mut |line| {
+        if outcome.is_ok() && sweep.vertices <= MAX_VERTICES {
+            let (first_vertex, first_index) = (sweep.vertices, sweep.first_index());
+            outcome = tracer.sweep_line(&line, sweep);
+            let range = &mut ranges[line.patch_number];
+            if range.vertices == 0 {
+                (range.first_vertex, range.first_index) = (first_vertex, first_index);
+            }
+            range.vertices = sweep.vertices - range.first_vertex;
+            range.indices = sweep.first_index() - range.first_index;
+        }
+    })?;
+    outcome
 }
 
 fn too_many(needed: usize) -> Error {

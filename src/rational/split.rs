@@ -74,7 +74,7 @@ impl<P: Point> RationalCurve<P> {
     }
 
     /// The curve if all its points and weights are valid: an extrapolation may have others.
-    fn checked(self) -> Result<Self, Error> {
+    pub(super) fn checked(self) -> Result<Self, Error> {
         check_weights(&self.weights, self.points.len())?;
         check_points("points", &self.points)?;
         Ok(self)

@@ -6,17 +6,17 @@ use super::scaling::Scaling;
 use super::small_distance::search_small;
 use super::surface_point::SurfacePoint;
 use crate::geometry::point::Point;
-use crate::patch::Patch;
 use crate::patch::normal::binomial;
+use crate::patch::{Partials, Patch};
 use glam::DVec3;
 
 /// Rounding error of a point of a patch, as a fraction of the size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Below this fraction of the size, the squared distance has lost digits that Gauss–Newton steps can recover. More than
 /// `MAX_REFINEMENTS` of these steps hardly improve the result.
-const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
-const MAX_REFINEMENTS: usize = 16;
+pub(crate) const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
+pub(crate) const MAX_REFINEMENTS: usize = 16;
 
 /// Below `LOST_IN_SQUARES` times the size, rounding of the squared distance hides that other points are nearer. Below
 /// `ROUGH_IN_SQUARES` times the size, the search by squared distances may be slow.
@@ -145,34 +145,46 @@ impl<'a> PatchDistance<'a> {
     pub(crate) fn refined(&self, surface_point: &SurfacePoint) -> SurfacePoint {
         let patch = &self.patches[surface_point.patch];
         let d = patch.partials(surface_point.u, surface_point.v);
-        let off = surface_point.point - self.p;
-        let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
-        let (u, v) = (d.u.dot(off), d.v.dot(off));
-        let damped = |share: f64| {
-            let (uu, vv) = (uu + share * (uu + vv), vv + share * (uu + vv));
-            let det = uu * vv - uv * uv;
-            [(vv * u - uv * v) / det, (uu * v - uv * u) / det]
-        };
-        // This uses the normal instead of the scalar products, which lose the smaller of two coordinates of very
-        // different sizes.
-        let normal = d.u.cross(d.v);
-        let square = normal.dot(normal);
-        let undamped = [
-            off.cross(d.v).dot(normal) / square,
-            d.u.cross(off).dot(normal) / square,
-        ];
-        let others = [undamped, [u / uu, 0.0], [0.0, v / vv]];
-        let mut nearest = *surface_point;
-        for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
-            let [u, v] = [surface_point.u - u, surface_point.v - v].map(|t| t.clamp(0.0, 1.0));
-            let next = SurfacePoint::at(patch, surface_point.patch, u, v, self.p);
-            // A step that is not finite fails this comparison.
-            if next.distance < nearest.distance {
-                nearest = next;
-            }
-        }
-        nearest
+        refined(surface_point, &d, self.p, &|[u, v]| {
+            SurfacePoint::at(patch, surface_point.patch, u, v, self.p)
+        })
     }
+}
+
+/// [`PatchDistance::refined`] for a patch with these partial derivatives; `at` returns its points.
+pub(crate) fn refined(
+    surface_point: &SurfacePoint,
+    d: &Partials,
+    p: DVec3,
+    at: &dyn Fn([f64; 2]) -> SurfacePoint,
+) -> SurfacePoint {
+    let off = surface_point.point - p;
+    let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
+    let (u, v) = (d.u.dot(off), d.v.dot(off));
+    let damped = |share: f64| {
+        let (uu, vv) = (uu + share * (uu + vv), vv + share * (uu + vv));
+        let det = uu * vv - uv * uv;
+        [(vv * u - uv * v) / det, (uu * v - uv * u) / det]
+    };
+    // This uses the normal instead of the scalar products, which lose the smaller of two coordinates of very
+    // different sizes.
+    let normal = d.u.cross(d.v);
+    let square = normal.dot(normal);
+    let undamped = [
+        off.cross(d.v).dot(normal) / square,
+        d.u.cross(off).dot(normal) / square,
+    ];
+    let others = [undamped, [u / uu, 0.0], [0.0, v / vv]];
+    let mut nearest = *surface_point;
+    for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
+        let [u, v] = [surface_point.u - u, surface_point.v - v].map(|t| t.clamp(0.0, 1.0));
+        let next = at([u, v]);
+        // A step that is not finite fails this comparison.
+        if next.distance < nearest.distance {
+            nearest = next;
+        }
+    }
+    nearest
 }
 
 /// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches.
@@ -188,20 +200,31 @@ pub(crate) fn squared_distance(
     let away = scaling.centre - p;
     let unit = scaling.size.max(Point::norm(away));
     let (share, toward) = (scaling.size / unit, away / unit * 2.0);
-    let (m, n) = (image.degree_u(), image.degree_v());
-    let weights: Vec<f64> = (0..image.points.len())
-        .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))
-        .collect();
+    let pairs = (0..3).map(|axis| {
+        let numbers = |of: &dyn Fn(DVec3) -> DVec3| -> Vec<f64> {
+            let points = image.points.iter();
+            points.map(|&q| of(q).coordinate(axis)).collect()
+        };
+        [numbers(&|q| q), numbers(&|q| q * share + toward)]
+    });
+    sum_of_products(index, [image.degree_u(), image.degree_v()], pairs)
+}
+
+/// The sum of the products of pairs of polynomials of degrees m and n.
+pub(crate) fn sum_of_products(
+    index: usize,
+    [m, n]: [usize; 2],
+    pairs: impl Iterator<Item = [Vec<f64>; 2]>,
+) -> PolynomialPiece {
     let columns = 2 * m + 1;
     let mut product = vec![0.0; columns * (2 * n + 1)];
-    for axis in 0..3 {
-        let weighted = |of: &dyn Fn(DVec3) -> DVec3| -> Vec<f64> {
-            let points = image.points.iter().zip(&weights);
-            points.map(|(&q, w)| of(q).coordinate(axis) * w).collect()
-        };
-        let left = weighted(&|q| q);
-        let right = weighted(&|q| q * share + toward);
-        add_product(&mut product, &left, &right, m + 1);
+    for mut pair in pairs {
+        for net in &mut pair {
+            for (k, coefficient) in net.iter_mut().enumerate() {
+                *coefficient *= binomial(m, k % (m + 1)) * binomial(n, k / (m + 1));
+            }
+        }
+        add_product(&mut product, &pair[0], &pair[1], m + 1);
     }
     for (k, coefficient) in product.iter_mut().enumerate() {
         *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);

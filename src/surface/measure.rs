@@ -2,7 +2,7 @@
 
 use super::network::Surface;
 use super::scaling::{Scaling, box_of};
-use super::topology::{EdgeUse, PatchEdge};
+use super::topology::{EdgeUse, PatchEdge, Topology};
 use crate::bernstein::polynomials::bernstein_into;
 use crate::numeric::float::{as_f64, ratio};
 use crate::parallel::map_patches;
@@ -110,7 +110,7 @@ impl Surface {
     pub fn volume(&self) -> Option<f64> {
         let patches: Vec<Patch> = self.patches().collect();
         let scaling = Scaling::around(box_of(&patches)?);
-        let signs = self.orientation()?;
+        let signs = self.orientation(&self.topology())?;
         let cones = map_patches(patches.len(), |k| {
             signs[k] * scaling.image(&patches[k]).cone()
         });
@@ -120,8 +120,7 @@ impl Surface {
 
     /// For each patch 1 or −1, so that all normals of a component point to the same side as the normals of its first
     /// patch; `None` unless the surface is closed and orientable.
-    fn orientation(&self) -> Option<Vec<f64>> {
-        let topology = self.topology();
+    pub(crate) fn orientation(&self, topology: &Topology) -> Option<Vec<f64>> {
         if !(topology.open.is_empty() && topology.non_manifold.is_empty()) {
             return None;
         }

@@ -1,7 +1,7 @@
 //! Surfaces: networks of Bézier patches that share control points.
 
 mod descent;
-mod distance;
+pub(crate) mod distance;
 mod extent;
 pub(crate) mod hash_index;
 mod measure;
@@ -10,10 +10,11 @@ pub(crate) mod nearest;
 pub(crate) mod network;
 mod newton;
 pub(crate) mod piece;
+pub(crate) mod query_patch;
 mod queued_piece;
-mod ray;
+pub(crate) mod ray;
 pub(crate) mod scaling;
-mod small_distance;
+pub(crate) mod small_distance;
 pub(crate) mod surface_point;
 pub(crate) mod topology;
 mod zeros;

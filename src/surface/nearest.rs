@@ -9,8 +9,10 @@ use super::distance::{PatchDistance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squar
 use super::minimum::minimise;
 use super::network::Surface;
 use super::piece::PolynomialPiece;
+use super::query_patch::QueryPatch;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -42,9 +44,28 @@ impl Patch {
     }
 }
 
-impl Patch {
-    /// The nearest point to p, if its distance is at most a small `reach`.
-    pub(crate) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
+impl QueryPatch for Patch {
+    fn eval(&self, u: f64, v: f64) -> DVec3 {
+        self.eval(u, v)
+    }
+
+    fn normal(&self, u: f64, v: f64) -> DVec3 {
+        self.normal(u, v)
+    }
+
+    fn control_bounds(&self) -> Bounds<DVec3> {
+        self.control_bounds()
+    }
+
+    fn columns(&self) -> usize {
+        self.columns
+    }
+
+    fn numerator(&self, local: &dyn Fn(DVec3) -> DVec3) -> Vec<DVec3> {
+        self.points.iter().map(|&p| local(p)).collect()
+    }
+
+    fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
         let patches = std::slice::from_ref(self);
         let scaling = Scaling::around(box_of(patches)?);
         let images = [scaling.image(self)];

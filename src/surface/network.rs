@@ -8,6 +8,7 @@ use crate::numeric::list::Net;
 use crate::patch::tensor_product::Patch;
 use crate::patch::tensor_product::{check_degree, checked_point};
 use glam::{DAffine3, DVec3};
+use std::ops::Range;
 
 /// A network of Bézier patches: a list of vertices, and for each patch the indices of its control points among them.
 ///
@@ -179,9 +180,14 @@ impl Surface {
 
     /// The vertex indices of a patch, u along the fast index; `None` if there is no such patch.
     pub fn patch_indices(&self, patch: usize) -> Option<&[u32]> {
-        let layout = self.patches.get(patch)?;
-        self.indices
-            .get(layout.first..layout.first + layout.count())
+        self.patches.get(patch)?;
+        self.indices.get(self.net_range(patch))
+    }
+
+    /// Where the net of a patch is in the indices; empty if there is no such patch.
+    pub(crate) fn net_range(&self, patch: usize) -> Range<usize> {
+        let layout = self.patches.get(patch);
+        layout.map_or(0..0, |layout| layout.first..layout.first + layout.count())
     }
 
     /// The patch with this index; `None` if there is no such patch.
@@ -196,18 +202,27 @@ impl Surface {
     /// # Errors
     /// [`Error::Index`] for a patch that does not exist, [`Error::Count`] for a surface without patches.
     pub fn eval(&self, patch: usize, u: f64, v: f64) -> Result<DVec3, Error> {
+        self.check_patch(patch)?;
+        let found = self.patch(patch);
+        Ok(found.map_or(DVec3::NAN, |patch| patch.eval(u, v)))
+    }
+
+    /// Returns an error for a patch that does not exist.
+    pub(crate) fn check_patch(&self, patch: usize) -> Result<(), Error> {
         let last = self.patch_count().checked_sub(1).ok_or(Error::Count {
             what: "patches",
             expected: "at least 1",
             got: 0,
         })?;
-        let found = self.patch(patch).ok_or(Error::Index {
+        if patch <= last {
+            return Ok(());
+        }
+        Err(Error::Index {
             what: "patch",
             first: 0,
             last,
             got: patch,
-        })?;
-        Ok(found.eval(u, v))
+        })
     }
 
     /// All patches in order.

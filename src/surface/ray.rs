@@ -7,6 +7,7 @@
 
 use super::network::Surface;
 use super::piece::PolynomialPiece;
+use super::query_patch::QueryPatch;
 use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
 use super::zeros::{MAX_RAY_STEPS, ZERO_TOLERANCE, common_zeros};
@@ -68,7 +69,12 @@ struct Ray {
     across: [DVec3; 2],
 }
 
-fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<SurfacePoint>, Error> {
+/// All hits of a ray, sorted by distance; see [`Surface::intersect_ray`].
+pub(crate) fn hits<P: QueryPatch>(
+    patches: &[P],
+    origin: DVec3,
+    direction: DVec3,
+) -> Result<Vec<SurfacePoint>, Error> {
     check_points("origin", &[origin])?;
     check_points("direction", &[direction])?;
     let along = Point::unit(direction);
@@ -115,8 +121,8 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
 }
 
 /// The hits of one patch, unsorted.
-fn hits_of(
-    patch: &Patch,
+fn hits_of<P: QueryPatch>(
+    patch: &P,
     number: usize,
     ray: &Ray,
     scaling: &Scaling,
@@ -156,12 +162,8 @@ fn hits_of(
 
 /// The distances of a patch from the two planes of the ray, and the distance along the ray; `None` if the whole patch
 /// lies behind the start or beside the ray.
-fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPiece> {
-    let from_start: Vec<DVec3> = patch
-        .points
-        .iter()
-        .map(|&p| scaling.local_point(p) - ray.start)
-        .collect();
+fn distances(patch: &impl QueryPatch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPiece> {
+    let from_start = patch.numerator(&|p| scaling.local_point(p) - ray.start);
     let is_all =
         |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));
     let is_beside = |axis: DVec3| {
@@ -178,8 +180,8 @@ fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPi
         .collect();
     Some(PolynomialPiece::whole(
         0,
-        patch.columns,
-        patch.rows(),
+        patch.columns(),
+        from_start.len() / patch.columns(),
         planes,
     ))
 }
@@ -189,7 +191,7 @@ fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPi
 /// The edge that two patches share, or the seam of one patch, is the same curve from both sides except for the last
 /// digits. Where the ray grazes it, a hit moves by this error divided by the cosine of the ray's angle with the normal.
 /// Duplicate hits inside a patch are already merged by the patch's own search.
-fn hit_uncertainty(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
+fn hit_uncertainty(patches: &[impl QueryPatch], hit: &SurfacePoint, ray: &Ray) -> f64 {
     let is_end = |t: f64| t.min(1.0 - t) <= ON_SIDE;
     if !(is_end(hit.u) || is_end(hit.v)) {
         return ZERO_TOLERANCE;

@@ -1,5 +1,6 @@
 //! Normalised coordinates of size 1, in which squares and products neither overflow nor underflow.
 
+use super::query_patch::QueryPatch;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::patch::Patch;
@@ -52,7 +53,7 @@ impl Scaling {
 }
 
 /// The bounding box of the control points of patches; `None` without patches.
-pub(crate) fn box_of(patches: &[Patch]) -> Option<Bounds<DVec3>> {
-    let boxes = patches.iter().map(Patch::control_bounds);
+pub(crate) fn box_of(patches: &[impl QueryPatch]) -> Option<Bounds<DVec3>> {
+    let boxes = patches.iter().map(QueryPatch::control_bounds);
     boxes.reduce(Bounds::union)
 }

@@ -1,7 +1,7 @@
 //! Results of point queries on surfaces.
 
+use super::query_patch::QueryPatch;
 use crate::geometry::point::Point;
-use crate::patch::Patch;
 use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
@@ -27,7 +27,7 @@ pub struct SurfacePoint {
 
 impl SurfacePoint {
     /// The point at (u, v) of a patch, with its distance from p.
-    pub(crate) fn at(on: &Patch, patch: usize, u: f64, v: f64, p: DVec3) -> Self {
+    pub(crate) fn at(on: &impl QueryPatch, patch: usize, u: f64, v: f64, p: DVec3) -> Self {
         let point = on.eval(u, v);
         Self {
             patch,

@@ -78,7 +78,7 @@ pub(crate) struct SideUse {
 
 impl PatchEdge {
     /// All edges in the order of their numbers.
-    const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
+    pub(crate) const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
 }
 
 impl Surface {
@@ -88,9 +88,13 @@ impl Surface {
     /// another degree, or a part of a longer edge, is a different line. Patches that have only isolated points in
     /// common are not connected.
     pub fn topology(&self) -> Topology {
-        let uses = self.side_uses();
+        self.topology_of(&self.side_uses_by(|_, _, _| true))
+    }
+
+    /// How the patches are joined if their edges have these relations.
+    pub(crate) fn topology_of(&self, uses: &[SideUse]) -> Topology {
         let mut topology = Topology {
-            components: self.components(&uses),
+            components: self.components(uses),
             ..Topology::default()
         };
         let mut groups: Vec<Vec<EdgeUse>> = vec![Vec::new(); uses.len()];
@@ -117,8 +121,12 @@ impl Surface {
         topology
     }
 
-    /// The relation of each edge to all edges; see [`SideUse`].
-    pub(crate) fn side_uses(&self) -> Vec<SideUse> {
+    /// The relation of each edge to all edges; see [`SideUse`]. Two edges with the same vertices are the same line if
+    /// `is_same` holds for their numbers, and whether their directions differ.
+    pub(crate) fn side_uses_by(
+        &self,
+        is_same: impl Fn(usize, usize, bool) -> bool,
+    ) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
         let mut first = HashIndex::new(count);
         (0..count)
@@ -128,14 +136,17 @@ impl Surface {
                 let collapsed = side().all(|vertex| Some(vertex) == start);
                 let hash = line_hash(side(), side().count());
                 let number_u32 = to_u32(number);
+                let runs_along =
+                    |other: usize| side().eq(self.side(other)) && is_same(number, other, false);
                 let found = first.find(number_u32, hash, |other| {
-                    let other = self.side(other as usize);
-                    side().eq(other.clone()) || side().rev().eq(other)
+                    let other = other as usize;
+                    runs_along(other)
+                        || side().rev().eq(self.side(other)) && is_same(number, other, true)
                 });
                 let found = found as usize;
                 SideUse {
                     first: found,
-                    reversed: !side().eq(self.side(found)),
+                    reversed: !runs_along(found),
                     collapsed,
                 }
             })
@@ -148,18 +159,23 @@ impl Surface {
         &self,
         number: usize,
     ) -> impl DoubleEndedIterator<Item = u32> + ExactSizeIterator + Clone {
-        let (patch, side) = (number / SIDES, number % SIDES);
-        let indices = self.patch_indices(patch).unwrap_or_default();
-        let columns = self.degrees(patch).map_or(1, |[degree_u, _]| degree_u + 1);
-        let last = indices.len().saturating_sub(columns);
-        let (from, to, step) = match side {
-            0 => (0, indices.len(), columns),
-            1 => (columns - 1, indices.len(), columns),
-            2 => (0, columns, 1),
-            _ => (last, indices.len(), 1),
-        };
-        let line = indices.get(from..to).unwrap_or_default();
+        let (from, to, step) = self.side_positions(number);
+        let line = self.indices().get(from..to).unwrap_or_default();
         line.iter().step_by(step).map(|&vertex| self.joined(vertex))
+    }
+
+    /// Where the indices of an edge are in those of all patches: from, to, and the step between them.
+    pub(crate) fn side_positions(&self, number: usize) -> (usize, usize, usize) {
+        let (patch, side) = (number / SIDES, number % SIDES);
+        let net = self.net_range(patch);
+        let columns = self.degrees(patch).map_or(1, |[degree_u, _]| degree_u + 1);
+        let last = net.end.saturating_sub(columns);
+        match side {
+            0 => (net.start, net.end, columns),
+            1 => (net.start + columns - 1, net.end, columns),
+            2 => (net.start, net.start + columns, 1),
+            _ => (last, net.end, 1),
+        }
     }
 
     /// The connected components: lists of patches that shared edges connect.

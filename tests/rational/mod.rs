@@ -3,6 +3,8 @@
 mod forms;
 mod golden;
 mod intersect;
+mod mesh;
+mod network;
 mod nurbs;
 mod surface;
 

@@ -12,7 +12,7 @@ fn random_point(rng: &mut Rng) -> DVec3 {
 }
 
 /// A random patch with weights from 2^−k to 2^k.
-fn random_patch(rng: &mut Rng, k: f64) -> RationalPatch {
+pub(super) fn random_patch(rng: &mut Rng, k: f64) -> RationalPatch {
     let (m, n) = (1 + rng.below(4), 1 + rng.below(4));
     let count = (m + 1) * (n + 1);
     let net: Vec<DVec3> = (0..count).map(|_| random_point(rng)).collect();

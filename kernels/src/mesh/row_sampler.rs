@@ -1,7 +1,6 @@
 //! Evaluation of a patch at many parameters: points and normal vectors, row by row.
 
 use crate::numeric::lanes::f64x2;
-use glam::DVec3;
 
 /// A point or a vector.
 pub type Vector3 = [f64; 3];
@@ -13,35 +12,38 @@ struct Weights {
     slopes: Vec<f64>,
 }
 
-/// A patch for repeated evaluation; consecutive calls with the same v are cheaper.
+/// A vector in homogeneous coordinates.
+pub type Vector4 = [f64; 4];
+
+/// A patch of vectors of D numbers for repeated evaluation; consecutive calls with the same v are cheaper.
 #[derive(Clone, Debug)]
-pub struct RowSampler {
+pub struct RowSampler<const D: usize> {
     columns: usize,
     /// The control points, and the differences along u (rows shorter by one) and along v (one row fewer).
-    nets: [Vec<Vector3>; 3],
+    nets: [Vec<[f64; D]>; 3],
     v: f64,
     /// The rows of the nets, blended at v.
-    row: [Vec<Vector3>; 3],
+    row: [Vec<[f64; D]>; 3],
     across: Weights,
     along: Weights,
 }
 
-impl RowSampler {
+impl<const D: usize> RowSampler<D> {
     /// Expects a net with `columns` points in each row, and its differences along u and v.
-    pub fn new(columns: usize, nets: [&[DVec3]; 3]) -> Self {
+    pub fn new(columns: usize, nets: [Vec<[f64; D]>; 3]) -> Self {
         Self {
             columns,
             v: f64::NAN,
-            row: [columns, columns - 1, columns].map(|length| vec![[0.0; 3]; length]),
+            row: [columns, columns - 1, columns].map(|length| vec![[0.0; D]; length]),
             across: Weights::new(nets[0].len() / columns),
             along: Weights::new(columns),
-            nets: nets.map(|net| net.iter().map(DVec3::to_array).collect()),
+            nets,
         }
     }
 
-    /// The point and ∂u × ∂v, up to a factor, at (u, v).
-    #[inline(never)]
-    pub fn sample(&mut self, u: f64, v: f64) -> (Vector3, Vector3) {
+    /// Blends the rows at v.
+    #[inline(always)]
+    fn blend_at(&mut self, v: f64) {
         if v != self.v {
             self.v = v;
             self.across.set(v);
@@ -53,6 +55,14 @@ impl RowSampler {
             blend_rows(du, columns - 1, values, along_u);
             blend_rows(dv, columns, slopes, along_v);
         }
+    }
+}
+
+impl RowSampler<3> {
+    /// The point and ∂u × ∂v, up to a factor, at (u, v).
+    #[inline(never)]
+    pub fn sample(&mut self, u: f64, v: f64) -> (Vector3, Vector3) {
+        self.blend_at(v);
         self.along.set(u);
         let Weights { values, slopes } = &self.along;
         let [points, along_u, along_v] = &self.row;
@@ -63,6 +73,22 @@ impl RowSampler {
             a[0] * b[1] - b[0] * a[1],
         ];
         (blend(points, values), cross_product)
+    }
+}
+
+impl RowSampler<4> {
+    /// The homogeneous point at (u, v), and the sums of the differences along u and along v.
+    #[inline(never)]
+    pub fn sample(&mut self, u: f64, v: f64) -> [Vector4; 3] {
+        self.blend_at(v);
+        self.along.set(u);
+        let Weights { values, slopes } = &self.along;
+        let [points, along_u, along_v] = &self.row;
+        [
+            blend_homogeneous(points, values),
+            blend_homogeneous(along_u, slopes),
+            blend_homogeneous(along_v, values),
+        ]
     }
 }
 
@@ -113,9 +139,27 @@ fn blend(points: &[Vector3], weights: &[f64]) -> Vector3 {
     [x, y, z]
 }
 
+/// Σ wᵢ Pᵢ of homogeneous vectors.
+#[inline(always)]
+fn blend_homogeneous(points: &[Vector4], weights: &[f64]) -> Vector4 {
+    let (mut xy, mut zw) = (f64x2::splat(0.0), f64x2::splat(0.0));
+    for (&[px, py, pz, pw], &weight) in points.iter().zip(weights) {
+        let weight = f64x2::splat(weight);
+        xy += f64x2::new([px, py]) * weight;
+        zw += f64x2::new([pz, pw]) * weight;
+    }
+    let ([x, y], [z, w]) = (xy.to_array(), zw.to_array());
+    [x, y, z, w]
+}
+
 /// Σ wⱼ Pᵢⱼ for each column i.
-fn blend_rows(net: &[Vector3], columns: usize, weights: &[f64], out: &mut [Vector3]) {
-    out.fill([0.0; 3]);
+fn blend_rows<const D: usize>(
+    net: &[[f64; D]],
+    columns: usize,
+    weights: &[f64],
+    out: &mut [[f64; D]],
+) {
+    out.fill([0.0; D]);
     for (row, &weight) in net.chunks_exact(columns).zip(weights) {
         let numbers = out.as_flattened_mut().iter_mut();
         for (sum, x) in numbers.zip(row.as_flattened()) {

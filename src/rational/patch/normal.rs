@@ -27,7 +27,7 @@ impl RationalPatch {
     }
 
     /// The coefficients of N up to a positive factor.
-    fn normal_net(&self, origin: DVec3) -> NormalNet {
+    pub(in crate::rational) fn normal_net(&self, origin: DVec3) -> NormalNet {
         let (mut numerator, denominator) = self.numerator_and_denominator(origin);
         unit_size(&mut numerator.points);
         let (m, n) = (self.degree_u(), self.degree_v());

@@ -31,13 +31,23 @@ impl RationalPatch {
     }
 
     fn split_along(&self, t: f64, along_u: bool) -> Result<(Self, Self), Error> {
+        let (before, after) = self.split_unchecked(t, along_u);
+        Ok((before.checked()?, after.checked()?))
+    }
+
+    /// The two halves at ½.
+    pub(in crate::rational) fn halves(&self, along_u: bool) -> (Self, Self) {
+        self.split_unchecked(0.5, along_u)
+    }
+
+    fn split_unchecked(&self, t: f64, along_u: bool) -> (Self, Self) {
         let columns = self.net.columns;
         let mut before = self.weighted();
         let mut after = before.clone();
         let between = |a, b| lerp(a, b, t);
         split_net_with(&mut before, &mut after, columns, along_u, between);
         let [before, after] = [before, after].map(|parts| Self::from_weighted(&parts, columns));
-        Ok((before.checked()?, after.checked()?))
+        (before, after)
     }
 
     /// The curve u = constant, of degree n in v, from S(u, 0) to S(u, 1).
@@ -46,7 +56,7 @@ impl RationalPatch {
     /// [`Error::NotFinite`] for a u that is not finite; for a u outside [0, 1] as [`RationalCurve::split`].
     pub fn isocurve_at_u(&self, u: f64) -> Result<RationalCurve<DVec3>, Error> {
         Error::unless_finite("u", &[u])?;
-        isocurve(&self.weighted(), self.net.columns, u)
+        self.curve_at_u(u).checked()
     }
 
     /// The curve v = constant, of degree m in u, from S(0, v) to S(1, v).
@@ -55,6 +65,16 @@ impl RationalPatch {
     /// As [`isocurve_at_u`](Self::isocurve_at_u).
     pub fn isocurve_at_v(&self, v: f64) -> Result<RationalCurve<DVec3>, Error> {
         Error::unless_finite("v", &[v])?;
+        self.curve_at_v(v).checked()
+    }
+
+    /// The isocurve at a u that is finite.
+    pub(in crate::rational) fn curve_at_u(&self, u: f64) -> RationalCurve<DVec3> {
+        isocurve(&self.weighted(), self.net.columns, u)
+    }
+
+    /// The isocurve at a v that is finite.
+    pub(in crate::rational) fn curve_at_v(&self, v: f64) -> RationalCurve<DVec3> {
         let across = transposed(&self.weighted(), self.net.columns);
         isocurve(&across, self.net.rows(), v)
     }
@@ -80,18 +100,13 @@ impl RationalPatch {
 }
 
 /// The curve of the points of all rows at t.
-fn isocurve(
-    parts: &[WeightedPoint<DVec3>],
-    columns: usize,
-    t: f64,
-) -> Result<RationalCurve<DVec3>, Error> {
+fn isocurve(parts: &[WeightedPoint<DVec3>], columns: usize, t: f64) -> RationalCurve<DVec3> {
     let point = |row: &[WeightedPoint<DVec3>]| {
         let mut row = row.to_vec();
         keep_after(&mut row, t);
         (row[0].point, row[0].weight)
     };
-    let (points, weights): (Vec<DVec3>, Vec<f64>) = parts.chunks(columns).map(point).unzip();
-    RationalCurve::new(&points, &weights)
+    RationalCurve::from_valid(parts.chunks(columns).map(point))
 }
 
 fn elevated_rows(parts: &[WeightedPoint<DVec3>], columns: usize) -> Vec<WeightedPoint<DVec3>> {

@@ -1,0 +1,402 @@
+//! Meshes of surfaces of rational patches.
+//!
+//! A piece S = A/w and a flat triangle with its corners on the piece are within (M₁ + 2M₂ + M₃)/(8 min w) of each other, where
+//! M₁ = m(m − 1)(max |Δuu A| + ρ max |Δuu w|), and M₂ and M₃ likewise. The origin of A is a point near the piece, and ρ the largest distance
+//! of its control points from that point: linear interpolation of (A, w) projects onto the flat triangle. Source: Zheng and
+//! Sederberg, "Estimating tessellation parameter intervals for rational curves and surfaces", ACM TOG 19 (2000).
+
+use super::RationalSurface;
+use crate::geometry::check::max_abs;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::mesh::Mesh;
+use crate::mesh::adaptive::{tessellate, tessellate_f64};
+use crate::mesh::buffers::to_f32;
+use crate::mesh::mesh_patch::{Bends, Frame, MeshPatch, PatchNetwork, PatchSampler};
+use crate::mesh::options::{Detail, TessellationOptions};
+use crate::numeric::float::as_f64;
+use crate::patch::Patch;
+use crate::patch::normal::NormalNet;
+use crate::patch::tensor_product::REGULAR_RATIO;
+use crate::rational::RationalCurve;
+use crate::rational::patch::RationalPatch;
+use crate::rational::weighted::Homogeneous;
+use crate::surface::network::Surface;
+use crate::surface::scaling::Scaling;
+use crate::surface::topology::SideUse;
+use casteljau_kernels::mesh::row_sampler::RowSampler;
+use casteljau_kernels::mesh::second_differences::{BEND_SLACK, RationalBends, SecondDifferences};
+use casteljau_kernels::numeric::order::{larger, smaller};
+use casteljau_kernels::numeric::vector::Vector;
+use glam::DVec3;
+
+/// The largest quotient of two weights of a patch for which tolerances hold.
+const MAX_QUOTIENT: f64 = 1_048_576.0;
+
+/// Rounding errors of sums of homogeneous vectors, as a fraction of the patch's size, with a margin.
+const NOISE: f64 = 4096.0 * f64::EPSILON;
+
+impl RationalSurface {
+    /// A mesh without cracks and T-junctions; see [`Surface::tessellate`], whose promises hold.
+    ///
+    /// # Errors
+    /// As there; [`Error::Range`] by tolerance or pixels for a patch whose largest weight is more than 2²⁰ times its smallest
+    /// one.
+    ///
+    /// Source of the bound: Zheng and Sederberg, ACM TOG 19 (2000).
+    pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
+        self.check_quotients(&options.detail)?;
+        tessellate(self, options)
+    }
+
+    /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
+    ///
+    /// # Errors
+    /// As `tessellate`, with ulps of f64.
+    pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
+        self.check_quotients(&options.detail)?;
+        tessellate_f64(self, options)
+    }
+
+    /// Returns an error for a patch whose weights differ too much for a tolerance.
+    fn check_quotients(&self, detail: &Detail) -> Result<(), Error> {
+        if matches!(detail, Detail::Segments(_)) {
+            return Ok(());
+        }
+        for patch in 0..self.patch_count() {
+            let weights = self.patch_weights(patch).unwrap_or_default();
+            let [min, max] = weights
+                .iter()
+                .fold([f64::INFINITY, 0.0], |[min, max]: [f64; 2], &w| {
+                    [min.min(w), max.max(w)]
+                });
+            if max / min > MAX_QUOTIENT {
+                return Err(Error::Range {
+                    what: "largest weight of a patch divided by its smallest one",
+                    expected: "at most 2^20 for a tolerance",
+                    got: max / min,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PatchNetwork for RationalSurface {
+    type Patch = RationalPatch;
+    type Edge = RationalCurve<DVec3>;
+
+    fn network(&self) -> &Surface {
+        &self.network
+    }
+
+    fn patch(&self, patch: usize) -> Option<RationalPatch> {
+        self.patch(patch)
+    }
+
+    fn side_uses(&self) -> Vec<SideUse> {
+        self.line_uses()
+    }
+
+    fn edge(&self, number: usize) -> RationalCurve<DVec3> {
+        let vertices = self.network.side(number);
+        let points = vertices.map(|v| self.vertices()[v as usize]);
+        RationalCurve::from_valid(points.zip(self.side_weights(number)))
+    }
+
+    fn edge_point(edge: &RationalCurve<DVec3>, t: f64) -> DVec3 {
+        edge.eval(t)
+    }
+}
+
+impl MeshPatch for RationalPatch {
+    type Bends = PieceBends;
+    type Sampler = RationalSampler;
+    type Isocurve = RationalCurve<DVec3>;
+
+    fn net(&self) -> &Patch {
+        self.net()
+    }
+
+    fn start(&self, _has_position: bool, stack: &mut SecondDifferences) -> Frame {
+        let frame = Scaling::around(self.control_bounds());
+        let (m, n) = (self.degree_u(), self.degree_v());
+        let (a, b) = (m as f64, n as f64);
+        let net = self.scaled(&frame);
+        let (du, dv) = (differences_u(&net, m + 1), differences_v(&net, m + 1));
+        let nets = [
+            (&differences_u(&du, m), a * (a - 1.0)),
+            (&differences_v(&du, m), a * b),
+            (&differences_v(&dv, m + 1), b * (b - 1.0)),
+            (&net, 1.0),
+        ];
+        let vectors = nets.into_iter().flat_map(|(net, factor)| {
+            net.iter().map(move |&p| {
+                let Homogeneous { vector, weight } = p * factor;
+                vector.extend(weight).to_array().map(to_f32)
+            })
+        });
+        let sizes = [(m - 1, n + 1), (m, n), (m + 1, n - 1), (m + 1, n + 1)];
+        stack.start(sizes, vectors);
+        Frame {
+            origin: frame.centre,
+            size: frame.size,
+        }
+    }
+
+    fn sampler(&self) -> RationalSampler {
+        RationalSampler::new(self.clone())
+    }
+
+    fn isocurve(&self, constant_u: bool, at: f64) -> RationalCurve<DVec3> {
+        if constant_u {
+            self.curve_at_u(at)
+        } else {
+            self.curve_at_v(at)
+        }
+    }
+
+    fn normal(&self, u: f64, v: f64) -> DVec3 {
+        self.normal(u, v)
+    }
+}
+
+impl RationalPatch {
+    /// The homogeneous control points (A, w) in scaled coordinates, with a largest weight of 1 to 2.
+    pub(super) fn scaled(&self, frame: &Scaling) -> Vec<Homogeneous<DVec3>> {
+        let mut net = self.homogeneous(frame.centre);
+        for part in &mut net {
+            part.vector /= frame.size;
+        }
+        net
+    }
+}
+
+/// What bounds the second derivatives of a piece, and the bounds themselves.
+#[derive(Clone, Copy)]
+pub(crate) struct PieceBends {
+    bends: RationalBends,
+    lengths: [f64; 3],
+}
+
+impl Bends for PieceBends {
+    fn of_piece(stack: &SecondDifferences, before: usize, frame: &Frame) -> Self {
+        let bends = stack.rational_bends(before);
+        Self {
+            bends,
+            lengths: lengths(&bends, frame),
+        }
+    }
+
+    fn lengths(&self) -> [f64; 3] {
+        self.lengths
+    }
+
+    /// The bounds about the middle of the box of both halves.
+    fn lengths_of_halves([near, far]: &[Self; 2], frame: &Frame) -> [f64; 3] {
+        let ([a, b], [c, d]) = (near.bends.control_box, far.bends.control_box);
+        let control_box = [
+            [0, 1, 2].map(|k| smaller(a[k], c[k])),
+            [0, 1, 2].map(|k| larger(b[k], d[k])),
+        ];
+        let middle = middle(control_box);
+        let moved = |half: &RationalBends, k: usize| {
+            let off = Point::norm(self::middle(half.control_box) - middle);
+            half.points[k] + to_f32(off) * half.weights[k]
+        };
+        let bends = RationalBends {
+            control_box,
+            min_weight: smaller(near.bends.min_weight, far.bends.min_weight),
+            points: [0, 1, 2].map(|k| larger(moved(&near.bends, k), moved(&far.bends, k))),
+            weights: [0, 1, 2].map(|k| larger(near.bends.weights[k], far.bends.weights[k])),
+        };
+        lengths(&bends, frame)
+    }
+
+    fn control_box(&self, _stack: &SecondDifferences) -> [[f32; 3]; 2] {
+        self.bends.control_box
+    }
+}
+
+fn middle([low, high]: [[f32; 3]; 2]) -> DVec3 {
+    let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(f64::from)));
+    (low + high) * 0.5
+}
+
+/// The bounds (max |ΔA| + ρ max |Δw|)/min w.
+fn lengths(bends: &RationalBends, frame: &Frame) -> [f64; 3] {
+    let [low, high] = bends
+        .control_box
+        .map(|corner| DVec3::from(corner.map(f64::from)));
+    // Rounding errors of A are relative to the size, which is 1.
+    let radius = 0.5 * Point::norm(high - low) + 4.0 * BEND_SLACK;
+    let scale = frame.size * (1.0 + 4.0 * BEND_SLACK) / f64::from(bends.min_weight);
+    [0, 1, 2].map(|k| (f64::from(bends.points[k]) + radius * f64::from(bends.weights[k])) * scale)
+}
+
+/// A rational patch with precomputed data for repeated evaluation, in scaled coordinates.
+pub(crate) struct RationalSampler {
+    samples: RowSampler<4>,
+    normals: Normals,
+}
+
+impl RationalSampler {
+    pub(super) fn new(patch: RationalPatch) -> Self {
+        let normals = Normals::new(patch);
+        let columns = normals.patch.degree_u() + 1;
+        let net = normals.patch.scaled(&normals.frame);
+        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
+        let numbers = |part: &Homogeneous<DVec3>| part.vector.extend(part.weight).to_array();
+        let nets = [net, du, dv].map(|net| net.iter().map(numbers).collect());
+        Self {
+            samples: RowSampler::new(columns, nets),
+            normals,
+        }
+    }
+
+    /// The homogeneous point at (u, v) in scaled coordinates, and the sums of the differences along u and v.
+    fn homogeneous(&mut self, u: f64, v: f64) -> [Homogeneous<DVec3>; 3] {
+        self.samples
+            .sample(u, v)
+            .map(|[x, y, z, weight]| Homogeneous {
+                vector: DVec3::new(x, y, z),
+                weight,
+            })
+    }
+
+    /// The point at (u, v), and ∂S/∂u and ∂S/∂v there, in scaled coordinates.
+    pub(super) fn derivatives(&mut self, u: f64, v: f64) -> [DVec3; 3] {
+        let [point, along_u, along_v] = self.homogeneous(u, v);
+        let local = point.vector / point.weight;
+        let patch = &self.normals.patch;
+        let derivative = |along: Homogeneous<DVec3>, degree: usize| {
+            (along.vector - local * along.weight) * (as_f64(degree) / point.weight)
+        };
+        [
+            local,
+            derivative(along_u, patch.degree_u()),
+            derivative(along_v, patch.degree_v()),
+        ]
+    }
+
+    /// The point at (u, v) in scaled coordinates, and the [`directions`] there.
+    fn sample(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
+        let [point, along_u, along_v] = self.homogeneous(u, v);
+        let local = point.vector / point.weight;
+        let along = directions(local, point.weight, [along_u, along_v], [u, v]);
+        (local, along)
+    }
+}
+
+/// Directions of ∂u and ∂v at a point of a patch, from the sums of the homogeneous differences along u and v.
+///
+/// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
+/// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
+pub(super) fn directions(
+    local: DVec3,
+    weight: f64,
+    sums: [Homogeneous<DVec3>; 2],
+    at: [f64; 2],
+) -> [DVec3; 2] {
+    [0, 1].map(|k| {
+        let Homogeneous {
+            vector,
+            weight: change,
+        } = sums[k];
+        (vector - local * change) / (2.0 * weight + (1.0 - 2.0 * at[k]) * change)
+    })
+}
+
+/// Normals of a rational patch at many parameters.
+pub(super) struct Normals {
+    pub(super) patch: RationalPatch,
+    pub(super) frame: Scaling,
+    /// The length of ∂u × ∂v, as of [`directions`], above which it exceeds rounding noise.
+    min_length: f64,
+    /// The last normal net, and the point that is its origin.
+    limits: Option<(DVec3, NormalNet)>,
+}
+
+impl Normals {
+    pub(super) fn new(patch: RationalPatch) -> Self {
+        let frame = Scaling::around(patch.control_bounds());
+        let columns = patch.degree_u() + 1;
+        let points: Vec<DVec3> = patch
+            .control_points()
+            .iter()
+            .map(|&p| frame.local_point(p))
+            .collect();
+        let [u, v] = [
+            differences_u(&points, columns),
+            differences_v(&points, columns),
+        ]
+        .map(|net| max_abs(&net));
+        Self {
+            min_length: (REGULAR_RATIO * u * v).max(NOISE * u.max(v)),
+            frame,
+            patch,
+            limits: None,
+        }
+    }
+
+    /// ∂u × ∂v; `None` if it does not exceed rounding noise.
+    fn cross_product(&self, [along_u, along_v]: [DVec3; 2]) -> Option<DVec3> {
+        let cross_product = along_u.cross(along_v);
+        let is_regular = cross_product.length_squared() > self.min_length * self.min_length;
+        is_regular.then_some(cross_product)
+    }
+
+    /// The unit normal at (u, v), where ∂u and ∂v have the given [`directions`].
+    pub(super) fn normal(&mut self, along: [DVec3; 2], [u, v]: [f64; 2]) -> DVec3 {
+        match self.cross_product(along) {
+            Some(cross_product) => Point::unit(cross_product),
+            // All points of an edge that is a pole are equal, so that they have one net.
+            None => self.limits(u, v).limit(u, v),
+        }
+    }
+
+    /// The normal net with the point at (u, v) as origin.
+    fn limits(&mut self, u: f64, v: f64) -> &NormalNet {
+        let point = self.patch.eval(u, v);
+        if self
+            .limits
+            .as_ref()
+            .is_none_or(|(origin, _)| *origin != point)
+        {
+            self.limits = None;
+        }
+        let patch = &self.patch;
+        let limits = self
+            .limits
+            .get_or_insert_with(|| (point, patch.normal_net(point)));
+        &limits.1
+    }
+}
+
+impl PatchSampler for RationalSampler {
+    fn has_area(&mut self) -> bool {
+        let (_, along) = self.sample(0.5, 0.5);
+        let normals = &mut self.normals;
+        normals.cross_product(along).is_some() || !normals.limits(0.5, 0.5).vanishes()
+    }
+
+    fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
+        let (local, along) = self.sample(u, v);
+        let frame = &self.normals.frame;
+        let point = local * frame.size + frame.centre;
+        (point, self.normals.normal(along, [u, v]))
+    }
+}
+
+/// The differences of neighbouring vectors along u, which have one column fewer.
+pub(super) fn differences_u<V: Vector>(net: &[V], columns: usize) -> Vec<V> {
+    let rows = net.chunks(columns);
+    rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]))
+        .collect()
+}
+
+/// The differences of neighbouring vectors along v, which have one row fewer.
+pub(super) fn differences_v<V: Vector>(net: &[V], columns: usize) -> Vec<V> {
+    let next = net.iter().skip(columns);
+    net.iter().zip(next).map(|(&a, &b)| b - a).collect()
+}
