@@ -51,7 +51,7 @@ function run(args) {
     ...(values.list === undefined ? [] : wordsOf(values.list)),
     ...(values.from === undefined ? [] : suggestedList(pieces.names, values.from)),
   ];
-  const list = checkedList(pieces.names, words);
+  const list = checkedList(pieces.names, words, pieces.nurbs);
   if (list.length === 0) throw new RangeError(`expected names such as Curve.length, got none\n\n${USAGE}`);
   const { out } = values;
   // What was found is listed, so that the module does not depend on the sources.

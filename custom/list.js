@@ -19,14 +19,20 @@ export const allNames = (names) =>
  *
  * @param {Record<string, PublicName>} names
  * @param {readonly string[]} words
+ * @param {readonly string[]} nurbs the classes of casteljau/nurbs
  * @throws {RangeError} for an unknown name, with the nearest known one
  */
-export function checkedList(names, words) {
+export function checkedList(names, words, nurbs) {
   const known = allNames(names);
   const list = words.flatMap((word) => {
     const members = word.endsWith(".*") ? names[word.slice(0, -2)]?.members : undefined;
     if (members) return Object.keys(members).map((member) => word.slice(0, -1) + member);
     if (known.includes(word)) return [word];
+    const [name] = word.split(".");
+    if (nurbs.includes(name))
+      throw new RangeError(
+        `${word}: expected a name of casteljau, got one of casteljau/nurbs; import ${name} from there`,
+      );
     const similar = similarTo(names, word);
     const hint = similar ? `; did you mean ${similar}?` : "";
     throw new RangeError(`${word}: expected a class, a function or a method such as Curve.length${hint}`);

@@ -30,6 +30,7 @@ import { encode } from "./encode.js";
  * @property {string} license
  * @property {Piece[]} pieces
  * @property {Record<string, PublicName>} names
+ * @property {string[]} nurbs the classes of casteljau/nurbs, which these modules cannot have
  * @property {Record<string, { piece: number, name: string }>} imports the functions that the wasm module imports: a piece each, and its name there
  * @property {TypePieces} types
  */

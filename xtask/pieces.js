@@ -691,10 +691,12 @@ function typePieces() {
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 await rm("dist/custom", { recursive: true, force: true });
 await mkdir("dist/custom", { recursive: true });
-await writeFile(
-  "dist/custom/pieces.json",
-  JSON.stringify({ version, license, ...(await pieces()), types: typePieces() }),
-);
+const main = await pieces();
+/** The classes of casteljau/nurbs that `casteljau` does not have: they have a module of their own. */
+const nurbs = [...(await readFile("js/nurbs.ts", "utf8")).matchAll(/^export \{([^}]*)\}/gm)]
+  .flatMap(([, list]) => list.split(",").map((each) => each.trim().split(" as ").at(-1) ?? ""))
+  .filter((name) => name && !(name in main.names));
+await writeFile("dist/custom/pieces.json", JSON.stringify({ version, license, ...main, nurbs, types: typePieces() }));
 await copyFile("js/glue/needs.json", "dist/custom/needs.json");
 await build({
   entryPoints: ["custom/command.js"],

@@ -54,7 +54,7 @@ export class Recorder {
   #path = "";
   #dash = "";
   #elements: string[] = [];
-  /** What the last element shows: further paint of the same thing goes into it. */
+  /** What the last element shows, if its other paint can be added to it. */
   #last = "";
 
   get text() {
@@ -107,7 +107,7 @@ export class Recorder {
   }
 
   stroke() {
-    if (this.#path) this.#put(`<path d="${this.#path}"`, this.#line());
+    if (this.#path) this.#put(`<path d="${this.#path}"`, this.#line(), true);
   }
 
   strokeText(words: string, x: number, y: number) {
@@ -115,7 +115,7 @@ export class Recorder {
   }
 
   fillText(words: string, x: number, y: number) {
-    this.#put(this.#words(words, x, y), `fill="${escaped(this.fillStyle)}"`);
+    this.#put(this.#words(words, x, y), `fill="${escaped(this.fillStyle)}"`, true);
   }
 
   #words(words: string, x: number, y: number) {
@@ -135,17 +135,19 @@ export class Recorder {
   /**
    * @param shape the element's start; words to be shown follow in a line of their own
    * @param paint its further attributes
+   * @param above whether SVG paints it above the other paint of the same element: strokes of paths above fills, fills of words
+   *   above strokes
    */
-  #put(shape: string, paint: string) {
+  #put(shape: string, paint: string, above = false) {
     const [start, words] = shape.split("\n");
     const end = words === undefined ? "/>" : `>${words}</text>`;
-    if (shape === this.#last) {
+    if (above && shape === this.#last) {
       const element = this.#elements.pop() as string;
       this.#elements.push(`${element.slice(0, -end.length)} ${paint}${end}`);
       this.#last = "";
     } else {
       this.#elements.push(`${start} ${paint}${end}`);
-      this.#last = shape;
+      this.#last = above ? "" : shape;
     }
   }
 }

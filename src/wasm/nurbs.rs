@@ -129,11 +129,12 @@ pub fn nurbs_refine(dimension: usize, number: usize) -> isize {
     })
 }
 
-/// Writes the bound on the distance, then the curve with a knot removed.
+/// Writes the bound on the distance, then the curve with a knot removed; without a tolerance it is 0.
 #[wasm_bindgen]
-pub fn nurbs_remove_knot(dimension: usize, t: f64) -> isize {
+pub fn nurbs_remove_knot(dimension: usize, t: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
-        let (result, error) = curve(a, dimension)?.0.remove_knot(t)?;
+        let tolerance = (tolerance != 0.0).then_some(tolerance);
+        let (result, error) = curve(a, dimension)?.0.remove_knot(t, tolerance)?;
         let at = a.write_numbers(0, &[error]);
         Ok(write(a, at, &result, dimension))
     })

@@ -95,9 +95,18 @@ pub(crate) fn insert_knot<P: Space>(curve: NurbsCurve<P>, t: f64, times: usize) 
     has_same_points(&curve, &finer)
 }
 
-pub(crate) fn remove_knot<P: Space>(curve: NurbsCurve<P>, t: f64, _times: usize) -> Checked {
-    let (_, error) = answer!(curve.remove_knot(t), "t|weights|points");
-    holds!(error >= 0.0, "a negative bound")
+pub(crate) fn remove_knot<P: Space>(
+    curve: NurbsCurve<P>,
+    t: f64,
+    tolerance: Option<f64>,
+) -> Checked {
+    let (kept, error) = answer!(
+        curve.remove_knot(t, tolerance),
+        "t|weights|points|tolerance"
+    );
+    holds!(error >= 0.0, "a negative bound");
+    let stays = tolerance.is_some_and(|tolerance| error > tolerance);
+    holds!(stays == (kept == curve), "a knot that should stay")
 }
 
 pub(crate) fn refine<P: Space>(curve: NurbsCurve<P>, ts: Vec<f64>) -> Checked {

@@ -125,6 +125,11 @@ test("custom: wrong words", { skip }, async () => {
     /^casteljau: Curve\.lenght: expected .*; did you mean Curve\.length\?$/,
   );
   assert.match(await refusal("custom", "union", "--out", "a.js"), /did you mean Path\.union\?$/);
+  for (const name of ["RationalCurve", "NurbsCurve.circle", "NurbsCurve.*"])
+    assert.match(
+      await refusal("custom", "Curve.length", name, "--out", "a.js"),
+      /^casteljau: \S+: expected a name of casteljau, got one of casteljau\/nurbs; import (RationalCurve|NurbsCurve) from there$/,
+    );
   assert.match(await refusal("custom", "Curve.length"), /^casteljau: --out: expected a file/);
   assert.match(
     await refusal("custom", "Curve.length", "--out", "a.ts"),

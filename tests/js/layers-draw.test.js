@@ -5,7 +5,7 @@ import { Curve } from "#js/index.js";
 import { figureOf } from "#js/editor/figure.js";
 import { Lens } from "#js/layers/lens.js";
 import { LAYERS } from "#js/layers/index.js";
-import { svgFigure } from "#js/layers/svg.js";
+import { Recorder, svgFigure } from "#js/layers/svg.js";
 import { FONT_FAMILY } from "#js/ui/tokens.js";
 import { BASES, LAYER_NAMES, withView } from "#js/editor/state.js";
 import { drawn, stateWith, Tape, theme } from "./layers-page.js";
@@ -211,6 +211,28 @@ test("SVG: a mark's fill and rim are one element, and so are a word and its rim"
   const svg = svgFigure(state, figureOf(state));
   assert.equal(svg.match(/<path /g)?.length, 2 + 4 + 1); // curve, tangents, four points, the diamond
   assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#15202b">P\d</g)?.length, 4);
+});
+
+test("SVG: no element has an attribute twice, a path that is stroked twice is two elements", () => {
+  const state = stateWith({ layers: "all", pointer: [200, 350] });
+  for (const [element] of svgFigure(state, figureOf(state)).matchAll(/<[^>]*>/g)) {
+    const names = [...element.matchAll(/ ([\w-]+)="/g)].map(([, name]) => name);
+    assert.equal(new Set(names).size, names.length, element);
+  }
+  const recorder = new Recorder();
+  recorder.moveTo(0, 0);
+  recorder.lineTo(9, 9);
+  for (const [strokeStyle, lineWidth] of /** @type {const} */ ([
+    ["#fff", 4],
+    ["#000", 2],
+  ])) {
+    Object.assign(recorder, { strokeStyle, lineWidth });
+    recorder.stroke();
+  }
+  assert.equal(
+    recorder.text,
+    '<path d="M0 0L9 9" stroke="#fff" stroke-width="4"/><path d="M0 0L9 9" stroke="#000" stroke-width="2"/>',
+  );
 });
 
 test("colours go by role", () => {

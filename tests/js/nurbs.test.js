@@ -100,7 +100,11 @@ test("NURBS curves: knots can be inserted and removed", () => {
   for (const t of STEPS.map((s) => 2 * s)) near(finer.eval(t), curve.eval(t), 1e-14);
   const { curve: coarser, error } = finer.removeKnot(1.5);
   assert.ok(error < 1e-15 && coarser.knots().length === 9);
-  assert.ok(curve.removeKnot(1).error > 0.1);
+  const { error: bound } = curve.removeKnot(1);
+  assert.ok(bound > 0.1);
+  const kept = curve.removeKnot(1, { tolerance: 0.1 });
+  assert.deepEqual([kept.curve === curve, kept.error], [true, bound]);
+  assert.equal(curve.removeKnot(1, { tolerance: bound }).curve.knots().length, 6);
   assert.equal(curve.elevate(2).degree, 4);
   near(curve.elevate(2).eval(0.7), curve.eval(0.7), 1e-14);
   near(curve.greville(), [0, 0.5, 1.5, 2]);

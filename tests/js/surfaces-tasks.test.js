@@ -8,9 +8,11 @@ import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
 import { surfaceNamed } from "#js/elements/surface/models.js";
 import { settingsOf } from "#js/elements/surface/settings.js";
+import { maxRadialError } from "../../www/figures/lib/circle.js";
+import { revolved } from "../../www/figures/lib/revolution.js";
 import { JOINT_POINT, jointAngle, SURFACES } from "../../www/figures/lib/surfaces.js";
 import { checkPrediction, load, testTasks } from "./task-cases.js";
-import { pairs, pointsOf } from "./reference.js";
+import { near, pairs, pointsOf } from "./reference.js";
 
 /** What a task sees of <bezier-surface>, with the element's own figure. */
 function figure(properties) {
@@ -52,6 +54,23 @@ function traced(state, segments) {
   const figure = () => ({ state: element.state, segments: element.target.segments });
   return Object.defineProperty(element, "figure", { get: figure });
 }
+
+/** What it sees of <lathe-surface>. */
+const lathe = (handle) => ({
+  handle,
+  get error() {
+    return maxRadialError(4, this.handle);
+  },
+});
+
+/** What it sees of <fig-octant>: the middle of the patch is the farthest from the sphere. */
+const octant = (weight) => ({
+  weight,
+  get error() {
+    const row = (1 + 2 * this.weight) / (2 + 2 * this.weight);
+    return Math.abs(Math.hypot(row * row * Math.SQRT2, row) - 1);
+  },
+});
 
 const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
@@ -121,6 +140,9 @@ const TASKS = [
     [{ patch: 4 }, { patch: 19 }, { patch: 27 }, { patch: 20, model: "teacup" }],
     { patch: 31, model: "teapot" },
   ],
+  // The largest error of a quarter by cubics, and of an octant by the weight w: r = (1 + 2 w) / (√2 (1 + w)) in the middle of a row.
+  ["round-lathe", () => lathe(0.56), [{ handle: 0.54 }, { handle: 0.5525 }], { handle: 0.552 }],
+  ["sphere-weight", () => octant(1), [{ weight: 0.68 }, { weight: 0.74 }], { weight: 0.706 }],
   ["spout-hit", { patch: 4 }, [{ patch: 12 }, { patch: null }, { patch: 20 }, { patch: 18 }], { patch: 19 }],
   [
     "micropolygons",
@@ -152,6 +174,21 @@ function highest(patch) {
   const places = Array.from({ length: 101 * 101 }, (_, k) => ({ u: (k % 101) / 100, v: Math.floor(k / 101) / 100 }));
   return places.reduce((best, each) => (patch.eval(each.u, each.v).z > patch.eval(best.u, best.v).z ? each : best));
 }
+
+/** The control points of a patch. @param {{ patch(k: number): { controlPoints(): Float64Array } }} surface @param {number} k */
+const net = (surface, k) => surface.patch(k).controlPoints();
+
+test("the lathe makes the body of the teapot; a profile from axis to axis makes a closed surface", () => {
+  const pot = Surface.teapot();
+  const lathe = SURFACES.lathe();
+  assert.equal(lathe.patchCount, 8);
+  for (let k = 0; k < 8; k++) near(net(lathe, k), net(pot, 4 + k), 1e-12);
+  const half = /** @type {[number, number][]} */ (pointsOf("0,1 0.56,1 1,0.56 1,0 1,-0.56 0.56,-1 0,-1"));
+  const ball = revolved(half, 0.56);
+  const { open, shared, collapsed } = ball.topology();
+  assert.deepEqual([open.length, shared.length, collapsed.length], [0, 12, 8]);
+  assert.ok(Math.abs((ball.volume() ?? 0) / ((4 / 3) * Math.PI) - 1) < 0.02);
+});
 
 testTasks(TASKS, figure);
 

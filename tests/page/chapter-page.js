@@ -46,3 +46,14 @@ export async function done(page, name) {
   );
   return page.locator(`lesson-task[name="${name}"] .words`).innerText();
 }
+
+/** Brings every figure near the window, one after the other, until the scripts of all are there. @param {import("playwright-core").Page} page */
+export async function loadFigures(page) {
+  await page.evaluate(async () => {
+    for (const figure of document.querySelectorAll("main :not(:defined)")) {
+      figure.scrollIntoView();
+      await customElements.whenDefined(figure.localName);
+    }
+    scrollTo(0, 0);
+  });
+}

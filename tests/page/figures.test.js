@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
+import { loadFigures } from "./chapter-page.js";
 import { dragBy } from "./gestures.js";
 
 /** The page with all figures, once for all tests: each has a figure of its own. Messages of the console are errors. */
@@ -11,6 +12,7 @@ async function open(t) {
     reducedMotion: "reduce",
     keep: true,
   });
+  await loadFigures(page);
   await page.locator("fig-bytes svg rect").first().waitFor();
   return page;
 }
@@ -208,6 +210,7 @@ const FIGURES = [
   ["fig-circle", [check("8")], ".facts", /0\.000\d %/],
   ["fig-conic", [slide("w", 0.71)], ".facts", /^An arc of a circle\./],
   ["fig-conic", [slide("w", 3)], ".facts", /^An arc of a hyperbola\..*= 0\.750\.$/],
+  ["fig-octant", [slide("w", 0.71)], ".error", /^0\.0011$/],
   ["fig-projection", [slide("t", 0.5)], ".point", /^\(0\.6, 0\.8\)$/],
   ["fig-nurbs", [slide("first knot", 0.8)], ".knots", /^0, 0, 0, 0\.8, 0\.8, 1, 1, 1$/],
   ["fig-lengths", [press("Halve")], ".facts", /D1 − D2 = [\d.]+\./],

@@ -1,18 +1,16 @@
 // Which modules of the package a page of the site loads.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { intersectionsReported, openPage } from "./browser.js";
+import { loadFigures } from "./chapter-page.js";
 import { settled } from "./site-pages.js";
 
 /** The scripts with more than so many characters have a wasm module inside. */
 const MODULE_LENGTH = 100_000;
 
-/** The names of the large scripts that a page has loaded, without what Vite appends. */
-async function modulesOf(t, path) {
-  const page = await openPage(t, path);
-  await settled(page);
-  await page.waitForFunction(() => !document.querySelector("main :not(:defined)")); // the scripts of all figures are there
-  return page.evaluate(
+/** The names of the large scripts that a page has loaded, without what Vite appends. @param {import("playwright-core").Page} page */
+const loaded = (page) =>
+  page.evaluate(
     (length) =>
       performance
         .getEntriesByType("resource")
@@ -20,6 +18,13 @@ async function modulesOf(t, path) {
         .map(({ name }) => name.replace(/^.*\/|-[\w-]{8}\.js$/g, "")),
     MODULE_LENGTH,
   );
+
+/** Those that it has loaded when the scripts of all figures are there. */
+async function modulesOf(t, path) {
+  const page = await openPage(t, path);
+  await settled(page);
+  await loadFigures(page);
+  return loaded(page);
 }
 
 test("the module of surfaces is loaded where a surface is, and not for other elements", async (t) => {
@@ -31,8 +36,21 @@ test("the module of surfaces is loaded where a surface is, and not for other ele
   }
 });
 
-test("the module of rational curves is loaded where a figure has them", async (t) => {
-  for (const path of ["/curves/", "/figures/"]) assert.ok((await modulesOf(t, path)).includes("nurbs"), path);
-  for (const path of ["/", "/surfaces/", "/recipes/", "/easing/", "/glyph/"])
+test("the module of rational curves is loaded when a figure that has them is near", async (t) => {
+  for (const [path, name] of [
+    ["/curves/", "fig-conic"],
+    ["/figures/", "fig-conic"],
+    ["/surfaces/", "fig-octant"],
+  ]) {
+    const page = await openPage(t, path, { fresh: true });
+    await settled(page);
+    await intersectionsReported(page);
+    await page.waitForFunction(() => customElements.get("lesson-task") || customElements.get("fig-parabola"));
+    assert.ok(!(await loaded(page)).includes("nurbs"), `${path} at first`);
+    await page.locator(name).scrollIntoViewIfNeeded();
+    await page.locator(`${name} .frame`).waitFor();
+    assert.ok((await loaded(page)).includes("nurbs"), path);
+  }
+  for (const path of ["/", "/recipes/", "/easing/", "/glyph/"])
     assert.ok(!(await modulesOf(t, path)).includes("nurbs"), path);
 });

@@ -10,12 +10,7 @@ export async function open(t, options = {}) {
     keep: true,
     ...options,
   });
-  await page.waitForFunction(
-    () =>
-      customElements.get("bezier-surface") &&
-      customElements.get("lesson-task") &&
-      customElements.get("surface-reading"),
-  );
+  await page.waitForFunction(() => customElements.get("bezier-surface") && customElements.get("lesson-task"));
   return page;
 }
 

@@ -167,7 +167,7 @@ fn knots_degrees_and_parts_keep_the_curve() {
         }
         let (back, error) = curve
             .insert_knot(t, 1)
-            .and_then(|c| c.remove_knot(t))
+            .and_then(|c| c.remove_knot(t, None))
             .expect("a knot");
         assert!(error < 1e-9, "{round}: {error:e}");
         assert!(back.approx_eq(&curve, 1e-8), "{round}");
@@ -177,7 +177,7 @@ fn knots_degrees_and_parts_keep_the_curve() {
 #[test]
 fn the_bound_of_a_removed_knot_holds() {
     let mut rng = Rng(14);
-    let mut found = 0;
+    let (mut found, mut refused) = (0, 0);
     for round in 0..400 {
         let curve = random_curve(&mut rng, round % 2 == 0, round % 3 == 1);
         let [from, to] = curve.domain();
@@ -190,17 +190,37 @@ fn the_bound_of_a_removed_knot_holds() {
         if inner.is_empty() {
             continue;
         }
-        let Ok((kept, error)) = curve.remove_knot(rng.pick(&inner)) else {
+        let t = rng.pick(&inner);
+        // With a tolerance, the knot stays where the bound is above it or there is no bound.
+        let kept = |tolerance| curve.remove_knot(t, Some(tolerance)).expect("a knot");
+        let Ok((removed, error)) = curve.remove_knot(t, None) else {
+            assert_eq!(kept(1e9), (curve.clone(), f64::INFINITY));
+            refused += 1;
             continue;
         };
+        if error > 1e-12 {
+            assert_eq!(kept(error), (removed.clone(), error));
+            assert_eq!(kept(0.5 * error), (curve.clone(), error));
+        }
         found += 1;
         assert_eq!(
-            kept.control_points().len() + 1,
+            removed.control_points().len() + 1,
             curve.control_points().len()
         );
-        assert_same(&curve, &kept, error * (1.0 + 1e-9) + 1e-12, "remove");
+        assert_same(&curve, &removed, error * (1.0 + 1e-9) + 1e-12, "remove");
     }
-    assert!(found > 100);
+    assert!(found > 100 && refused > 0, "{found} {refused}");
+    let curve = random_curve(&mut rng, false, false);
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = curve.remove_knot(curve.domain()[0], Some(bad));
+        assert!(matches!(
+            error,
+            Err(Error::Range {
+                what: "tolerance",
+                ..
+            })
+        ));
+    }
 }
 
 #[test]

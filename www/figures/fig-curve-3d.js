@@ -2,8 +2,8 @@
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
 import { numeric } from "./lib/figure.js";
-import { OrbitFigure, RADIANS, seen } from "./lib/orbit-figure.js";
-import { check, diamond, disc, polyline, ring, slider, square } from "./lib/parts.js";
+import { OrbitFigure, RADIANS } from "./lib/orbit-figure.js";
+import { check, diamond, disc, polyline, ring, square } from "./lib/parts.js";
 import { decimal, short, subscript, tuple } from "./lib/numbers.js";
 
 const POINTS = /** @type {const} */ ([
@@ -14,6 +14,8 @@ const POINTS = /** @type {const} */ ([
 ]);
 /** The corner of the coordinate planes that is opposite to the origin. */
 const FAR = /** @type {const} */ ([7, 8, 10]);
+/** Nearly that of the ball around the planes. */
+const RADIUS = (0.97 * Math.hypot(...FAR)) / 2;
 /** @param {ArrayLike<number>} flat @returns {number[][]} */
 const triples = (flat) =>
   Array.from({ length: flat.length / 3 }, (_, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]]);
@@ -34,19 +36,6 @@ export class FigCurve3d extends OrbitFigure {
     this.shadows = true;
     this.box = false;
     this.curve = new Curve(POINTS);
-  }
-
-  /** From space to the picture, which always holds the ball around the planes. */
-  view() {
-    const height = Math.round(Math.min(470, Math.max(300, this.wide * 0.68)));
-    const look = seen(this.turn, this.tilt);
-    const scale = Math.min(this.wide, height) / Math.hypot(...FAR) / 0.97;
-    const [cx, cy] = look(FAR.map((side) => side / 2));
-    const place = (/** @type {ArrayLike<number>} */ point) => {
-      const [x, y] = look(point);
-      return /** @type {[number, number]} */ ([this.wide / 2 + (x - cx) * scale, height / 2 + (y - cy) * scale]);
-    };
-    return { height, place };
   }
 
   /** A curve's picture is the curve of its control points' pictures: seen from far away, the map is affine. */
@@ -108,14 +97,20 @@ export class FigCurve3d extends OrbitFigure {
   }
 
   picture() {
-    const { height, place } = this.view();
+    const { height, place } = this.view(
+      FAR.map((side) => side / 2),
+      RADIUS,
+      0.68,
+    );
     const drawn = this.flat(this.curve, place);
     const control = POINTS.map(place);
     const at = this.curve.eval(this.t);
     const levels = this.curve.deCasteljau(this.t).map((level) => triples(level).map(place));
-    const words = `A cubic in space, seen from ${Math.round(this.turn)} degrees around and ${Math.round(this.tilt)} above; arrow keys turn it. At t = ${decimal(this.t)} the point is ${tuple([at.x, at.y, at.z], 3)}`;
-    return html`
-      <svg class="orbit" viewBox="0 0 ${this.wide} ${height}" role="img" tabindex="0" aria-label=${words} @pointerdown=${this.drag} @keydown=${this.key}>
+    return this.turned(
+      height,
+      "A cubic in space",
+      `At t = ${decimal(this.t)} the point is ${tuple([at.x, at.y, at.z], 3)}`,
+      svg`
         ${this.planes(place)}
         ${this.shadows ? this.shadow(place) : ""}
         ${this.box ? this.bounds(place) : ""}
@@ -123,9 +118,8 @@ export class FigCurve3d extends OrbitFigure {
         <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
         ${this.construction ? levels.slice(1, -1).map((level, k) => [polyline(`level${k + 1}`, level.flat()), level.map(([x, y]) => ring(x, y, `var(--level${k + 1})`))]) : ""}
         ${control.map(([x, y], i) => svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="haloed middle math strong" x=${x} y=${y - 12}>P${subscript(i)}</text>`)}
-        ${diamond(...place([at.x, at.y, at.z]))}
-      </svg>
-    `;
+        ${diamond(...place([at.x, at.y, at.z]))}`,
+    );
   }
 
   render() {
@@ -142,17 +136,7 @@ export class FigCurve3d extends OrbitFigure {
         </p>
         <p class="facts">Bounding box of the curve: ${range("x")}, ${range("y")}, ${range("z")}. Length ${decimal(this.curve.length(), 4)}.</p>
         <div class="controls">
-          ${slider({
-            name: html`<i>t</i>`,
-            value: this.t,
-            min: 0,
-            max: 1,
-            text: decimal(this.t),
-            change: (t) => {
-              this.t = t;
-              this.notifyChange();
-            },
-          })}
+          ${this.sliderOfT(this.t, (t) => (this.t = t))}
           ${this.angles()}
           ${check({ name: "construction", value: this.construction, change: (on) => (this.construction = on) })}
           ${check({ name: "shadows on the planes", value: this.shadows, change: (on) => (this.shadows = on) })}

@@ -3,8 +3,8 @@ import { html, svg } from "lit";
 import { Curve } from "casteljau";
 import { numeric } from "./lib/figure.js";
 import { decimal, tuple } from "./lib/numbers.js";
-import { OrbitFigure, seen } from "./lib/orbit-figure.js";
-import { diamond, disc, polyline, ring, slider, square } from "./lib/parts.js";
+import { OrbitFigure } from "./lib/orbit-figure.js";
+import { diamond, disc, polyline, ring, square } from "./lib/parts.js";
 
 /** Points (w x, w y, w) for x, y = (1, 0), (1, 1), (0, 1) and the weights 1, 1, 2. */
 const POINTS = [
@@ -54,14 +54,7 @@ export class FigProjection extends OrbitFigure {
   }
 
   picture() {
-    const height = Math.round(Math.min(440, Math.max(300, this.wide * 0.64)));
-    const look = seen(this.turn, this.tilt);
-    const scale = Math.min(this.wide, height) / (2 * RADIUS);
-    const [cx, cy] = look(CENTER);
-    const place = (/** @type {ArrayLike<number>} */ point) => {
-      const [x, y] = look(point);
-      return /** @type {[number, number]} */ ([this.wide / 2 + (x - cx) * scale, height / 2 + (y - cy) * scale]);
-    };
+    const { height, place } = this.view(CENTER, RADIUS, 0.64);
     const line = (/** @type {ArrayLike<number>[]} */ points) => points.flatMap((point) => place(point));
     const along = (/** @type {number} */ from, /** @type {number} */ to) =>
       Array.from({ length: STEPS + 1 }, (_, i) => pointAt(from + ((to - from) * i) / STEPS));
@@ -78,9 +71,11 @@ export class FigProjection extends OrbitFigure {
     const [qx, qy] = place(onPlane(at));
     const [ox, oy] = place([0, 0, 0]);
     const [px, py] = place([side, -side, 1]);
-    const words = `A parabola on a cone and the arc of a circle in the plane w = 1, seen from ${Math.round(this.turn)} degrees around and ${Math.round(this.tilt)} above; arrow keys turn it. At t = ${decimal(this.t)} the point of the circle is ${tuple(this.point, 3)}`;
-    return html`
-      <svg class="orbit" viewBox="0 0 ${this.wide} ${height}" role="img" tabindex="0" aria-label=${words} @pointerdown=${this.drag} @keydown=${this.key}>
+    return this.turned(
+      height,
+      "A parabola on a cone and the arc of a circle in the plane w = 1",
+      `At t = ${decimal(this.t)} the point of the circle is ${tuple(this.point, 3)}`,
+      svg`
         <path class="plane" d="${`M${line(corners).join(" ")}Z`}" />
         ${Array.from({ length: 12 }, (_, k) => {
           const angle = (Math.PI * k) / 6;
@@ -105,9 +100,8 @@ export class FigProjection extends OrbitFigure {
         })}
         ${ring(ox, oy, "var(--quiet)")}<text class="quiet haloed middle" x=${ox} y=${oy + 18}>0</text>
         ${diamond(ax, ay)}${ring(qx, qy, "var(--ink)", 5)}
-        <text class="quiet haloed middle" x=${px} y=${py + 17}><tspan class="math">w</tspan> = 1</text>
-      </svg>
-    `;
+        <text class="quiet haloed middle" x=${px} y=${py + 17}><tspan class="math">w</tspan> = 1</text>`,
+    );
   }
 
   render() {
@@ -119,17 +113,7 @@ export class FigProjection extends OrbitFigure {
           The point in space is <b>${tuple(at, 4)}</b>. Divided by its height <i>w</i> = ${decimal(at[2], 4)} it is the point <b class="point">${tuple(this.point, 4)}</b> of the circle.
         </p>
         <div class="controls">
-          ${slider({
-            name: html`<i>t</i>`,
-            value: this.t,
-            min: 0,
-            max: 1,
-            text: decimal(this.t),
-            change: (t) => {
-              this.t = t;
-              this.notifyChange();
-            },
-          })}
+          ${this.sliderOfT(this.t, (t) => (this.t = t))}
           ${this.angles()}
         </div>
       </div>

@@ -1,6 +1,6 @@
 // embed.html?element=bezier-surface&model=teacup: the query's parameters become the element's attributes.
+import { loadElement } from "casteljau/elements";
 import { apply, LONGEST_ADDRESS, read, SHARED, shortened } from "./address.js";
-import { DEFINITIONS } from "./elements.js";
 
 /** @typedef {import("./address.js").Form} Form */
 
@@ -15,7 +15,7 @@ const MORE = {
 
 const parameters = new URLSearchParams(location.search.length > LONGEST_ADDRESS ? "" : location.search);
 const asked = parameters.get("element") ?? FIRST;
-const name = Object.hasOwn(SHARED, asked) ? asked : FIRST;
+const name = /** @type {"bezier-applet" | "bezier-surface"} */ (Object.hasOwn(SHARED, asked) ? asked : FIRST);
 parameters.delete("element");
 
 const { values, problems } = read(String(parameters), { ...SHARED[name], ...MORE[name], ...ALWAYS });
@@ -24,7 +24,7 @@ if (asked !== name)
 if (location.search.length > LONGEST_ADDRESS)
   problems.unshift(`the address is longer than ${LONGEST_ADDRESS} characters and was not read`);
 
-void DEFINITIONS[name]();
+void loadElement(name);
 const element = document.createElement(name);
 apply(element, values);
 const main = /** @type {HTMLElement} */ (document.querySelector("main"));

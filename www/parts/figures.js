@@ -1,11 +1,14 @@
-// Loads the scripts of the figures that are on the page: <fig-bytes> is www/figures/fig-bytes.js.
+// Loads the script of each kind of figure when one is near the window: <fig-bytes> is www/figures/fig-bytes.js.
 import { shareAll } from "./shared-points.js";
+import { whenNear } from "./when-near.js";
 
 /** @type {Record<string, () => Promise<unknown>>} */
 const SCRIPTS = import.meta.glob("../figures/*.js");
 
-const tags = new Set(Array.from(document.querySelectorAll("main :not(:defined)"), ({ localName }) => localName));
-for (const tag of tags) void SCRIPTS[`../figures/${tag}.js`]?.();
+for (const figure of document.querySelectorAll("main :not(:defined)")) {
+  const load = SCRIPTS[`../figures/${figure.localName}.js`];
+  if (load) whenNear(figure, () => void load());
+}
 
 shareAll(document);
 if (document.querySelector("bezier-surface:is([data-surface], [data-view])")) {

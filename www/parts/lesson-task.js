@@ -75,7 +75,6 @@ export class LessonTask extends HTMLElement {
       const load = TASKS[`../tasks/${this.getAttribute("name")}.js`];
       if (!load) throw new Error(`there is no task of the name ${this.getAttribute("name")}`);
       this.#task = await load();
-      if (this.target) await customElements.whenDefined(this.target.localName);
     } catch (error) {
       return this.#say(String(error));
     }
@@ -199,8 +198,14 @@ export class LessonTask extends HTMLElement {
     });
   }
 
+  /** The target's script is loaded when it is near: where that takes long, the buttons wait. */
+  async #defined() {
+    if (this.target) await customElements.whenDefined(this.target.localName);
+  }
+
   /** Checks now, and shows what is missing. */
-  check() {
+  async check() {
+    await this.#defined();
     const verdict = this.#verdict();
     if (verdict.done) this.#finish(verdict.words);
     else this.#show(verdict);
@@ -231,7 +236,8 @@ export class LessonTask extends HTMLElement {
   }
 
   /** Shows the answer. What was done already stays done. */
-  reveal() {
+  async reveal() {
+    await this.#defined();
     const done = this.state === "done";
     if (!done) this.state = "revealed";
     this.#task.reveal?.(this.target);

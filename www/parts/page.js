@@ -1,6 +1,5 @@
-// The scripts of a chapter: the elements, the parts, the list of sections, and the address.
+// The scripts of a chapter: the list of sections, the figures, the tasks and samples, and the address with the elements.
 import "./contents.js";
-import "./elements.js";
 import "./figures.js";
 import "./full-screen.js";
 import "./lesson-progress.js";

@@ -1,6 +1,6 @@
 // Runs a recipe when its picture comes near the window: the same script as the page shows.
 import "../parts/contents.js";
-import { whenNear } from "./when-near.js";
+import { whenNear } from "../parts/when-near.js";
 
 const recipes = /** @type {Record<string, () => Promise<unknown>>} */ (
   import.meta.glob(["./code/*.js", "!./code/draggable.js"])

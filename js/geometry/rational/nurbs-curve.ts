@@ -392,13 +392,21 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The curve with one copy of a knot removed, and a bound on its distance from this curve at equal t: 0 up to rounding if the
    * curve is as smooth there as without the knot.
    *
+   * With a tolerance the knot stays if the bound is above it: `curve` is then this curve, and `error` the bound that was too
+   * large, Infinity if no curve without the knot is near. The bounds of several removals add up.
+   *
    * @param t a knot inside of the domain
-   * @throws {RangeError} if t is no knot inside of the domain, and if no curve without it is near: a weight would not be above 0
+   * @param options `tolerance`: the largest bound that is accepted, above 0, in the unit of the points
+   * @throws {RangeError} if t is no knot inside of the domain, and for a tolerance not above 0 or below 4 ulps of the largest
+   *   coordinate; without a tolerance, also if no curve without it is near: a weight
+   *   would not be above 0
    */
-  removeKnot(t: number): { curve: NurbsCurve<D>; error: number } {
+  removeKnot(t: number, options?: { tolerance?: number }): { curve: NurbsCurve<D>; error: number } {
     check.finite(t, "t");
-    const end = unwrapCount(core().nurbs_remove_knot(this._write(), t));
-    return { error: readResult(0, 1)[0], curve: this._read(end, 1) };
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
+    const end = unwrapCount(core().nurbs_remove_knot(this._write(), t, tolerance));
+    const error = readResult(0, 1)[0];
+    return { error, curve: tolerance > 0 && error > tolerance ? this : this._read(end, 1) };
   }
 
   /**

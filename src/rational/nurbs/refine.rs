@@ -3,6 +3,7 @@
 use super::NurbsCurve;
 use crate::curve::split::ends_of;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{as_f64, unit_scale};
@@ -134,13 +135,30 @@ impl<P: Point> NurbsCurve<P> {
     /// bound is 0 up to rounding if the curve is as smooth at t as without the knot. Removing the last copy of a knot joins two
     /// segments.
     ///
+    /// With a tolerance the knot stays if the bound is above it: the result is then a copy of this curve, with the bound that was
+    /// too large, infinity if no curve without the knot is near.
+    ///
     /// # Errors
-    /// [`Error::Range`] if t is not a knot inside the domain, [`Error::Item`] if a new weight would not be above 0 or a new
-    /// coordinate beyond the limit: then no curve without the knot is near.
+    /// [`Error::Range`] if t is not a knot inside the domain and for a tolerance that is not above 0, [`Error::Tolerance`] for one
+    /// below 4 ulps of the largest coordinate. Without a tolerance, an error of the points or weights if a new weight would not be
+    /// above 0 or a new coordinate beyond the limit: then no curve without the knot is near.
     ///
     /// Sources: Tiller, "Knot-removal algorithms for NURBS curves and surfaces", CAD 24 (1992), for the points; the bound is that
     /// of a quotient: |wᵢ(Pᵢ − c) − vᵢ(Qᵢ − c)| + ρ |wᵢ − vᵢ|, divided by the smallest weight, for points within ρ of c.
-    pub fn remove_knot(&self, t: f64) -> Result<(Self, f64), Error> {
+    pub fn remove_knot(&self, t: f64, tolerance: Option<f64>) -> Result<(Self, f64), Error> {
+        let Some(tolerance) = tolerance else {
+            return self.without_knot_at(t);
+        };
+        check_tolerance(tolerance, max_abs(&self.points))?;
+        match self.without_knot_at(t) {
+            Ok((curve, error)) if error <= tolerance => Ok((curve, error)),
+            Ok((_, error)) => Ok((self.clone(), error)),
+            Err(error @ Error::Range { .. }) => Err(error), // t is not a knot
+            Err(_) => Ok((self.clone(), f64::INFINITY)),
+        }
+    }
+
+    fn without_knot_at(&self, t: f64) -> Result<(Self, f64), Error> {
         let [start, end] = self.domain();
         let is_knot = self.knots.contains(&t) && start < t && t < end;
         let enough = self.points.len() > if self.closed { 1 } else { self.degree + 1 };

@@ -161,7 +161,7 @@ const NURBS = {
     "NurbsCurve",
     `
     toJSON; toString; degree; dimension; closed; domain; controlPoints; points; weights; knots; greville; segments; joints; eval t;
-    evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; removeKnot t; refine ts;
+    evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; refine ts;
     elevate; split t; subsegment t0 t1; reverse; bounds; controlBounds; extrema; length; timeAtLength s; pointAtLength s; area;
     nearest p; flatten tolerance; intersections other; selfIntersections
   `,
@@ -176,6 +176,7 @@ const NURBS = {
   "NurbsCurve.equals": (a) => a.nurbscurve.equals(a.nurbscurve.reverse(), a.tolerance),
   "NurbsCurve.transform": (a) => a.nurbscurve.transform(matrix(a)),
   "NurbsCurve.project": (a) => a.nurbscurve.transform(a.map),
+  "NurbsCurve.removeKnot": (a) => a.nurbscurve.removeKnot(a.t, { tolerance: a.tolerance }),
   "NurbsCurve.toSpline": (a) => a.nurbscurve.toSpline({ tolerance: a.tolerance }),
   "NurbsCurve.trace": (a) => traced((target) => a.nurbscurve.trace(target, { tolerance: a.tolerance })),
   "NurbsCurve.toSVG": (a) => a.nurbscurve.toSVG({ tolerance: a.tolerance }),

@@ -1,5 +1,6 @@
 // The surfaces of the chapter that have no name in the element.
 import { Surface } from "casteljau/surfaces";
+import { revolved, TEAPOT_HANDLE, TEAPOT_PROFILE } from "./revolution.js";
 
 /** A square net over −3 … 3, row by row along u, with a height for each point. @param {number[]} heights @param {number} degree */
 function raised(heights, degree) {
@@ -111,6 +112,7 @@ export const SURFACES = {
   neighbours,
   joint,
   halves: () => halves(0.5),
+  lathe: () => revolved(TEAPOT_PROFILE, TEAPOT_HANDLE),
 };
 
 /** Gives every <bezier-surface> with `data-surface` its surface, and with `data-view` its first view. */
