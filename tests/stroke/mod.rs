@@ -10,4 +10,5 @@ mod round;
 mod round_corners;
 mod shapes;
 mod sides;
+mod steps;
 mod variable;

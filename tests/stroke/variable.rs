@@ -149,7 +149,12 @@ fn found_in(path: &Path, p: DVec2, profile: &WidthProfile, options: &StrokeOptio
 }
 
 /// The samples that a stroke gets wrong, farther than the tolerance from its boundary.
-fn wrong(path: &Path, profile: &WidthProfile, tolerance: f64, rng: &mut Rng) -> Vec<String> {
+pub(super) fn wrong(
+    path: &Path,
+    profile: &WidthProfile,
+    tolerance: f64,
+    rng: &mut Rng,
+) -> Vec<String> {
     let options = round(tolerance);
     let simple = path.stroke_with(profile, &options).expect("few segments");
     let overlapping = path

@@ -2,7 +2,7 @@
 //!
 //! Let r be the radius as a function of arc length, T and N the tangent and the normal. The discs touch their envelope at
 //! c − r r′ T ± r √(1 − r′²) N: the left and the right side, which are offset curves if r is constant. Where |r′| ≥ 1 one
-//! disc contains the others, and both sides pass through it on the same line.
+//! disc contains the others, and both sides pass through it on the same line. So they do at a step of the radius.
 //!
 //! The outline consists of two chains of sides, on the left and on the right. Where the direction changes, the outer side
 //! has a join, and the inner side passes through the corner, so that the outline is a sum of the outlines of the parts and
@@ -27,6 +27,8 @@ use std::f64::consts::PI;
 /// The outline of a subpath under construction.
 pub(super) struct Outline<'a> {
     pen: &'a Pen,
+    /// The radii on both sides at the start and at the end, from which those of the sections may differ by a step.
+    end_radii: [[f64; 2]; 2],
     left: SplineBuilder,
     right: SplineBuilder,
     /// The first and the last disc so far, and whether the sections there have straight sides.
@@ -39,9 +41,11 @@ pub(super) struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
-    pub(super) fn new(pen: &'a Pen) -> Self {
+    /// `end_radii` are the radii on both sides at the start and at the end.
+    pub(super) fn new(pen: &'a Pen, end_radii: [[f64; 2]; 2]) -> Self {
         Self {
             pen,
+            end_radii,
             left: SplineBuilder::default(),
             right: SplineBuilder::default(),
             ends: None,
@@ -58,27 +62,44 @@ impl<'a> Outline<'a> {
         self.pen.tolerance * (1.0 - SMOOTH_PART)
     }
 
+    /// Begins both sides, on the first disc of the subpath.
+    fn start(&mut self, section_start: (Disc, bool)) -> (Disc, bool) {
+        let from = section_start.0;
+        let before = Disc {
+            radii: self.end_radii[0],
+            ..from
+        };
+        let first = if self.is_step(&before, &from) {
+            let slope = before.contained_slope(&from);
+            (Disc { slope, ..before }, false)
+        } else {
+            section_start
+        };
+        for (side, chain) in self.sides() {
+            chain.start(first.0.point(side));
+        }
+        self.ends = Some([first; 2]);
+        first
+    }
+
     /// Appends a section. `is_corner`: whether a change of direction at its start is a corner of the subpath and not a
     /// reversal of a curve.
     pub(super) fn add(&mut self, section: &Section<'a>, is_corner: bool) -> Result<(), Error> {
         let discs = section.end_discs();
         let is_straight = section.is_straight();
         let [from, to] = [(discs[0], is_straight), (discs[1], is_straight)];
-        match self.ends {
-            Some([_, last]) => self.connect(last, from, is_corner, false),
-            None => {
-                for (side, chain) in self.sides() {
-                    chain.start(from.0.point(side));
-                }
-            }
-        }
+        let last = match self.ends {
+            Some([_, last]) => last,
+            None => self.start(from),
+        };
+        self.connect(last, from, is_corner, false);
         let mut backward = Vec::new();
         if is_straight {
             for (side, chain) in self.sides() {
                 chain.connect_to(to.0.point(side));
             }
         } else {
-            let tolerance = self.tolerance();
+            let (pen, tolerance) = (self.pen, self.tolerance());
             let evaluator = SectionEvaluator::new(section);
             let samples = evaluator.samples();
             for (side, chain) in self.sides() {
@@ -89,8 +110,11 @@ impl<'a> Outline<'a> {
                 };
                 for interval in evaluator.side_intervals(&samples, side, discs) {
                     match interval.kind {
+                        SideKind::Inside => pass_contained(chain, side, interval.ends, pen),
+                        _ if section.is_point(&interval) => {
+                            pass_contained(chain, side, interval.ends, pen);
+                        }
                         SideKind::Forward => of_side.add(&interval, 1.0, chain)?,
-                        SideKind::Inside => chain.connect_to(interval.ends[1].point(side)),
                         SideKind::Backward => {
                             of_side.add_midway(&interval, chain);
                             backward.push((side, interval));
@@ -99,9 +123,8 @@ impl<'a> Outline<'a> {
                 }
             }
         }
-        match &mut self.ends {
-            Some([_, last]) => *last = to,
-            None => self.ends = Some([from, to]),
+        if let Some([_, last]) = &mut self.ends {
+            *last = to;
         }
         for (side, interval) in backward {
             self.backward.push((section.clone(), side, interval));
@@ -109,7 +132,12 @@ impl<'a> Outline<'a> {
         Ok(())
     }
 
-    /// Connects both sides where r′ and the direction change; `is_last`: at the end of a closed subpath.
+    /// Whether two radii are so different that the step is part of the outline.
+    fn is_step(&self, from: &Disc, to: &Disc) -> bool {
+        (to.radius() - from.radius()).abs() > SMOOTH_PART * self.pen.tolerance
+    }
+
+    /// Connects both sides where the radius, r′ and the direction change; `is_last`: at the end of a closed subpath.
     fn connect(
         &mut self,
         (from, from_line): (Disc, bool),
@@ -118,16 +146,17 @@ impl<'a> Outline<'a> {
         is_last: bool,
     ) {
         let (pen, center, radius) = (self.pen, to.center, to.radius());
-        // First r′ changes, and both sides follow on the circle; then the direction.
+        // First the radius and r′ change, then the direction.
         let before_turn = Disc {
             tangent: from.tangent,
             ..to
         };
-        if from.slope != to.slope {
-            let spread = to.angle() - from.angle();
-            for (side, chain) in self.sides() {
-                let normals = [from.normal(side), before_turn.normal(side)];
-                push_arc(chain, (center, radius), normals, side * spread, pen);
+        let is_step = self.is_step(&from, &to);
+        for (side, chain) in self.sides() {
+            if is_step {
+                pass_contained(chain, side, [from, before_turn], pen);
+            } else {
+                follow_circle(chain, side, [from, before_turn], pen);
             }
         }
         // A turn by 180° is a left turn, also if the sine is −0. At reversals, the half disk ahead is that of the wider side.
@@ -168,7 +197,11 @@ impl<'a> Outline<'a> {
         }
         if let Some(reach) = pen.miter(radius, normals[0].dot(normals[1])) {
             let tip = center + (normals[0] + normals[1]) * reach;
-            push_tip(outer_chain, tip, from_line && from.slope == to.slope);
+            push_tip(
+                outer_chain,
+                tip,
+                from_line && from.slope == to.slope && !is_step,
+            );
             // A straight side goes on from the tip; at the end of a closed subpath this is the first side.
             if to_line {
                 if is_last {
@@ -190,12 +223,24 @@ impl<'a> Outline<'a> {
         surrounds: bool,
     ) -> Result<Contours, Error> {
         let mut contours = Contours::default();
-        let Some([first, last]) = self.ends else {
+        let Some([first, mut last]) = self.ends else {
             return Ok(contours);
         };
         if closed {
             self.connect(last, first, true, true);
-        } else if cap == StrokeCap::Butt {
+        } else {
+            let after = Disc {
+                radii: self.end_radii[1],
+                ..last.0
+            };
+            if self.is_step(&last.0, &after) {
+                let slope = last.0.contained_slope(&after);
+                let end = (Disc { slope, ..after }, false);
+                self.connect(last, end, false, false);
+                last = end;
+            }
+        }
+        if !closed && cap == StrokeCap::Butt {
             // At its start, the stroke ends against the direction of the path.
             let back = Disc {
                 tangent: -first.0.tangent,
@@ -251,6 +296,24 @@ pub(super) struct Contours {
     pub(super) folds: Vec<SplineBuilder>,
     /// Whether the points within all discs may be left out. They are within the first one.
     pub(super) surrounds: bool,
+}
+
+/// Follows the circle of a disc while r′ changes.
+fn follow_circle(chain: &mut SplineBuilder, side: f64, [from, to]: [Disc; 2], pen: &Pen) {
+    if from.slope != to.slope {
+        let normals = [from, to].map(|disc| disc.normal(side));
+        let angle = side * (to.angle() - from.angle());
+        push_arc(chain, (to.center, to.radius()), normals, angle, pen);
+    }
+}
+
+/// Continues from one disc to another one, if one of them contains the other and all between them.
+fn pass_contained(chain: &mut SplineBuilder, side: f64, [from, to]: [Disc; 2], pen: &Pen) {
+    let slope = from.contained_slope(&to);
+    let [leaving, arriving] = [from, to].map(|disc| Disc { slope, ..disc });
+    follow_circle(chain, side, [from, leaving], pen);
+    chain.connect_to(arriving.point(side));
+    follow_circle(chain, side, [arriving, to], pen);
 }
 
 /// Appends the tip of a miter; a line before it is extended.

@@ -100,6 +100,11 @@ impl Disc {
         self.normal(side).perp() * -side
     }
 
+    /// The value of r′ on the way to another disc if one of both contains the other.
+    pub(super) fn contained_slope(&self, other: &Self) -> f64 {
+        (other.radius() - self.radius()).signum()
+    }
+
     /// The angle from the tangent to the normal of the left side.
     pub(super) fn angle(&self) -> f64 {
         (-self.slope).acos()
@@ -118,7 +123,46 @@ fn is_less_curved(derivative: &[DVec2], limit: f64) -> bool {
     curvature_is_within(&quadratic, [-limit, limit])
 }
 
-/// A curve of a subpath with the positions along it, by arc length or by t.
+/// Whether a curve is straight, and the parameters at which it reverses, with both ends: its cusps, and the turns of a
+/// straight curve.
+fn reversals(curve: &Curve<DVec2>) -> (bool, Breaks) {
+    let is_line = curve.degree() == 1;
+    let direction = if is_line {
+        None
+    } else {
+        curve.straight_direction()
+    };
+    let has_no_cusp = || {
+        let steps = curve.control_points().windows(2);
+        let steps: Points<DVec2> = steps.map(|pair| pair[1] - pair[0]).collect();
+        is_less_curved(&steps, f64::INFINITY)
+    };
+    let mut ts = match direction {
+        _ if is_line => Breaks::new(),
+        Some(direction) => curve.turns_along(direction),
+        None if has_no_cusp() => Breaks::new(),
+        None => curve.cusps().into_iter().collect(),
+    };
+    sort_with_ends(&mut ts);
+    (is_line || direction.is_some(), ts)
+}
+
+/// The part of a curve between two of its reversals, or its ends.
+fn part_between(curve: &Curve<DVec2>, [from, to]: [f64; 2]) -> Curve<DVec2> {
+    let part = curve.part(from, to);
+    let mut points = points_of(part.control_points());
+    // The derivative is 0 at a reversal; its rounding has any direction.
+    let last = points.len() - 1;
+    if from > 0.0 {
+        points[1] = points[0];
+    }
+    if to < 1.0 {
+        points[last - 1] = points[last];
+    }
+    Curve::from_points(points)
+}
+
+/// A curve without a reversal, with the positions along it, by arc length or by t.
 pub(super) struct PositionedCurve {
     curve: Curve<DVec2>,
     by: WidthPosition,
@@ -127,45 +171,45 @@ pub(super) struct PositionedCurve {
     rate: f64,
     /// The length of the curve, if positions follow from it.
     length: f64,
-    /// The parameters at which the curve reverses: its cusps, and the turns of a straight curve.
-    pub(super) reversals: Breaks,
     is_straight: bool,
+    /// Whether it starts where a curve of the subpath does, and not at a reversal.
+    pub(super) is_first: bool,
     /// The arc length by t and its unit, made when they are needed.
     table: OnceCell<Box<(ArcLengthTable, f64)>>,
 }
 
 impl PositionedCurve {
-    pub(super) fn new(curve: Curve<DVec2>, by: WidthPosition, start: f64, rate: f64) -> Self {
-        let is_line = curve.degree() == 1;
-        let direction = if is_line {
-            None
-        } else {
-            curve.straight_direction()
-        };
-        let has_no_cusp = |curve: &Curve<DVec2>| {
-            let steps = curve.control_points().windows(2);
-            let steps: Points<DVec2> = steps.map(|pair| pair[1] - pair[0]).collect();
-            is_less_curved(&steps, f64::INFINITY)
-        };
-        let reversals = match direction {
-            _ if is_line => Breaks::new(),
-            Some(direction) => curve.turns_along(direction),
-            None if has_no_cusp(&curve) => Breaks::new(),
-            None => curve.cusps().into_iter().collect(),
-        };
-        let length = match by {
-            WidthPosition::Length => curve.length(),
-            WidthPosition::T => 0.0,
-        };
-        Self {
-            curve,
-            by,
-            start,
-            rate,
-            length,
-            reversals,
-            is_straight: is_line || direction.is_some(),
-            table: OnceCell::new(),
+    /// Appends the parts of a curve between its reversals; the position starts at `start` and has a rate.
+    pub(super) fn push_parts(
+        parts: &mut Vec<Self>,
+        curve: Curve<DVec2>,
+        by: WidthPosition,
+        mut start: f64,
+        rate: f64,
+    ) {
+        let (is_straight, ts) = reversals(&curve);
+        for pair in ts.windows(2) {
+            let curve = if ts.len() == 2 {
+                curve.clone()
+            } else {
+                part_between(&curve, [pair[0], pair[1]])
+            };
+            let (length, rate) = match by {
+                WidthPosition::Length => (curve.length(), rate),
+                WidthPosition::T => (0.0, rate * (pair[1] - pair[0])),
+            };
+            let part = Self {
+                curve,
+                by,
+                start,
+                rate,
+                length,
+                is_straight,
+                is_first: pair[0] == 0.0,
+                table: OnceCell::new(),
+            };
+            start = part.position(1.0);
+            parts.push(part);
         }
     }
 
@@ -203,17 +247,7 @@ impl PositionedCurve {
         let curve = if span == [0.0, 1.0] {
             Cow::Borrowed(&self.curve)
         } else {
-            let part = self.curve.part(span[0], span[1]);
-            let mut points = points_of(part.control_points());
-            // The derivative is 0 at a reversal; its rounding has any direction.
-            let last = points.len() - 1;
-            if self.reversals.contains(&span[0]) {
-                points[1] = points[0];
-            }
-            if self.reversals.contains(&span[1]) {
-                points[last - 1] = points[last];
-            }
-            Cow::Owned(Curve::from_points(points))
+            Cow::Owned(self.curve.part(span[0], span[1]))
         };
         let ends = [self.position(span[0]), self.position(span[1])];
         Section {
@@ -252,8 +286,7 @@ impl Section<'_> {
         if t == 0.0 || t == 1.0 {
             return self.ends[usize::from(t == 1.0)];
         }
-        let [from, to] = self.span;
-        self.whole.position(from + (to - from) * t)
+        self.whole.position(self.parameter(t))
     }
 
     /// Whether both sides are straight.
@@ -294,29 +327,54 @@ impl Section<'_> {
         error + rate * (of_radius / 384.0).min(2.0 * r1 * first)
     }
 
+    /// The parameter on the whole curve.
+    #[inline]
+    fn parameter(&self, t: f64) -> f64 {
+        let [from, to] = self.span;
+        if t == 1.0 { to } else { from + (to - from) * t }
+    }
+
+    fn width(&self) -> f64 {
+        self.span[1] - self.span[0]
+    }
+
+    /// Whether the centres of an interval are the same point up to rounding, so that its radii are rounding errors too.
+    pub(super) fn is_point(&self, interval: &SideInterval) -> bool {
+        let start = interval.ends[0].center;
+        let is_near = |&p: &DVec2| Point::max_abs(p - start) <= ROUNDING;
+        let [from, to] = interval.span;
+        is_near(&interval.ends[1].center)
+            && self
+                .curve
+                .part(from, to)
+                .control_points()
+                .iter()
+                .all(is_near)
+    }
+
     /// The discs at both ends.
     pub(super) fn end_discs(&self) -> [Disc; 2] {
-        let points = self.curve.control_points();
+        let curve = &self.whole.curve;
+        let points = curve.control_points();
         let n = points.len() - 1;
-        let rates = |t: f64, step: DVec2| self.rates(t, step * as_f64(n), DVec2::ZERO);
-        let [from, to] = [
-            rates(0.0, points[1] - points[0]),
-            rates(1.0, points[n] - points[n - 1]),
-        ];
-        let start = self.curve.start_tangent();
-        let end = if n == 1 {
-            start
-        } else {
-            self.curve.end_tangent()
-        };
-        [from.disc(points[0], start), to.disc(points[n], end)]
+        let centers = self.curve.control_points();
+        [(0, 0.0), (centers.len() - 1, 1.0)].map(|(k, t)| {
+            let (first, tangent) = match self.parameter(t) {
+                0.0 => ((points[1] - points[0]) * as_f64(n), curve.start_tangent()),
+                1.0 => ((points[n] - points[n - 1]) * as_f64(n), curve.end_tangent()),
+                t => (curve.derivative_at(t, 1), curve.tangent(t)),
+            };
+            let rates = self.rates(t, first * self.width(), DVec2::ZERO);
+            rates.disc(centers[k], tangent)
+        })
     }
 
     #[inline]
     fn disc(&self, t: f64, center: DVec2, rates: &Rates) -> Disc {
-        let tangent = match t {
-            0.0 => self.curve.start_tangent(),
-            1.0 => self.curve.end_tangent(),
+        let curve = &self.whole.curve;
+        let tangent = match self.parameter(t) {
+            0.0 => curve.start_tangent(),
+            1.0 => curve.end_tangent(),
             _ => Point::unit(rates.first),
         };
         rates.disc(center, tangent)
@@ -421,7 +479,7 @@ impl<'a> SectionEvaluator<'a> {
     pub(super) fn new(section: &'a Section<'a>) -> Self {
         Self {
             section,
-            with: CurveWithDerivatives::new(section.curve.control_points()),
+            with: CurveWithDerivatives::new(section.whole.curve.control_points()),
             compared: OnceCell::new(),
         }
     }
@@ -434,9 +492,18 @@ impl<'a> SectionEvaluator<'a> {
             return false;
         }
         let (slope, change) = (slope * section.rate, change * section.rate * section.rate);
+        let steps: Points<DVec2>;
+        let derivative = if section.span == [0.0, 1.0] {
+            &self.with.first
+        } else {
+            let n = as_f64(section.curve.degree());
+            let pairs = section.curve.control_points().windows(2);
+            steps = pairs.map(|pair| (pair[1] - pair[0]) * n).collect();
+            &steps
+        };
         // The curvature κ at which 1 − r′² − r r″ − rκ would be 0; the factor √(1 − r′²) of rκ is at most 1.
         let limit = (MAX_REGULAR_SUM - slope * slope - radius * change) / radius;
-        limit > 0.0 && is_less_curved(&self.with.first, limit)
+        limit > 0.0 && is_less_curved(derivative, limit)
     }
 
     /// The discs with which a cubic is compared in an interval.
@@ -449,23 +516,29 @@ impl<'a> SectionEvaluator<'a> {
         }
     }
 
+    /// The first two derivatives by the parameter of the section.
+    fn derivatives(&self, t: f64) -> [DVec2; 2] {
+        let width = self.section.width();
+        let [first, second] = self.with.derivatives(self.section.parameter(t));
+        [first * width, second * (width * width)]
+    }
+
     pub(super) fn at(&self, t: f64) -> Disc {
-        let jet = self.with.jet(t);
-        let rates = self.section.rates(t, jet[1], jet[2]);
-        self.section.disc(t, jet[0], &rates)
+        self.evaluate(t).0
     }
 
     /// 1 − r′², which is negative where one disc contains the others, and the speeds of the left and the right side by arc
     /// length of the curve, times √(1 − r′²): 1 − r′² − r r″ ∓ rκ √(1 − r′²). These are negative where the side runs
     /// backwards.
     pub(super) fn side_speeds(&self, t: f64) -> [f64; 3] {
-        let [first, second] = self.with.derivatives(t);
+        let [first, second] = self.derivatives(t);
         self.section.rates(t, first, second).side_speeds()
     }
 
     /// The disc together with [`side_speeds`](Self::side_speeds).
     pub(super) fn evaluate(&self, t: f64) -> (Disc, [f64; 3]) {
-        let [center, first, second] = self.with.jet(t);
+        let center = self.with.at(self.section.parameter(t));
+        let [first, second] = self.derivatives(t);
         let rates = self.section.rates(t, first, second);
         (self.section.disc(t, center, &rates), rates.side_speeds())
     }
@@ -489,7 +562,7 @@ impl<'a> SectionEvaluator<'a> {
         };
         let mut squares = Vec::with_capacity(count + 1);
         for k in 0..=count {
-            let derivatives = self.with.derivatives(at(k));
+            let derivatives = self.derivatives(at(k));
             squares.push(derivatives[0].dot(derivatives[0]));
             insert(at(k), derivatives);
         }
@@ -498,8 +571,8 @@ impl<'a> SectionEvaluator<'a> {
             if squares[k] > smaller(squares[before], squares[after]) {
                 continue;
             }
-            let slowest = slowest_near(&self.with, at(k), [at(before), at(after)]);
-            let [first, second] = self.with.derivatives(slowest);
+            let slowest = slowest_near(|t| self.derivatives(t), at(k), [at(before), at(after)]);
+            let [first, second] = self.derivatives(slowest);
             if slowest != at(k) {
                 insert(slowest, [first, second]);
             }
@@ -515,7 +588,7 @@ impl<'a> SectionEvaluator<'a> {
             while step > least {
                 for t in [slowest - step, slowest + step] {
                     if (0.0..=1.0).contains(&t) {
-                        insert(t, self.with.derivatives(t));
+                        insert(t, self.derivatives(t));
                     }
                 }
                 step *= APPROACH_FACTOR;
@@ -555,12 +628,13 @@ impl<'a> SectionEvaluator<'a> {
         extend_backward(&mut intervals);
         for k in 1..intervals.len() {
             let mut disc = self.at(intervals[k].span[0]);
-            // Beside discs that one contains, both sides are at the same point: r′ is exactly 1 or −1.
+            // Beside discs that one contains, both sides are at the same point: r′ is exactly 1 or −1. The radius is
+            // monotone in a section.
             if [k - 1, k]
                 .iter()
                 .any(|&k| intervals[k].kind == SideKind::Inside)
             {
-                disc.slope = disc.slope.signum();
+                disc.slope = ends[0].contained_slope(&ends[1]);
             }
             intervals[k - 1].ends[1] = disc;
             intervals[k].ends[0] = disc;
@@ -667,9 +741,9 @@ fn extend_backward(intervals: &mut List<SideInterval, 1>) {
 }
 
 /// The parameter of the smallest speed near another one.
-fn slowest_near(with: &CurveWithDerivatives<DVec2>, mut t: f64, [from, to]: [f64; 2]) -> f64 {
+fn slowest_near(derivatives: impl Fn(f64) -> [DVec2; 2], mut t: f64, [from, to]: [f64; 2]) -> f64 {
     for _ in 0..NEWTON_STEPS {
-        let [first, second] = with.derivatives(t);
+        let [first, second] = derivatives(t);
         let square = second.dot(second);
         let next = (t - first.dot(second) / square).clamp(from, to);
         if square == 0.0 || next == t {

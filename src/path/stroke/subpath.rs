@@ -8,7 +8,7 @@ use super::dash::{Dash, Pattern};
 use super::options::{Pen, StrokeCap};
 use super::outline::{Outline, push_closed};
 use super::profile::{Radii, WidthPosition, WidthProfile};
-use super::section::{Breaks, PositionedCurve, sort_with_ends};
+use super::section::{Breaks, PositionedCurve, ROUNDING, sort_with_ends};
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::normalized::Normalized;
@@ -88,9 +88,8 @@ impl ScaledSubpath {
             };
             let scaled = points.iter().map(|&p| p * self.scale).collect();
             let curve = Curve::from_points(scaled);
-            let curve = PositionedCurve::new(curve, self.radii.at, position, rate);
-            position = curve.position(1.0);
-            all.push(curve);
+            PositionedCurve::push_parts(&mut all, curve, self.radii.at, position, rate);
+            position = all.last().map_or(position, |part| part.position(1.0));
         }
         all
     }
@@ -125,14 +124,19 @@ impl Strokes {
         } else {
             pen.cap
         };
-        let mut outline = Outline::new(pen);
+        let end = curves.last().map_or(1.0, |curve| curve.position(1.0));
+        let radii_at = |position| {
+            let [radius, ..] = radii.polynomial(position).at(position);
+            pen.sides.unwrap_or([radius; 2])
+        };
+        let mut outline = Outline::new(pen, [whole.start(dash), end].map(radii_at));
         for curve in &curves {
             let breaks = breaks_of(curve, radii);
             self.curve_count += breaks.len() - 1;
             for (k, pair) in breaks.windows(2).enumerate() {
                 let section = curve.section([pair[0], pair[1]], radii);
                 if section.curve.has_size() {
-                    outline.add(&section, k == 0)?;
+                    outline.add(&section, curve.is_first && k == 0)?;
                 }
             }
         }
@@ -201,13 +205,15 @@ impl Path {
     }
 }
 
-/// The parameters at which a curve is divided, with both ends: at stops of the profile, and where the curve reverses.
+/// The parameters at which a curve is divided at stops of the profile, with both ends.
 fn breaks_of(curve: &PositionedCurve, radii: &Radii) -> Breaks {
-    let mut breaks = curve.reversals.clone();
+    let mut breaks = Breaks::new();
     if !radii.is_constant() {
         let end = curve.position(1.0);
         for &round in radii.rounds() {
-            let inside = radii.stops_between(curve.start - round, end - round);
+            // A stop at an end of the curve can be inside because of rounding.
+            let inside =
+                radii.stops_between(curve.start - round + ROUNDING, end - round - ROUNDING);
             breaks.extend(inside.map(|position| curve.time(position + round)));
         }
         if radii.rounds().len() > 1 && curve.start < 1.0 && end > 1.0 {
