@@ -32,11 +32,15 @@ export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Floa
 export type NurbsData = RationalData & { degree: number; knots: Float64Array; closed: boolean };
 
 /**
+ * The values of `casteljauType`, one for each class.
+ *
  * @internal
  */
 export type BrandedType = "curve" | "rationalcurve" | "nurbscurve" | "spline" | "path" | "patch" | "surface" | "mesh";
 
 /**
+ * What all instances have: the name of their class, and their data.
+ *
  * @internal
  */
 export type Branded<T> = { readonly casteljauType: BrandedType; casteljauData(): T };

@@ -46,6 +46,8 @@ export function patchWriter(flat: Float64Array, degreeU: number, degreeV: number
 }
 
 /**
+ * See `Surface.bounds`.
+ *
  * @internal
  */
 export function bounds(write: SurfaceWriter): Bounds<3> | null {
@@ -55,6 +57,8 @@ export function bounds(write: SurfaceWriter): Bounds<3> | null {
 }
 
 /**
+ * See `Surface.area`.
+ *
  * @internal
  */
 export function area(write: SurfaceWriter): number {
@@ -63,6 +67,8 @@ export function area(write: SurfaceWriter): number {
 }
 
 /**
+ * See `Surface.volume`.
+ *
  * @internal
  */
 export function volume(write: SurfaceWriter): number | null {
@@ -71,6 +77,8 @@ export function volume(write: SurfaceWriter): number | null {
 }
 
 /**
+ * See `Surface.nearest`.
+ *
  * @internal
  */
 export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | null {
@@ -81,6 +89,8 @@ export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | 
 }
 
 /**
+ * See `Surface.intersectRay`.
+ *
  * @internal
  */
 export function intersectRay(write: SurfaceWriter, origin: PointLike, direction: PointLike): SurfacePoint[] {

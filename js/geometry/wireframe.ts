@@ -56,6 +56,8 @@ export function isocurves(writeSurface: () => unknown, options?: { lines?: numbe
 }
 
 /**
+ * See `Surface.wireframe`.
+ *
  * @internal
  */
 export function wireframe(writeSurface: () => unknown, options: WireframeOptions): Mesh {

@@ -188,7 +188,7 @@ test("pointing at a place is drawn and changes nothing else", async (t) => {
   await page.mouse.move(box.x + 300, box.y + 60);
   await settled(page);
   assert.notEqual(await picture(), empty);
-  assert.match(await page.locator("bezier-applet .messages").textContent(), /Nearest/);
+  assert.match((await page.locator("bezier-applet .messages").textContent()) ?? "", /Nearest/);
   assert.deepEqual([await fired(page), await ask(page, () => JSON.stringify(a))], [[], state]);
   await page.mouse.move(box.x + 300, box.y + box.height + 200);
   await settled(page);

@@ -63,7 +63,11 @@ export class BezierApplet extends LitElement {
     .poster ::slotted(*) { inline-size: 100%; block-size: 100%; }
   `;
 
-  /** @internal */
+  /**
+   * What is shown: the state of the editor and the messages.
+   *
+   * @internal
+   */
   model = new AppletModel(this);
   #watch: IntersectionObserver | null = null;
   /** What the user can do, and everything in the shadow root; null before they are loaded. */

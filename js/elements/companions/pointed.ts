@@ -20,7 +20,6 @@ export class Pointed extends Linked {
 
   constructor() {
     super();
-    /** @internal */
     this.given = null;
   }
 

@@ -48,6 +48,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A curve of the full class.
+   *
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<3> {
@@ -55,6 +57,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A patch of the full class.
+   *
    * @internal
    */
   override _patchOf(flat: Float64Array, degreeU: number, degreeV: number): Patch {
@@ -62,6 +66,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A surface of the full class.
+   *
    * @internal
    */
   override _surfaceOf(network: Network): this {
