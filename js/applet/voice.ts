@@ -1,5 +1,5 @@
 // Words on the page: the label at P3 at once; for screen readers, a little later, what has changed.
-import { setText, Speaker } from "../ui/announcer.js";
+import { setText, Announcer } from "../ui/announcer.js";
 import { description, jointLabel } from "./words.js";
 import type { State } from "./state.js";
 import type { Derived } from "./derive.js";
@@ -13,7 +13,7 @@ export class Voice {
 
   constructor(view: View) {
     this.#view = view;
-    this.#speaker = new Speaker(view.live, () => this.#news());
+    this.#speaker = new Announcer(view.live, () => this.#news());
   }
 
   show(state: State, derived: Derived) {

@@ -1,10 +1,10 @@
 // What can be done to the points: each function returns a new state. Where joints are held, the core does it.
 import { Curve } from "../geometry/curve/curve.js";
-import { Spline } from "../geometry/spline/spline.js";
 import { generator, randomChain, randomPlaces } from "./random.js";
 import { pairs } from "./plane.js";
-import { degreeOf, figureOf } from "./figure.js";
+import { degreeOf, figureOf, keepSpline, splineOf } from "./figure.js";
 import { MODES, MAX_POINTS, numberIn, placeIn, resizedWeights, weightsOf, wholeIn, wordIn } from "./state.js";
+import type { Spline } from "../geometry/spline/spline.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";
 import type { JointMode } from "./state.js";
@@ -21,7 +21,7 @@ export function chainOf(state: State): { spline: Spline; degree: number; rest: r
   if (segments < 1) return null;
   const used = segments * degree + 1;
   return {
-    spline: new Spline(state.points.slice(0, used), { degree, dimension: 2 }),
+    spline: splineOf(state.points, degree, segments),
     degree,
     rest: state.points.slice(used),
   };
@@ -29,9 +29,12 @@ export function chainOf(state: State): { spline: Spline; degree: number; rest: r
 
 /** The mode of each inner joint of the shown chain. */
 export function modesOf(state: State): JointMode[] {
-  const chain = chainOf({ ...state, points: state.points.slice(0, state.shown) });
+  const chain = chainOf(state.shown < state.points.length ? shownOf(state) : state);
   return chain ? modesFor(state, chain.spline) : [];
 }
+
+/** Without the points that are not shown. */
+const shownOf = (state: State): State => ({ ...state, points: state.points.slice(0, state.shown) });
 
 /**
  * @returns of the joints 1, 2 …
@@ -44,7 +47,9 @@ function modesFor({ joints }: State, spline: Spline): JointMode[] {
  * @returns with other points; where all were shown, all are
  */
 function withChain(state: State, spline: Spline, rest: readonly Point2[]): State {
-  return withList(state, [...pairs(spline.controlPoints()), ...rest]);
+  const points = [...pairs(spline.controlPoints()), ...rest];
+  keepSpline(points, spline, degreeOf(state));
+  return withList(state, points);
 }
 
 function withList(state: State, points: readonly Point2[]): State {

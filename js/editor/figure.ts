@@ -61,7 +61,7 @@ export function figureOf(state: State, Rational: typeof RationalCurve | null = n
     return { points, pieces: [], rational, weights, spline: null, kinds, names, degree, matrix: null };
   }
   const matrix = matrixOf(state, degree);
-  const { pieces, spline, kinds } = PLANS[state.basis](points, degree, matrix ?? []);
+  const { pieces, spline, kinds } = PLANS[state.basis](points, degree, matrix ?? [], state.points);
   return { points, pieces, rational: [], weights, spline, kinds, names, degree, matrix };
 }
 
@@ -107,11 +107,34 @@ function product(a: number[], b: number[][]): number[] {
 
 export type Plan = Pick<Figure, "pieces" | "spline" | "kinds">;
 
-const PLANS: Record<State["basis"], (points: Point2[], degree: number, matrix: number[]) => Plan> = {
-  bezier: (points, degree) => {
+/** The last spline of each list of points, and its degree. */
+const splines: WeakMap<readonly Point2[], { spline: Spline; degree: number }> = new WeakMap();
+
+/** Keeps the spline from which a list of points comes: neither the figure nor the next change makes it again. */
+export function keepSpline(points: readonly Point2[], spline: Spline, degree: number) {
+  splines.set(points, { spline, degree });
+}
+
+/**
+ * The spline of the first segments of a list of points.
+ *
+ * @param count the number of segments, at least 1
+ */
+export function splineOf(points: readonly Point2[], degree: number, count: number): Spline {
+  const known = splines.get(points);
+  if (known?.degree === degree && known.spline.segmentCount === count) return known.spline;
+  const spline = new Spline(points.slice(0, count * degree + 1), { degree, dimension: 2 });
+  keepSpline(points, spline, degree);
+  return spline;
+}
+
+const PLANS: Record<
+  State["basis"],
+  (points: Point2[], degree: number, matrix: number[], all: readonly Point2[]) => Plan
+> = {
+  bezier: (points, degree, _, all) => {
     const groups = groupsOf(points, degree);
-    const used = groups.length * degree + 1;
-    const spline = groups.length ? new Spline(points.slice(0, used), { degree, dimension: 2 }) : null;
+    const spline = groups.length ? splineOf(all, degree, groups.length) : null;
     return { pieces: joined(spline?.segments() ?? [], groups), spline, kinds: kindsOf(points, groups, degree) };
   },
   hermite: byGroups,

@@ -45,9 +45,10 @@ export interface State {
   offset: number;
   /** Parts of equal length */
   ticks: number;
-  /** Where the user points */
-  pointer: Point2 | null;
 }
+
+/** A state with the place in the plane where the user points, which is no part of the document. */
+export type DrawnState = State & { pointer?: Point2 | null };
 
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"] as const;
 export const BASIS_NAMES: Record<Basis, string> = translatedTable({
@@ -122,7 +123,6 @@ export function firstState(): State {
     segments: 4,
     offset: 30,
     ticks: 10,
-    pointer: null,
   };
 }
 

@@ -61,6 +61,8 @@ export type Network = { vertices: Float64Array; joined: Float64Array; degrees: n
 export type RationalSurfaceData = Network & { weights: Float64Array };
 
 /**
+ * The values of `casteljauType`, one for each class.
+ *
  * @internal
  */
 export type BrandedType =
@@ -77,6 +79,8 @@ export type BrandedType =
   | "mesh";
 
 /**
+ * What all instances have: the name of their class, and their data.
+ *
  * @internal
  */
 export type Branded<T> = { readonly casteljauType: BrandedType; casteljauData(): T };

@@ -18,6 +18,8 @@ export interface Nearest<D extends 2 | 3 = 2 | 3> {
 }
 
 /**
+ * See `Curve.nearest`.
+ *
  * @internal
  */
 export function nearest<D extends 2 | 3>(flat: Float64Array, dimension: D, p: PointLike): Nearest<D> {
@@ -65,6 +67,8 @@ export type Extrema = { x: Float64Array; y: Float64Array; z?: Float64Array };
 const AXES = ["x", "y", "z"] as const;
 
 /**
+ * See `Curve.extrema`.
+ *
  * @internal
  */
 export function extrema(flat: Float64Array, dimension: 2 | 3): Extrema {
@@ -77,6 +81,8 @@ export function extrema(flat: Float64Array, dimension: 2 | 3): Extrema {
 }
 
 /**
+ * See `Curve.timesAtCoordinate`.
+ *
  * @internal
  */
 export function timesAtCoordinate(
@@ -125,6 +131,8 @@ export const CURVE_KINDS: readonly CurveKind[] = [
 ];
 
 /**
+ * See `Curve.tangentsFrom`.
+ *
  * @internal
  */
 export function tangentsFrom(flat: Float64Array, p: PointLike): Float64Array {
@@ -136,6 +144,8 @@ export function tangentsFrom(flat: Float64Array, p: PointLike): Float64Array {
 export type Distance = { distance: number; t: number; u: number };
 
 /**
+ * See `Curve.distance`.
+ *
  * @internal
  */
 export function distance(flat: Float64Array, other: Float64Array, dimension: 2 | 3): Distance {
@@ -146,6 +156,8 @@ export function distance(flat: Float64Array, other: Float64Array, dimension: 2 |
 }
 
 /**
+ * See `Curve.hausdorff`.
+ *
  * @internal
  */
 export function hausdorff(flat: Float64Array, other: Float64Array, dimension: 2 | 3): number {

@@ -75,6 +75,8 @@ export function readIntersections(length: number): Intersection[] {
 }
 
 /**
+ * Reads the intersections of a shape with itself from the arena.
+ *
  * @internal
  */
 export function readSelfIntersections(length: number): SelfIntersection[] {

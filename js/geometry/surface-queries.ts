@@ -47,6 +47,8 @@ export function patchWriter(flat: Float64Array, degreeU: number, degreeV: number
 }
 
 /**
+ * See `Surface.bounds`.
+ *
  * @internal
  */
 export function bounds(write: SurfaceWriter): Bounds<3> | null {
@@ -56,6 +58,8 @@ export function bounds(write: SurfaceWriter): Bounds<3> | null {
 }
 
 /**
+ * See `Surface.area`.
+ *
  * @internal
  */
 export function area(write: SurfaceWriter): number {
@@ -64,6 +68,8 @@ export function area(write: SurfaceWriter): number {
 }
 
 /**
+ * See `Surface.volume`.
+ *
  * @internal
  */
 export function volume(write: SurfaceWriter): number | null {
@@ -72,6 +78,8 @@ export function volume(write: SurfaceWriter): number | null {
 }
 
 /**
+ * See `Surface.nearest`.
+ *
  * @internal
  */
 export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | null {
@@ -82,6 +90,8 @@ export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | 
 }
 
 /**
+ * See `Surface.intersectRay`.
+ *
  * @internal
  */
 export function intersectRay(write: SurfaceWriter, origin: PointLike, direction: PointLike): SurfacePoint[] {

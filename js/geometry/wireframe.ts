@@ -66,6 +66,8 @@ export function linesOf(options: { lines?: number } | undefined): number {
 }
 
 /**
+ * See `Surface.wireframe`.
+ *
  * @internal
  */
 export function wireframe(writeSurface: () => unknown, options: WireframeOptions): Mesh {

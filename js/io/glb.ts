@@ -28,6 +28,8 @@ export type View = {
 };
 
 /**
+ * See `Mesh.toGLB`.
+ *
  * @internal
  */
 export function meshToGLB(mesh: MeshArrays): Uint8Array<ArrayBuffer> {

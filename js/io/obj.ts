@@ -5,6 +5,8 @@ import { checkMesh } from "./mesh-file.js";
 import type { MeshArrays } from "./mesh-file.js";
 
 /**
+ * See `Mesh.toOBJ`.
+ *
  * @internal
  */
 export function meshToOBJ(mesh: MeshArrays, options?: { quads?: boolean }): string {

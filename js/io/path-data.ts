@@ -58,6 +58,8 @@ export function readPathData(segments: ArrayLike<PathSegment>, tolerance: number
 const COMMANDS = ["", "L", "Q", "C"];
 
 /**
+ * See `Path.toPathData`.
+ *
  * @internal
  */
 export function pathDataOf(packed: Float64Array, options: { tolerance?: number } | undefined): PathSegment[] {
@@ -75,6 +77,8 @@ export function pathDataOf(packed: Float64Array, options: { tolerance?: number }
 }
 
 /**
+ * See `Path.toCSS`.
+ *
  * @internal
  */
 export function cssOf(packed: Float64Array, options: CssOptions | undefined): string {

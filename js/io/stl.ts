@@ -7,6 +7,8 @@ const STL_HEADER_BYTES = 80;
 const STL_TRIANGLE_BYTES = 50;
 
 /**
+ * See `Mesh.toSTL`.
+ *
  * @internal
  */
 export function meshToSTL(mesh: MeshArrays): Uint8Array<ArrayBuffer> {

@@ -17,7 +17,11 @@ const LISTING_ROW = 16;
 const MAX_INDEX = 0xffffffff;
 
 /** The state of the parser. */
-/** @internal */
+/**
+ * A text that is being read, and what has been read of it.
+ *
+ * @internal
+ */
 export type Parser = { reader: Reader; vertices: number[]; indices: number[]; degrees: number[] };
 
 /**
@@ -178,6 +182,8 @@ function vertexRange(first: number, count: number): string {
 }
 
 /**
+ * See `Surface.toText`.
+ *
  * @internal
  */
 export function surfaceText({ vertices, degrees, indices }: Network): string {

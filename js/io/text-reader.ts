@@ -186,6 +186,8 @@ export const numberOf = (word: string): number | undefined => (NUMBER.test(word)
 export const wholeOf = (word: string): number | undefined => (WHOLE.test(word) ? Number(word) : undefined);
 
 /**
+ * The error for a text that cannot be read.
+ *
  * @internal
  */
 export function syntaxError(line: number, expected: string, got: string | number) {

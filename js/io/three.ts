@@ -12,6 +12,8 @@ export interface Three<GeometryClass extends { new (): any; prototype: any } = {
 }
 
 /**
+ * See `Mesh.toThree`.
+ *
  * @internal
  */
 export function meshToThree<GeometryClass extends { new (): any; prototype: any }>(

@@ -16,7 +16,7 @@ import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Role } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
-import type { State } from "../editor/state.js";
+import type { DrawnState } from "../editor/state.js";
 import type { LayerName } from "../editor/state.js";
 
 export { LEVELS, ROLES } from "./theme.js";
@@ -28,10 +28,10 @@ export interface Layer {
   /** What a switch says */
   title?: () => string;
   /** What is drawn, asked of the core, in the plane's numbers */
-  derive: (figure: Figure, state: State) => any;
-  draw: (context: DrawContext, data: any, figure: Figure, state: State) => void;
+  derive: (figure: Figure, state: DrawnState) => any;
+  draw: (context: DrawContext, data: any, figure: Figure, state: DrawnState) => void;
   /** What it found, in words */
-  describe?: (data: any, state: State) => string;
+  describe?: (data: any, state: DrawnState) => string;
   /** Asks much of each piece, and therefore not of all of a long chain */
   costly?: true;
 }
@@ -87,7 +87,7 @@ export function switchable(layers: readonly Layer[]) {
  */
 export function drawFigure(
   paper: Paper<Role>,
-  state: State,
+  state: DrawnState,
   figure: Figure,
   layers: readonly Layer[] = ALL_LAYERS,
 ): LayerMessage[] {
@@ -117,7 +117,7 @@ function drawLayer(
   { name = "", title, derive, draw, describe }: Layer,
   context: DrawContext,
   figure: Figure,
-  state: State,
+  state: DrawnState,
 ): LayerMessage[] {
   try {
     const data = derive(figure, state);

@@ -8,7 +8,7 @@ import { translated } from "../editor/translations.js";
 import type { Curve } from "../index.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
-import type { State } from "../editor/state.js";
+import type { DrawnState, State } from "../editor/state.js";
 
 export type Found = { t: number; point: { x: number; y: number }; distance: number };
 
@@ -18,7 +18,7 @@ export const nearest = {
 
   derive(
     { pieces, spline }: Figure,
-    { pointer }: State,
+    { pointer }: DrawnState,
   ): { pointer: readonly number[]; found: Found; pieces: number } | null {
     if (!pointer || !pieces.length) return null;
     const all = spline ? [spline.nearest(pointer)] : pieces.map(({ curve }, k) => behind(curve.nearest(pointer), k));

@@ -5,7 +5,7 @@ import { selected } from "./weights.js";
 import { translated } from "../editor/translations.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
-import type { State } from "../editor/state.js";
+import type { DrawnState, State } from "../editor/state.js";
 import type { Labels } from "../editor/state.js";
 import type { Curve } from "../index.js";
 
@@ -36,13 +36,13 @@ const HOVER_RADIUS = 14;
 export const hoveredName = {
   costly: true as const,
 
-  derive(figure: Figure, state: State): Name[] {
+  derive(figure: Figure, state: DrawnState): Name[] {
     if (!state.pointer || state.layers.has("names")) return [];
     const layers = new Set([...state.layers].filter((name) => name !== "halves"));
     return namesOf(figure, { ...state, layers });
   },
 
-  draw(context: DrawContext, data: Name[], _: Figure, { pointer }: State) {
+  draw(context: DrawContext, data: Name[], _: Figure, { pointer }: DrawnState) {
     if (!pointer) return;
     const here = context.lens.place(...pointer);
     const distances = data.map(({ at }) => {

@@ -5,7 +5,7 @@ import type { Layer } from "./index.js";
 import { LEVELS } from "./theme.js";
 import type { Theme } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
-import type { State } from "../editor/state.js";
+import type { DrawnState } from "../editor/state.js";
 
 export interface SvgWishes {
   /** Colours, by default those of a light page */
@@ -20,7 +20,7 @@ export interface SvgWishes {
 
 /** The picture as a text of SVG that needs nothing else. */
 export function svgFigure(
-  state: State,
+  state: DrawnState,
   figure: Figure,
   { theme, label = "Bézier curve", opaque = false, layers }: SvgWishes = {},
 ): string {

@@ -4,7 +4,7 @@
 const PAUSE_MS = 500;
 
 /** Announces what has changed, once nothing has changed for a while. */
-export class Speaker {
+export class Announcer {
   #live;
   #news;
   #words = "";

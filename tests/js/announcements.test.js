@@ -1,7 +1,7 @@
 // What screen readers are told: one text after the last of several changes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Speaker } from "#js/ui/announcer.js";
+import { Announcer } from "#js/ui/announcer.js";
 
 test("several changes in a row are announced once, with what else there is to say; after the end nothing is", (t) => {
   t.mock.timers.enable({ apis: ["setTimeout"] });
@@ -10,7 +10,7 @@ test("several changes in a row are announced once, with what else there is to sa
   t.after(() => delete globals.window);
   const texts = [];
   const region = Object.defineProperty({}, "textContent", { set: (text) => texts.push(text) }); // keeps every text
-  const speaker = new Speaker(/** @type {any} */ (region), () => "G1 at P3");
+  const speaker = new Announcer(/** @type {any} */ (region), () => "G1 at P3");
   for (const words of ["P1 at 199, 80", "P1 at 198, 80", "P1 at 197, 80"]) {
     speaker.say(words);
     t.mock.timers.tick(400);

@@ -20,6 +20,25 @@ test("automatic handles follow their neighbours", () => {
   assert.ok(continuityOf(figureOf(moved)).every(({ g1 }) => g1));
 });
 
+test("a move makes one spline: the figure and the next move use that of the last one", () => {
+  const state = stateWith(THREE, { joints: ["g1"] });
+  assert.equal(figureOf(state).spline, commands.chainOf(state)?.spline);
+  const moved = commands.withPointAt(state, 4, [390, 380]);
+  assert.equal(figureOf(moved).spline, commands.chainOf(moved)?.spline);
+  assert.notEqual(figureOf(moved).spline, figureOf(state).spline);
+  for (const degree of [1, 2, 9]) {
+    const other = figureOf({ ...moved, degree });
+    assert.deepEqual(
+      other.pieces.map(({ curve }) => curve.degree),
+      Array(Math.floor(9 / degree)).fill(degree),
+    );
+    assert.deepEqual([...other.pieces[0].curve.controlPoints().slice(0, 2)], moved.points[0]);
+  }
+  const few = { ...moved, shown: 7 };
+  assert.deepEqual([figureOf(few).pieces.length, commands.chainOf(few)?.spline.segmentCount], [2, 3]);
+  assert.deepEqual([figureOf(few).pieces.length, commands.modesOf(few)], [2, ["g1"]]);
+});
+
 test("one joint can be held and another be free", () => {
   const state = commands.withJoint(stateWith(THREE), 2, "c1");
   assert.deepEqual(state.joints, ["free", "c1"]);

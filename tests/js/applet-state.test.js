@@ -126,14 +126,14 @@ test("joints broken by hand are those beside the point", () => {
 
 test("undo and redo: a gesture is one step, what passes is none, a new step ends what could be done again", () => {
   /** @type {History<any>} */
-  const history = new History(["view", "pointer", "segment"], ["view", "pointer"]);
+  const history = new History(["view", "segment"], ["view"]);
   const states = Array.from({ length: 5 }, (_, i) => ({ ...firstState(), t: i / 10 }));
   history.touch(states[0]);
   history.touch(states[1]);
   assert.ok(history.close(states[2]));
   assert.equal(history.close(states[2]), false);
   history.touch(states[2]);
-  history.close({ ...states[2], pointer: [1, 1], segment: 1, view: { x: 0, y: 0, width: 1, height: 1 } });
+  history.close({ ...states[2], segment: 1, view: { x: 0, y: 0, width: 1, height: 1 } });
   const looking = { ...states[2], view: { x: 5, y: 5, width: 67, height: 48 } };
   const back = history.undo(looking);
   assert.deepEqual([back.t, back.view.x, history.canUndo], [0, 5, false], "where one looks stays");

@@ -1,7 +1,7 @@
 // Weights in <bezier-applet>: attributes and JSON, the rational curves and their layers, the code, and what changes a weight.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { AppletActions } from "#js/elements/applet/actions.js";
+import { AppletController } from "#js/elements/applet/controller.js";
 import { BezierApplet } from "#js/elements/applet/element.js";
 import * as rational from "#js/elements/applet/rational.js";
 import { appended, inserted, randomized, removed, withPointAt } from "#js/editor/commands.js";
@@ -42,7 +42,7 @@ const CHAIN = {
 
 test("attributes: as many weights as points, above 0 and up to 1000; removed, the curve has no weights", () => {
   const applet = elementOf(BezierApplet, { points: "0,0 10,20 30,0", degree: "2", weights: "1, 0.7 1" });
-  assert.deepEqual([applet.weights, applet.problems], [[1, 0.7, 1], []]);
+  assert.deepEqual([applet.weights, applet.model.problems], [[1, 0.7, 1], []]);
   for (const [given, message] of [
     ["1 2", "weights: expected 3 numbers, got 2"],
     ["1 0 1", "weights[1]: expected a number from 0.001 to 1000, got 0"],
@@ -50,14 +50,14 @@ test("attributes: as many weights as points, above 0 and up to 1000; removed, th
     ["1 x 1", 'weights[1]: expected a number from 0.001 to 1000, got "x"'],
   ]) {
     applet.setAttribute("weights", given);
-    assert.deepEqual([applet.weights, applet.problems], [[1, 0.7, 1], [message]]);
+    assert.deepEqual([applet.weights, applet.model.problems], [[1, 0.7, 1], [message]]);
   }
   applet.removeAttribute("weights");
-  assert.deepEqual([applet.weights, applet.problems, applet.state.weights], [[], [], undefined]);
+  assert.deepEqual([applet.weights, applet.model.problems, applet.state.weights], [[], [], undefined]);
   applet.weights = [1, 5, 1];
   assert.deepEqual([applet.weights, applet.getAttribute("weights")], [[1, 5, 1], "1 5 1"]);
   applet.steer({ weights: [] });
-  applet.reflectState();
+  applet.model.attributes.hostUpdated();
   assert.equal(applet.getAttribute("weights"), null);
 });
 
@@ -197,7 +197,7 @@ test("the program for a rational curve finds the point that is shown", () => {
 test("weights by `steer` are a step of undo; readonly refuses them; split gives rational halves", () => {
   const applet = elementOf(BezierApplet);
   applet.state = QUARTER;
-  applet.rational = rational;
+  applet.model.rational = rational;
   assert.equal(applet.figure.rational.length, 1);
   const [first, second] = applet.split(0.5);
   near([first.length() / second.length()], [1], 1e-9);
@@ -214,7 +214,7 @@ test("weights by `steer` are a step of undo; readonly refuses them; split gives 
   applet.readonly = true;
   applet.steer({ weights: [1, 3, 1] });
   assert.deepEqual(applet.weights, QUARTER.weights);
-  assert.equal(new AppletActions(applet).weightWords(1), "Weight of P1: 0.7071");
+  assert.equal(new AppletController(applet).weightWords(1), "Weight of P1: 0.7071");
 });
 
 test("the description names rational curves", () => {

@@ -1,7 +1,7 @@
 // <bezier-applet> as an object, without a page: properties and attributes, methods, events, undo, actions and what is announced.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { AppletActions } from "#js/elements/applet/actions.js";
+import { AppletController } from "#js/elements/applet/controller.js";
 import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
 import * as commands from "#js/editor/commands.js";
@@ -109,11 +109,11 @@ test("a warning about a bad attribute stays until the attribute is removed, and 
     const [good, given] = [JSON.stringify(applet), applet.getAttribute(name)];
     applet.setAttribute(name, unusable);
     assert.equal(JSON.stringify(applet), good, name);
-    assert.equal(applet.problems.length, 1, name);
-    assert.match(applet.problems[0], new RegExp(`^(\\w+ of )?${name}(\\[\\d+\\])?: expected`));
+    assert.equal(applet.model.problems.length, 1, name);
+    assert.match(applet.model.problems[0], new RegExp(`^(\\w+ of )?${name}(\\[\\d+\\])?: expected`));
     if (given === null) applet.removeAttribute(name);
     else applet.setAttribute(name, given);
-    assert.deepEqual([JSON.stringify(applet), applet.problems], [good, []], name);
+    assert.deepEqual([JSON.stringify(applet), applet.model.problems], [good, []], name);
   }
 });
 
@@ -130,10 +130,10 @@ test("attributes are read in any order, reflect, and go back to the defaults whe
   assert.equal(text(points), "0,0 10,100 20,100 100,0 180,-100 300,10 310,20", "held from the start");
   for (const name of ["points", "mode", "t", "show", "joints"]) applet.removeAttribute(name);
   assert.deepEqual([text(applet.points), applet.mode, applet.t, applet.show], [FIRST, null, 0.5, "polygon"]);
-  applet.reflectState();
+  applet.model.attributes.hostUpdated();
   assert.equal(applet.attributes.length, 0, "what is as at first is not written");
   Object.assign(applet, { show: "comb tree", t: 0.25, points: CUBIC, joints: ["c2"], view: "10 20 67 48" });
-  applet.reflectState();
+  applet.model.attributes.hostUpdated();
   const names = ["show", "t", "points", "joints", "view"];
   assert.deepEqual(
     names.map((name) => applet.getAttribute(name)),
@@ -147,7 +147,7 @@ test("the state goes through JSON and back to the last bit", () => {
   a.randomize(3);
   Object.assign(a, { joints: ["c2"], t: 0.3, show: "hull comb", labels: "b0", tolerance: 3, view: "10 20 67 48" });
   b.state = JSON.parse(JSON.stringify(a));
-  for (const each of [a, b]) each.reflectState();
+  for (const each of [a, b]) each.model.attributes.hostUpdated();
   assert.deepEqual([b.state, b.figure], [a.state, a.figure]);
   const attributes = (each) => Object.keys(FIELDS).map((name) => [name, each.getAttribute(name)]);
   assert.deepEqual(attributes(b), attributes(a));
@@ -201,7 +201,7 @@ test("reset restores what the page has set before the first action of the user",
   assert.deepEqual([text(applet.points), applet.t], [CUBIC, 0.25], "before anything has changed, too");
   applet.points = FIELDS.points.parse("100,300 150,100 400,120 500,310");
   applet.steer({ index: 1, point: [149, 100] });
-  applet.editor.dispatch((state) => commands.appended(state, [600, 30]), { origin: "user" });
+  applet.model.editor.dispatch((state) => commands.appended(state, [600, 30]), { origin: "user" });
   assert.equal(applet.points.length, 7);
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], ["100,300 150,100 400,120 500,310", 0.25]);
@@ -219,22 +219,22 @@ test("split shows the halves and returns them", () => {
 /** The actions of the user on an element, and what they announce. */
 function actions(attributes = {}) {
   const { applet, events } = element(attributes);
-  const acting = new AppletActions(applet);
+  const acting = new AppletController(applet);
   const said = [];
-  acting.speaker = /** @type {any} */ ({ say: (words) => said.push(words) });
+  acting.announcer = /** @type {any} */ ({ say: (words) => said.push(words) });
   return { applet, events, acting, said };
 }
 
 test("Enter at a joint goes through its modes, by turns, and nowhere else", () => {
   const { applet, acting, said } = actions({ joints: "free c1", points: `${FIRST} 610,60 500,30 400,40` });
   for (const mode of [...MODES.slice(1), MODES[0]]) {
-    assert.ok(acting.cycle(3));
+    assert.ok(acting.cycleJoint(3));
     assert.deepEqual(applet.joints, [mode, "c1"]);
   }
   assert.deepEqual(said.slice(0, 2), ["P3 held: G1", "P3 held: C1"]);
-  for (const index of [0, 4, 9]) assert.equal(acting.cycle(index), false, `P${index} is no joint`);
+  for (const index of [0, 4, 9]) assert.equal(acting.cycleJoint(index), false, `P${index} is no joint`);
   applet.readonly = true;
-  assert.equal(acting.cycle(3), false);
+  assert.equal(acting.cycleJoint(3), false);
 });
 
 test("each action is announced and is one undo step; a refusal is announced and changes nothing", () => {
@@ -242,10 +242,10 @@ test("each action is announced and is one undo step; a refusal is announced and 
     [(acting) => acting.run("append"), "Point added", 10],
     [(acting) => acting.run("insert"), "Split at t", 10],
     [(acting) => acting.run("randomize"), "Points randomized", 7],
-    [(acting) => acting.removeAt(6), "P6 removed", 4],
-    [(acting) => acting.removeAt(1, true), "P1 removed", 6],
-    [(acting) => acting.take("1,2 3,4"), "Opened", 2],
-    [(acting) => acting.hold(1, "c1"), "P3 held: C1", 7],
+    [(acting) => acting.remove(6), "P6 removed", 4],
+    [(acting) => acting.remove(1, true), "P1 removed", 6],
+    [(acting) => acting.open("1,2 3,4"), "Opened", 2],
+    [(acting) => acting.holdJoint(1, "c1"), "P3 held: C1", 7],
   ])) {
     const { applet, events, acting, said } = actions();
     act(acting);
@@ -257,20 +257,20 @@ test("each action is announced and is one undo step; a refusal is announced and 
     assert.deepEqual([said.at(-1), applet.points.length], ["Done again", count]);
   }
   const { applet, acting, said } = actions({ points: CUBIC });
-  acting.removeAt(0);
-  assert.match(applet.message, /^remove: .*only segment/);
+  acting.remove(0);
+  assert.match(applet.model.message, /^remove: .*only segment/);
   applet.setAttribute("basis", "b-spline");
   acting.run("insert");
-  assert.match(applet.message, /^insert: expected the basis bezier or hermite/);
+  assert.match(applet.model.message, /^insert: expected the basis bezier or hermite/);
   assert.deepEqual([text(applet.points), said], [CUBIC, ["", ""]]);
-  acting.take("no figure");
-  assert.match(applet.message, /^This is no figure: points\[0\]: expected numbers, got "no"$/);
+  acting.open("no figure");
+  assert.match(applet.model.message, /^This is no figure: points\[0\]: expected numbers, got "no"$/);
 });
 
 test("the same refusal is announced again", () => {
   const { acting } = actions({ points: CUBIC });
   acting.announced = ["the message", "At P3: C0"];
-  acting.removeAt(0);
+  acting.remove(0);
   assert.deepEqual(acting.announced, ["At P3: C0"]);
 });
 

@@ -8,6 +8,7 @@ import {
   centre,
   drag,
   FIRST,
+  fired,
   handle,
   ink,
   message,
@@ -161,6 +162,37 @@ test("zoom: buttons, Ctrl and the wheel about the pointer, dragging what is seen
     await settled(page);
     assert.ok((await ink(page, [335, 240], 3)) > 10, `the curve runs through the middle at ${closeness}`);
   }
+});
+
+test("controls and picture follow a change together, in the next frame", async (t) => {
+  const page = await openApplet(t, "controls");
+  const [first, soon, later] = await page.evaluate(async () => {
+    const root = a.shadowRoot;
+    const shown = () => [root.querySelector("[name=t]").value, root.querySelector("canvas").toDataURL()];
+    const first = shown();
+    a.t = 0.9;
+    for (let i = 0; i < 10; i++) await null;
+    const soon = shown();
+    await a.updateComplete;
+    return [first, soon, shown()];
+  });
+  assert.deepEqual(soon, first);
+  assert.deepEqual([later[0], later[1] === first[1]], ["0.9", false]);
+});
+
+test("pointing at a place is drawn and changes nothing else", async (t) => {
+  const page = await openApplet(t, 'controls show="nearest"');
+  const picture = () => page.evaluate(() => a.shadowRoot.querySelector("canvas").toDataURL());
+  const box = await boxOf(page.locator("bezier-applet .overlay"));
+  const [empty, state] = [await picture(), await ask(page, () => JSON.stringify(a))];
+  await page.mouse.move(box.x + 300, box.y + 60);
+  await settled(page);
+  assert.notEqual(await picture(), empty);
+  assert.match((await page.locator("bezier-applet .messages").textContent()) ?? "", /Nearest/);
+  assert.deepEqual([await fired(page), await ask(page, () => JSON.stringify(a))], [[], state]);
+  await page.mouse.move(box.x + 300, box.y + box.height + 200);
+  await settled(page);
+  assert.equal(await picture(), empty);
 });
 
 test("a pointer that is released outside of the picture is let go", async (t) => {

@@ -1,94 +1,54 @@
-// The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
-import { followTranslations } from "../follow-translations.js";
-import { LitElement } from "lit";
-import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
+// The attributes of `<bezier-applet>` that are parts of the state: any text is read, and what has changed otherwise is written.
 import { withJoints } from "../../editor/commands.js";
 import { FIELDS, VIEW } from "../../editor/schema.js";
-import { Editor } from "../../editor/editor.js";
 import { firstState } from "../../editor/state.js";
+import type { LitElement, ReactiveController } from "lit";
+import type { Editor } from "../../editor/editor.js";
 import type { State } from "../../editor/state.js";
 
-/** Defaults are not reflected. */
-const text = (first: string) => ({
-  converter: {
-    fromAttribute: (value: string | null) => value ?? first,
-    toAttribute: (value: unknown) => (value === first ? null : String(value)),
-  },
-  reflect: true,
-});
 /** Keeps the state and the attributes the same. */
-export class AppletAttributes extends LitElement {
-  declare controls: string | boolean | null;
-  declare readonly: boolean;
-  declare hotkeys: string;
-  declare theme: string;
-  declare label: string;
-
-  static properties = {
-    controls: CONTROLS,
-    readonly: { type: Boolean, reflect: true },
-    hotkeys: text("on"),
-    theme: text("auto"),
-    label: text(""),
-  };
-
-  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: import("lit").PropertyDeclaration) {
-    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
-    return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
-  }
-
-  static get observedAttributes() {
-    // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on
-    return [...super.observedAttributes, ...Object.keys(FIELDS)];
-  }
-
-  #editor = new Editor<State>(firstState(), ["view", "pointer", "segment"], ["view", "pointer"]);
+export class AppletAttributes implements ReactiveController {
+  #host: LitElement;
+  #editor: Editor<State>;
   /** Attributes that have been written from outside and not yet been read. */
   #unread: Set<string> = new Set();
   /** What is wrong with the attributes; each is also said in the console, once. */
   #problems: Map<string, string> = new Map();
   /** What the attributes say, or what the state said when they were read. */
-  #known: Map<string, string> = new Map(
-    Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#editor.state)]),
-  );
-  #writing = false;
+  #known: Map<string, string>;
+  #isWriting = false;
 
-  constructor() {
-    super();
-    // The layers and joints are described anew for a new state.
-    followTranslations(this, () => this.editor.show({ ...this.editor.state }));
-    this.controls = null;
-    this.readonly = false;
-    this.hotkeys = "on";
-    this.theme = "auto";
-    this.label = "";
+  constructor(host: LitElement, editor: Editor<State>) {
+    this.#host = host;
+    this.#editor = editor;
+    this.#known = new Map(Object.entries(FIELDS).map(([name, { write }]) => [name, write(editor.state)]));
+    host.addController(this);
   }
 
-  /** @internal The editor, in whose state all attributes have been read. */
-  get editor(): Editor<State> {
-    if (this.#unread.size) this.#read();
-    return this.#editor;
-  }
-
-  /** @internal What is wrong with the attributes. */
+  /** What is wrong with the attributes. */
   get problems() {
     return [...this.#problems.values()];
   }
 
-  attributeChangedCallback(name: string, before: string | null, value: string | null) {
-    if (!Object.hasOwn(FIELDS, name)) return super.attributeChangedCallback(name, before, value);
-    if (this.#writing) return;
+  /** An attribute has changed. It is read later, because its meaning may depend on attributes that come after it. */
+  changed(name: string) {
+    if (this.#isWriting) return;
     this.#unread.add(name);
-    this.requestUpdate();
+    this.#host.requestUpdate();
   }
 
-  willUpdate(changed: import("lit").PropertyValues) {
-    super.willUpdate(changed);
-    if (this.#unread.size) this.#read();
+  hostUpdate() {
+    this.read();
   }
 
-  /** The last good value of an attribute stays where a new one is invalid. */
-  #read() {
+  /** While the user is doing something, the attributes stay as they are. */
+  hostUpdated() {
+    if (!this.#editor.isOpen) this.#write();
+  }
+
+  /** Reads what has been written. The last good value of an attribute stays where a new one is invalid. */
+  read() {
+    if (!this.#unread.size) return;
     const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
     this.#unread.clear();
     let { state } = this.#editor;
@@ -96,11 +56,11 @@ export class AppletAttributes extends LitElement {
       const before = this.#problems.get(name);
       this.#problems.delete(name);
       try {
-        state = readAttribute(state, name, this.getAttribute(name));
+        state = readAttribute(state, name, this.#host.getAttribute(name));
       } catch (error) {
         const problem = error instanceof Error ? error.message : String(error);
         this.#problems.set(name, problem);
-        if (problem !== before) console.warn(`<${this.localName}> ${problem}`);
+        if (problem !== before) console.warn(`<${this.#host.localName}> ${problem}`);
       }
     }
     if (names.includes("joints")) state = withJoints(state, state.joints);
@@ -108,19 +68,19 @@ export class AppletAttributes extends LitElement {
     this.#editor.show(state);
   }
 
-  /** @internal What has changed otherwise than by an attribute is written into it. */
-  reflectState() {
-    const { state } = this.editor;
-    this.#writing = true;
+  /** What has changed otherwise than by an attribute is written into it. */
+  #write() {
+    const { state } = this.#editor;
+    this.#isWriting = true;
     for (const [name, { write }] of Object.entries(FIELDS)) {
       const value = write(state);
       if (value === this.#known.get(name)) continue;
       this.#known.set(name, value);
       this.#problems.delete(name);
-      if ((name === "mode" || name === "weights") && value === "") this.removeAttribute(name);
-      else this.setAttribute(name, value);
+      if ((name === "mode" || name === "weights") && value === "") this.#host.removeAttribute(name);
+      else this.#host.setAttribute(name, value);
     }
-    this.#writing = false;
+    this.#isWriting = false;
   }
 }
 
@@ -137,18 +97,31 @@ function attributeText(value: unknown): string {
   return VIEW.map((name) => (value as Record<string, unknown>)[name]).join(" ");
 }
 
-for (const name of Object.keys(FIELDS)) {
-  if (["points", "joints", "t"].includes(name)) continue; // these are data, see element.js
-  Object.defineProperty(AppletAttributes.prototype, name, {
-    configurable: true,
-    enumerable: true,
-    get(this: any) {
-      const { get, write } = FIELDS[name];
-      return name === "show" ? write(this.editor.state) : get(this.editor.state);
-    },
-    set(this: HTMLElement, value: unknown) {
-      if (value === null || value === undefined) this.removeAttribute(name);
-      else this.setAttribute(name, attributeText(value));
-    },
-  });
+/** The attributes whose properties have values of their own: lists, and t. */
+const DATA = ["points", "joints", "t"];
+
+/**
+ * Defines a property for each other attribute: it is written as an attribute is, and read from the state.
+ *
+ * @param stateOf the state of an element
+ */
+export function defineProperties<Element extends HTMLElement>(
+  prototype: Element,
+  stateOf: (element: Element) => State,
+) {
+  for (const name of Object.keys(FIELDS)) {
+    if (DATA.includes(name)) continue;
+    Object.defineProperty(prototype, name, {
+      configurable: true,
+      enumerable: true,
+      get(this: Element) {
+        const { get, write } = FIELDS[name];
+        return name === "show" ? write(stateOf(this)) : get(stateOf(this));
+      },
+      set(this: Element, value: unknown) {
+        if (value === null || value === undefined) this.removeAttribute(name);
+        else this.setAttribute(name, attributeText(value));
+      },
+    });
+  }
 }

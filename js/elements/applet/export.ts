@@ -1,13 +1,17 @@
 // The figure as a picture.
 import { drawFigure } from "../../layers/index.js";
 import type { Layer } from "../../layers/index.js";
-import type { State } from "../../editor/state.js";
+import type { Theme } from "../../layers/theme.js";
+import type { DrawnState } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
 
-export type Theme = Record<import("../../layers/theme.js").Role, string>;
-
 /** The picture as PNG, as sharp as the page shows it. */
-export function blobOf(state: State, figure: Figure, theme: Theme, layers: readonly Layer[]): Promise<Blob | null> {
+export function blobOf(
+  state: DrawnState,
+  figure: Figure,
+  theme: Theme,
+  layers: readonly Layer[],
+): Promise<Blob | null> {
   const scale = Math.max(1, devicePixelRatio);
   const canvas = Object.assign(document.createElement("canvas"), {
     width: state.box.width * scale,
@@ -16,7 +20,7 @@ export function blobOf(state: State, figure: Figure, theme: Theme, layers: reado
   const ctx = canvas.getContext("2d") as CanvasRenderingContext2D;
   ctx.scale(scale, scale);
   drawFigure({ ctx, theme, px: 1 }, state, figure, layers);
-  ctx.globalCompositeOperation = "destination-over"; // the paper lies below
+  ctx.globalCompositeOperation = "destination-over"; // the background lies below
   ctx.fillStyle = theme.paper;
   ctx.fillRect(0, 0, state.box.width, state.box.height);
   return new Promise((done) => canvas.toBlob(done));

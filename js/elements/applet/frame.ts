@@ -2,6 +2,8 @@ import { html, nothing } from "lit";
 import { panel } from "./panel.js";
 import { keys } from "./tools.js";
 import { instructions } from "../../editor/descriptions.js";
+import { isHome, weightsOf } from "../../editor/state.js";
+import type { AppletController } from "./controller.js";
 
 /**
  * Everything in the shadow root.
@@ -22,41 +24,25 @@ import { instructions } from "../../editor/descriptions.js";
  * @fires input - during a change by the user
  * @fires change - at the end of a change by the user
  * @fires update - after every change, by the user or the page; does not bubble
- * @param parts.name what the picture is called
- * @param parts.message an error message
- * @param parts.good whether the message is good news
- * @param parts.cursor how the picture can be used
- * @param parts.weights whether there are weights
- * @param parts.panel null: none
  */
-export function frame({
-  name,
-  message,
-  good,
-  cursor,
-  weights,
-  panel: port,
-}: {
-  name: string;
-  message: string;
-  good: boolean;
-  cursor: string;
-  weights: boolean;
-  panel: import("./panel.js").PanelPort | null;
-}) {
+export function frame(controller: AppletController) {
+  const { model, message, hasControls, isTapping } = controller;
+  const cursor = isTapping ? "place" : isHome(model.state) ? "" : "grab";
+  const isGood = model.isSuccess && !model.problems.length;
   return html`<slot name="label"></slot>
     <div class="frame" part="frame" @input=${stop} @change=${stop}>
-      <div class="stage" part="stage" role="figure" aria-label=${name} aria-describedby="description">
+      <div class="stage" part="stage" role="figure" aria-label=${model.name} aria-describedby="description">
         ${picture(cursor)}
       </div>
-      <p class=${good ? "message good" : "message"} part="message" ?hidden=${!message}>${message}</p>
-      ${port ? panel(port) : nothing} ${keys(weights)}
+      <p class=${isGood ? "message good" : "message"} part="message" ?hidden=${!message}>${message}</p>
+      ${hasControls ? panel(controller) : nothing} ${keys(weightsOf(model.state) !== null)}
       <p class="away" role="status"></p>
       <span class="probe" hidden></span>
     </div>
     <slot name="caption"></slot>`;
 }
 
+/** @param cursor the class that says what a press on an empty place does */
 const picture = (cursor: string) => html`<p class="away">${instructions()}</p>
   <p class="away" id="description"></p>
   <canvas part="canvas" aria-hidden="true" width="1" height="1"></canvas>

@@ -40,7 +40,11 @@ export class Companion extends LitElement {
   #said = "";
   /** What is wrong with the attributes, each once, from one rendering to the next. */
   #wrong: Set<string> = new Set();
-  /** @internal */
+  /**
+   * What draws the element; null before it is loaded.
+   *
+   * @internal
+   */
   view: View | null = null;
 
   constructor() {
@@ -91,7 +95,11 @@ export class Companion extends LitElement {
     this.dispatchEvent(new Event(done ? "change" : "input", { bubbles: true, composed: true }));
   }
 
-  /** @internal */
+  /**
+   * Shows a message in the element; "" shows none.
+   *
+   * @internal
+   */
   say(message: string) {
     if (message === this.#said) return;
     this.#said = message;

@@ -10,7 +10,11 @@ export class BezierEasing extends FormField {
   static properties: PropertyDeclarations = { value: { attribute: false, noAccessor: true } };
   static view = new LazyView(() => import("./easing-view.js"), "EasingView");
 
-  /** @internal */
+  /**
+   * The two inner control points of the timing function: x1, y1, x2, y2.
+   *
+   * @internal
+   */
   handles: Handles = [...PRESETS.ease];
   /** Whether someone has chosen; and whether it was other than the attribute. */
   #hasValue = false;

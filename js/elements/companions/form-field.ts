@@ -38,7 +38,11 @@ export class FormField extends Companion {
 
   /** Before, the attributes are those of the page. */
   #isMade = false;
-  /** @internal */
+  /**
+   * The form in which the element is a field, and its validity.
+   *
+   * @internal
+   */
   internals = this.attachInternals();
   /** Whether a fieldset or the element itself is switched off. */
   #off = false;

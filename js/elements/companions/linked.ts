@@ -58,7 +58,11 @@ export class Linked extends Companion {
     if (this.isConnected && this.near) this.#look(this.htmlFor ?? "");
   }
 
-  /** @internal */
+  /**
+   * What is wrong with the link, in words.
+   *
+   * @internal
+   */
   problems() {
     return [this.#broken];
   }

@@ -20,7 +20,7 @@ export class Pointed extends Linked {
 
   constructor() {
     super();
-    /** @internal */
+    /** @internal As it was given, good or not. */
     this.given = null;
   }
 

@@ -3,13 +3,27 @@ import { LitElement } from "lit";
 import { acceptAttributeText, CONTROLS } from "../attribute-text.js";
 import { followTranslations } from "../follow-translations.js";
 import { Memo } from "./memo.js";
-import { SettingsReader } from "./settings.js";
-import type { PropertyDeclaration } from "lit";
-import type { Settings } from "./settings.js";
+import { OPTIONS, SettingsReader } from "./settings.js";
+import type { PropertyDeclaration, PropertyDeclarations } from "lit";
+import type { Attributes, Settings } from "./settings.js";
 
-const text = { type: String, reflect: true };
-const number = { type: Number, reflect: true };
-const flag = { type: Boolean, reflect: true };
+const reflected = (type: unknown) => ({ type, reflect: true });
+
+/** For each property: its declaration, and its value without the attribute. The last five do not change the scene. */
+const PROPERTIES: Record<string, { declaration: unknown; value: unknown }> = {
+  ...Object.fromEntries(
+    Object.entries(OPTIONS).map(([name, { type, property }]) => [
+      name,
+      { declaration: reflected(type), value: property },
+    ]),
+  ),
+  label: { declaration: reflected(String), value: "" },
+  theme: { declaration: { ...reflected(String), useDefault: true }, value: "auto" },
+  patch: { declaration: reflected(Number), value: null },
+  controls: { declaration: CONTROLS, value: null },
+  turn: { declaration: reflected(Boolean), value: false },
+};
+const SETTINGS = Object.keys(OPTIONS) as (keyof Attributes)[];
 
 /** All that can be written as an attribute; what it means is documented in ../types.js. */
 export class SurfaceAttributes extends LitElement {
@@ -36,30 +50,9 @@ export class SurfaceAttributes extends LitElement {
   declare swept: boolean;
   declare probe: string | null;
 
-  static properties = {
-    model: text,
-    parts: text,
-    height: text,
-    up: text,
-    shading: text,
-    show: text,
-    evaluation: text,
-    label: text,
-    theme: { ...text, useDefault: true },
-    probe: text,
-    segments: number,
-    tolerance: number,
-    pixels: number,
-    flatness: number,
-    lines: number,
-    u: number,
-    v: number,
-    step: number,
-    patch: number,
-    controls: CONTROLS,
-    turn: flag,
-    swept: flag,
-  };
+  static properties: PropertyDeclarations = Object.fromEntries(
+    Object.entries(PROPERTIES).map(([name, { declaration }]) => [name, declaration as PropertyDeclaration]),
+  );
 
   static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: PropertyDeclaration) {
     // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
@@ -72,28 +65,7 @@ export class SurfaceAttributes extends LitElement {
   constructor() {
     super();
     followTranslations(this);
-    this.model = "teapot";
-    this.parts = null;
-    this.height = "squashed";
-    this.up = "z";
-    this.shading = "smooth";
-    this.show = "surface";
-    this.evaluation = "cpu";
-    this.label = "";
-    this.theme = "auto";
-    this.segments = 12;
-    this.tolerance = null;
-    this.pixels = null;
-    this.flatness = null;
-    this.lines = 4;
-    this.u = 0.5;
-    this.v = 0.5;
-    this.step = 4;
-    this.patch = null;
-    this.controls = null;
-    this.turn = false;
-    this.swept = false;
-    this.probe = null;
+    for (const [name, { value }] of Object.entries(PROPERTIES)) Object.assign(this, { [name]: value });
   }
 
   /**
@@ -102,44 +74,7 @@ export class SurfaceAttributes extends LitElement {
    * @protected
    */
   settings(): Settings {
-    const {
-      model,
-      parts,
-      height,
-      up,
-      segments,
-      tolerance,
-      pixels,
-      flatness,
-      lines,
-      shading,
-      show,
-      evaluation,
-      u,
-      v,
-      step,
-      swept,
-      probe,
-    } = this;
-    const given = {
-      model,
-      parts,
-      height,
-      up,
-      segments,
-      tolerance,
-      pixels,
-      flatness,
-      lines,
-      shading,
-      show,
-      evaluation,
-      u,
-      v,
-      step,
-      swept,
-      probe,
-    };
+    const given = Object.fromEntries(SETTINGS.map((name) => [name, this[name]])) as Attributes;
     return this.#memo.get("settings", Object.values(given), () => this.#reader.read(given));
   }
 }

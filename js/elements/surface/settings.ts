@@ -67,17 +67,24 @@ interface Checked extends Omit<Settings, "detail" | "layers" | "shading"> {
 }
 export type Attributes = Record<keyof Checked, unknown>;
 
-/** One attribute: the value without it, and its check, which returns undefined for what is invalid. */
+/** One attribute and its property. */
 interface Option<T> {
+  /** Of which the property is, as Lit has it */
+  type: unknown;
+  /** The value of the property without the attribute */
+  property: unknown;
+  /** What it means */
   initial: T;
+  /** Undefined for what is invalid */
   read: (value: unknown) => T | undefined;
   /** What is valid, for messages */
   expected: string;
 }
 
-const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
+/** All attributes that change the scene. */
+export const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   model: word(MODELS),
-  parts: words(PARTS, PARTS),
+  parts: words(PARTS, PARTS, null),
   height: word(HEIGHTS),
   up: word(AXES),
   segments: whole(1, MAX_SEGMENTS, 12),
@@ -86,13 +93,13 @@ const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   flatness: positive(),
   lines: whole(1, MAX_LINES, 4),
   shading: word([...SHADINGS, "curvature"]),
-  show: words(LAYERS, ["surface"]),
+  show: words(LAYERS, ["surface"], "surface"),
   evaluation: word(EVALUATIONS),
   u: number(0, 1, 0.5),
   v: number(0, 1, 0.5),
   step: whole(1, STEPS, STEPS),
-  swept: { initial: false, read: Boolean, expected: "true or false" },
-  probe: { initial: null, read: pointOf, expected: "three numbers" },
+  swept: { type: Boolean, property: false, initial: false, read: Boolean, expected: "true or false" },
+  probe: { type: String, property: null, initial: null, read: pointOf, expected: "three numbers" },
 };
 
 /** Checks the attributes of one element and keeps the last valid value of each. */
@@ -143,6 +150,8 @@ export function settingsOf(given: Attributes): Settings {
  */
 function word<Word extends string>(known: readonly Word[]): Option<Word> {
   return {
+    type: String,
+    property: known[0],
     initial: known[0],
     read: (value) => known.find((each) => each === value),
     expected: known.join(", "),
@@ -150,8 +159,14 @@ function word<Word extends string>(known: readonly Word[]): Option<Word> {
 }
 
 /** A list of words, separated by spaces. */
-function words<Word extends string>(known: readonly Word[], initial: readonly Word[]): Option<Set<Word>> {
+function words<Word extends string>(
+  known: readonly Word[],
+  initial: readonly Word[],
+  property: string | null,
+): Option<Set<Word>> {
   return {
+    type: String,
+    property,
     initial: new Set(initial),
     read: (value) => {
       const given = String(value).split(/\s+/).filter(Boolean);
@@ -164,6 +179,8 @@ function words<Word extends string>(known: readonly Word[], initial: readonly Wo
 
 function number<T extends number | null>(min: number, max: number, initial: T): Option<T | number> {
   return {
+    type: Number,
+    property: initial,
     initial,
     read: (value) => {
       const given = value === "" ? NaN : Number(value);

@@ -168,6 +168,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * Reads a point from the arena.
+   *
    * @internal
    */
   _readPoint(): Point<D> {
@@ -175,6 +177,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * Throws a TypeError in 3D.
+   *
    * @internal
    */
   _require2D(method: string) {
@@ -529,6 +533,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * The box of the curve, or of its control points.
+   *
    * @internal
    */
   _box(exact: boolean): Bounds<D> {
@@ -555,6 +561,8 @@ function show() {
 // _Curve).
 
 /**
+ * A curve whose points are checked already.
+ *
  * @internal
  */
 export function coreCurveOf(points: CheckedPoints): CoreCurve {

@@ -301,6 +301,8 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   }
 
   /**
+   * A curve of the full class.
+   *
    * @internal
    */
   override _curveOf(flat: Float64Array): this {
@@ -319,6 +321,8 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
 // _Curve).
 
 /**
+ * A curve whose points are checked already.
+ *
  * @internal
  */
 export function curveOf(points: CheckedPoints): Curve {

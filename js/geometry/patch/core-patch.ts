@@ -184,6 +184,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   }
 
   /**
+   * The data, see `Branded`.
+   *
    * @internal
    */
   casteljauData(): PatchData {
@@ -444,6 +446,8 @@ function corePatchWith(net: NetLike, options: { degreeU?: number; degreeV?: numb
 }
 
 /**
+ * A patch whose net is checked already.
+ *
  * @internal
  */
 export function corePatchOf(flat: Float64Array, degreeU: number, degreeV: number): CorePatch {

@@ -37,6 +37,8 @@ export class Patch extends CorePatch<Curve<3>> {
   }
 
   /**
+   * A curve of the full class.
+   *
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<3> {
@@ -44,6 +46,8 @@ export class Patch extends CorePatch<Curve<3>> {
   }
 
   /**
+   * A patch of the full class.
+   *
    * @internal
    */
   override _patchOf(flat: Float64Array, degreeU: number, degreeV: number): this {
@@ -58,6 +62,8 @@ function patchWith(net: NetLike, options: { degreeU?: number; degreeV?: number }
 }
 
 /**
+ * A patch whose net is checked already.
+ *
  * @internal
  */
 export function patchOf(flat: Float64Array, degreeU: number, degreeV: number): Patch {

@@ -612,6 +612,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   }
 
   /**
+   * The box of the path, or of its control points; null for an empty path.
+   *
    * @internal
    */
   _box(exact: boolean) {
@@ -785,6 +787,8 @@ export class CheckedPath {
 }
 
 /**
+ * The coordinates of a 2D point.
+ *
  * @internal
  */
 export function coordinatesOf(point: PointLike): Float64Array {

@@ -112,6 +112,8 @@ export function removeOverlaps(path: Float64Array, options?: RegionOptions): Flo
 }
 
 /**
+ * See `Path.faces`.
+ *
  * @internal
  */
 export function faces(paths: unknown, options?: RegionOptions): { packed: Float64Array; inside: boolean[] }[] {

@@ -13,6 +13,8 @@ interface Subpath {
 export type PathExtrema = { x: PathTime[]; y: PathTime[] };
 
 /**
+ * See `Path.extrema`.
+ *
  * @internal
  */
 export function extremaOfPath(subpaths: readonly Subpath[]): PathExtrema {
@@ -23,6 +25,8 @@ export function extremaOfPath(subpaths: readonly Subpath[]): PathExtrema {
 }
 
 /**
+ * See `Path.timesAtCoordinate`.
+ *
  * @internal
  */
 export function timesAtCoordinateOfPath(

@@ -33,6 +33,8 @@ export class PathIndex {
   #boxes;
 
   /**
+   * `Path.index` calls it.
+   *
    * @internal
    */
   constructor(paths: readonly IndexedPath[]) {

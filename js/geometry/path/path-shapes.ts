@@ -28,6 +28,8 @@ export interface RectOptions {
 }
 
 /**
+ * See `Path.circle`.
+ *
  * @internal
  */
 export function circle(center: PointLike, radius: number, options: ArcOptions | undefined): Float64Array {
@@ -36,6 +38,8 @@ export function circle(center: PointLike, radius: number, options: ArcOptions | 
 }
 
 /**
+ * See `Path.ellipse`.
+ *
  * @internal
  */
 export function ellipse(
@@ -65,6 +69,8 @@ export function ellipse(
 }
 
 /**
+ * See `Path.arc`.
+ *
  * @internal
  */
 export function circularArc(
@@ -100,6 +106,8 @@ export function circularArc(
 const ANGLE_ROUNDING = 1e-12;
 
 /**
+ * See `Path.rect`.
+ *
  * @internal
  */
 export function rect(corner: PointLike, width: number, height: number, options: RectOptions | undefined): Float64Array {
@@ -140,6 +148,8 @@ function fittingRadii(radii: number[], width: number, height: number): number[] 
 }
 
 /**
+ * See `Path.polygon`.
+ *
  * @internal
  */
 export function polygon(points: PointsLike, options: { closed?: boolean } | undefined): Float64Array {

@@ -169,6 +169,8 @@ export function stroke(path: Float64Array, width: StrokeWidth, options?: StrokeO
 }
 
 /**
+ * See `Path.strokeContains`.
+ *
  * @internal
  */
 export function strokeContains(

@@ -466,6 +466,8 @@ export class Path extends CorePath<Spline<2>> {
   }
 
   /**
+   * A path of the full class.
+   *
    * @internal
    */
   override _pathOf(packed: Float64Array): this {
@@ -473,6 +475,8 @@ export class Path extends CorePath<Spline<2>> {
   }
 
   /**
+   * A spline of the full class.
+   *
    * @internal
    */
   override _splineOf(data: SplineData): Spline<2> {
@@ -485,6 +489,8 @@ function hasFillRule(options: RegionOptions | undefined) {
 }
 
 /**
+ * A path whose packed form is checked already.
+ *
  * @internal
  */
 export function pathOf(packed: Float64Array): Path {

@@ -218,6 +218,8 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * The data, see `Branded`.
+   *
    * @internal
    */
   casteljauData(): NurbsData {
@@ -253,6 +255,8 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * Throws a TypeError in 3D.
+   *
    * @internal
    */
   _require2D(method: string) {

@@ -154,6 +154,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * The data, see `Branded`.
+   *
    * @internal
    */
   casteljauData(): RationalData {
@@ -195,6 +197,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * Reads a point from the arena.
+   *
    * @internal
    */
   _readPoint(): Point<D> {
@@ -202,6 +206,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * Throws a TypeError in 3D.
+   *
    * @internal
    */
   _require2D(method: string) {
@@ -701,6 +707,8 @@ function show() {
 }
 
 /**
+ * A rational curve whose points and weights are checked already.
+ *
  * @internal
  */
 export function rationalCurveOf(points: CheckedPoints, weights: Float64Array): RationalCurve {

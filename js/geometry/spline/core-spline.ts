@@ -151,6 +151,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
+   * The data, see `Branded`.
+   *
    * @internal
    */
   casteljauData(): SplineData {
@@ -234,6 +236,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
+   * Reads a point from the arena.
+   *
    * @internal
    */
   _readPoint(): Point<D> {
@@ -241,6 +245,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
+   * The coordinates of a point of the dimension of the spline.
+   *
    * @internal
    */
   _coordinates(point: PointLike, name: string): Float64Array {
@@ -250,6 +256,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
+   * Throws a TypeError in 3D.
+   *
    * @internal
    */
   _require2D(method: string) {
@@ -709,6 +717,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   }
 
   /**
+   * Throws a RangeError for what is no joint of the spline.
+   *
    * @internal
    */
   _checkJoint(joint: unknown) {
@@ -746,6 +756,8 @@ function show() {
 }
 
 /**
+ * A spline whose data is checked already.
+ *
  * @internal
  */
 export function coreSplineOf(data: SplineData): CoreSpline {

@@ -308,6 +308,8 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
   }
 
   /**
+   * A curve of the full class.
+   *
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<D> {
@@ -315,6 +317,8 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
   }
 
   /**
+   * A spline of the full class.
+   *
    * @internal
    */
   override _splineOf(data: SplineData): this {
@@ -323,6 +327,8 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
 }
 
 /**
+ * A spline whose data is checked already.
+ *
  * @internal
  */
 export function splineOf(data: SplineData): Spline {

@@ -164,6 +164,8 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   }
 
   /**
+   * The data, see `Branded`.
+   *
    * @internal
    */
   casteljauData(): Network {

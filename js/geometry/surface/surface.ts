@@ -49,6 +49,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A curve of the full class.
+   *
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<3> {
@@ -56,6 +58,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A patch of the full class.
+   *
    * @internal
    */
   override _patchOf(flat: Float64Array, degreeU: number, degreeV: number): Patch {
@@ -63,6 +67,8 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
   }
 
   /**
+   * A surface of the full class.
+   *
    * @internal
    */
   override _surfaceOf(network: Network): this {
