@@ -27,11 +27,13 @@ pub mod numeric {
 pub mod curve {
     pub mod chord_rates;
     pub mod curvature;
+    pub mod rational_cubic;
     pub mod sample_plane_cubic;
 
     /// Arc length.
     pub mod arc_length {
         pub mod plane_cubic;
+        pub mod rational_cubic;
         pub mod speed;
     }
 

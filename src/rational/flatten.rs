@@ -20,7 +20,7 @@ use crate::numeric::float::ulp;
 const WORTH_HALVING: f64 = 0.9;
 
 /// A part of fewer steps is not halved: that takes longer than the vertices that it may save.
-const FEW_STEPS: f64 = 4.0;
+const FEW_STEPS: usize = 8;
 
 /// Halvings after which the bound is used as it is: a part of 2⁻⁴⁸ is a point up to rounding.
 const PART_HALVINGS: u32 = f64::MANTISSA_DIGITS - 5;
@@ -52,7 +52,8 @@ impl<P: Point> RationalCurve<P> {
                 MAX_VERTICES.saturating_add(1),
             ));
         }
-        let mut ts = vec![0.0];
+        let mut ts = Vec::with_capacity(1 + FEW_STEPS * parts.len());
+        ts.push(0.0);
         for part in parts {
             let mut k = 1.0;
             while k <= part.steps {
@@ -82,7 +83,7 @@ fn plan<P: Point>(
     halvings: u32,
     parts: &mut Vec<Steps>,
 ) {
-    if steps >= FEW_STEPS && halvings > 0 {
+    if steps >= FEW_STEPS as f64 && halvings > 0 {
         let (left, right) = part.halve();
         let [a, b] = [&left, &right].map(|part| steps_for(part, tolerance));
         if a + b < WORTH_HALVING * steps {

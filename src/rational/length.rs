@@ -10,6 +10,9 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels::bernstein::de_casteljau::keep_between;
+use casteljau_kernels::curve::arc_length::rational_cubic::{
+    rational_length_in_plane, rational_length_in_space,
+};
 use casteljau_kernels::curve::arc_length::speed::rational_speed_integral;
 use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
@@ -17,9 +20,12 @@ use glam::DVec3;
 impl<P: Point> RationalCurve<P> {
     /// The length of the curve from t = 0 to 1.
     ///
-    /// ∫ |D|/w² dt, where D/w² = B′, by Gauss–Legendre rules on intervals that are cut at the minima of the speed, as for
-    /// [`Curve::length`](crate::Curve::length): the relative error is at most 10⁻¹² for weights whose ratios are at most 2²⁰, with at
-    /// most 4096 intervals. A curve that is a point has length 0.
+    /// ∫ |D|/w² dt, where D/w² = B′, by Gauss–Legendre rules: the relative error is at most 10⁻¹² for weights whose ratios are at
+    /// most 2²⁰ (up to degree 3, 2¹⁰⁰), with at most 4096 intervals. Up to degree 3 the intervals are halved until bounds of D and w
+    /// show that a rule suffices; above, they are cut as for [`Curve::length`](crate::Curve::length). A curve that is a point
+    /// has length 0.
+    ///
+    /// Source: Trefethen, *Approximation Theory and Approximation Practice*, ch. 19.
     ///
     /// ```
     /// use casteljau::{RationalCurve, glam::DVec2};
@@ -31,8 +37,15 @@ impl<P: Point> RationalCurve<P> {
     /// ```
     #[doc(alias = "arclen")]
     pub fn length(&self) -> f64 {
-        let (table, scale) = self.length_table();
-        table.map_or(0.0, |table| table.length() / scale)
+        if self.degree() == 1 {
+            return self.start().distance(self.end());
+        }
+        let normalized = self.around_start();
+        let length = self.length_by_kernel(&normalized).or_else(|| {
+            let table = self.length_table(&normalized);
+            table.map(|table| table.length())
+        });
+        length.unwrap_or(0.0) / normalized.scale
     }
 
     /// The parameter t at a given arc length s: the inverse of the length from 0 to t.
@@ -41,8 +54,11 @@ impl<P: Point> RationalCurve<P> {
     /// a point it is 0; for NaN it is NaN. The error, as a length, is at most 10⁻¹² of the whole length.
     #[doc(alias = "inv_arclen")]
     pub fn time_at_length(&self, s: f64) -> f64 {
-        let (table, scale) = self.length_table();
-        let length = table.as_ref().map_or(0.0, |table| table.length() / scale);
+        let normalized = self.around_start();
+        let table = self.length_table(&normalized);
+        let length = table
+            .as_ref()
+            .map_or(0.0, |table| table.length() / normalized.scale);
         InverseByTable::new(table, length, 0.0).time(s)
     }
 
@@ -58,17 +74,41 @@ impl<P: Point> RationalCurve<P> {
         }
     }
 
-    /// The table of lengths, unless the curve is a point, and the scale of its unit.
-    fn length_table(&self) -> (Option<ArcLengthTable<RationalSpeed>>, f64) {
-        let normalized = Normalized::around(self.start(), &self.points);
+    /// The map to points relative to the start, of a moderate size.
+    fn around_start(&self) -> Normalized<P> {
+        Normalized::around(self.start(), &self.points)
+    }
+
+    /// The length of the image, for degrees 2 and 3 and weights whose ratio is not extreme.
+    fn length_by_kernel(&self, normalized: &Normalized<P>) -> Option<f64> {
+        let about = Self {
+            points: normalized.points(&self.points),
+            weights: self.scaled_weights(),
+        };
+        // A curve passes no point more than three times, unless it is one.
+        let [a, b, c] = [0.25, 0.5, 1.0].map(|t| about.eval(t));
+        let shortest = a.norm() + (b - a).norm() + (c - b).norm();
+        if P::DIMENSION == 2 && cfg!(feature = "fast") {
+            let cubic = about.as_cubic(MAX_RATIO, P::to_2d)?;
+            Some(rational_length_in_plane(&cubic, shortest))
+        } else {
+            let cubic = about.as_cubic(MAX_RATIO, P::to_3d)?;
+            Some(rational_length_in_space(&cubic, shortest))
+        }
+    }
+
+    /// The table of lengths of the image, unless the curve is a point.
+    fn length_table(&self, normalized: &Normalized<P>) -> Option<ArcLengthTable<RationalSpeed>> {
         let points: Points<P> = normalized.points(&self.points);
         let is_point = points.iter().all(|&p| p == P::ZERO);
-        let table = (!is_point)
+        (!is_point)
             .then(|| RationalSpeed::new(&points, self.scaled_weights()))
-            .map(|speed| ArcLengthTable::new(speed, f64::INFINITY));
-        (table, normalized.scale)
+            .map(|speed| ArcLengthTable::new(speed, f64::INFINITY))
     }
 }
+
+/// For larger ratios of the weights the squares of D in the kernel may leave the range of f64.
+const MAX_RATIO: f64 = (1_u128 << 100) as f64;
 
 /// The speed |D|/w² of a rational curve.
 struct RationalSpeed {

@@ -40,6 +40,8 @@ use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars, points_of};
+use casteljau_kernels::curve::rational_cubic::RationalCubic;
+use casteljau_kernels::numeric::vector::Euclidean;
 use weighted::{Homogeneous, WeightedPoint, are_proportional, weight_scale};
 
 /// The largest weight, 2⁵⁰⁰, and the inverse of the smallest: products of two weights stay in the range of f64.
@@ -211,6 +213,27 @@ impl<P: Point> RationalCurve<P> {
         parts
             .map(|(&p, &w)| Homogeneous::new(p - origin, w * scale))
             .collect()
+    }
+
+    /// A curve of degree 2 or 3 as a cubic with vectors of another type, unless the ratio of its weights is above a limit.
+    fn as_cubic<V: Euclidean>(
+        &self,
+        max_ratio: f64,
+        vector: impl Fn(P) -> V,
+    ) -> Option<RationalCubic<V>> {
+        let n = self.degree();
+        if n > 3 {
+            return None;
+        }
+        let [max, min] = [f64::max, f64::min].map(|f| self.weights.iter().copied().reduce(f));
+        if max? > max_ratio * min? {
+            return None;
+        }
+        let mut points = [V::default(); 4];
+        for (point, &p) in points.iter_mut().zip(&self.points) {
+            *point = vector(p);
+        }
+        RationalCubic::new(&points[..=n], &self.weights)
     }
 
     /// The largest absolute coordinate of the control points, which bounds that of the curve.

@@ -15,6 +15,9 @@ use crate::geometry::normalized::Normalized;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use crate::numeric::list::{Points, Scalars, points_of};
+use casteljau_kernels::curve::nearest::search::{
+    rational_nearest_in_plane, rational_nearest_in_space,
+};
 
 impl<P: Point> RationalCurve<P> {
     /// The point of the curve that is nearest to p: the global minimum of |B(t) − p| for t in \[0, 1\], end points included.
@@ -43,6 +46,9 @@ impl<P: Point> RationalCurve<P> {
             points: normalized.points(&self.points),
             weights: self.scaled_weights(),
         };
+        if let Some(t) = about.nearest_to_origin_by_kernel() {
+            return Ok(self.nearest_at(t, p));
+        }
         let n = self.degree();
         let curve = RationalDistance {
             homogeneous: Derivatives::of(&about.homogeneous(P::ZERO)),
@@ -50,11 +56,29 @@ impl<P: Point> RationalCurve<P> {
             binomials: Binomials::new(n, 2 * n - 2),
         };
         let (t, _) = nearest_to_origin(&curve, about);
+        Ok(self.nearest_at(t, p))
+    }
+
+    /// The point at t and its distance from p.
+    fn nearest_at(&self, t: f64, p: P) -> Nearest<P> {
         let point = self.eval(t);
         let distance = (point - p).norm();
-        Ok(Nearest { t, point, distance })
+        Nearest { t, point, distance }
+    }
+
+    /// The parameter of the point that is nearest to the origin, for degrees 2 and 3 and weights of similar sizes.
+    fn nearest_to_origin_by_kernel(&self) -> Option<f64> {
+        let size = self.max_abs();
+        if P::DIMENSION == 2 && cfg!(feature = "fast") {
+            rational_nearest_in_plane(&self.as_cubic(MAX_RATIO, P::to_2d)?, size)
+        } else {
+            rational_nearest_in_space(&self.as_cubic(MAX_RATIO, P::to_3d)?, size)
+        }
     }
 }
+
+/// For larger ratios of the weights the coefficients of A·D are not accurate enough in all parts.
+const MAX_RATIO: f64 = (1 << 20) as f64;
 
 /// The control points of a homogeneous curve and of its first two derivatives.
 pub(super) struct Derivatives<P: Point>([Points<Homogeneous<P>>; 3]);

@@ -3,6 +3,7 @@
 mod forms;
 mod golden;
 mod intersect;
+mod kernels;
 mod mesh;
 mod network;
 mod nurbs;

@@ -1,8 +1,9 @@
-//! Nearest point of a cubic.
+//! Nearest point of a cubic, or of a rational one.
 
 use crate::bernstein::de_casteljau::{halve, lerp, split_cubic_with};
 use crate::bernstein::derivatives::CubicWithDerivatives;
-use crate::numeric::vector::Euclidean;
+use crate::curve::rational_cubic::RationalCubic;
+use crate::numeric::vector::{Euclidean, Vector};
 use crate::numeric::work_limit::WorkLimit;
 use glam::{DVec2, DVec3};
 
@@ -32,86 +33,72 @@ const PLAIN_SIZES: std::ops::Range<f64> = 1e-60..1e60;
 /// quintic, whose sign changes are isolated by Descartes' rule in Bernstein form. Only those from − to + are
 /// considered.
 pub fn nearest_in_plane(points: &[DVec2; 4], to: DVec2) -> Option<f64> {
-    nearest(points, to)
+    nearest_on_cubic(points, to)
 }
 
 /// [`nearest_in_plane`] in space. (A public generic function would be compiled in the calling crate, for size.)
 pub fn nearest_in_space(points: &[DVec3; 4], to: DVec3) -> Option<f64> {
-    nearest(points, to)
+    nearest_on_cubic(points, to)
+}
+
+/// The parameter at which a rational curve is nearest to the origin, as [`nearest_in_plane`]: A·D, of degree 7, has the sign of
+/// B·B′.
+pub fn rational_nearest_in_plane(curve: &RationalCubic<DVec2>, size: f64) -> Option<f64> {
+    nearest(curve, size)
+}
+
+/// [`rational_nearest_in_plane`] in space.
+pub fn rational_nearest_in_space(curve: &RationalCubic<DVec3>, size: f64) -> Option<f64> {
+    nearest(curve, size)
 }
 
 #[inline(always)]
-fn nearest<V: Euclidean>(points: &[V; 4], to: V) -> Option<f64> {
+fn nearest_on_cubic<V: Euclidean>(points: &[V; 4], to: V) -> Option<f64> {
     let points = points.map(|p| p - to);
-    let mut best = Best::new(&points);
+    let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    nearest(&CubicWithDerivatives::new(points), size)
+}
+
+/// The parameter at which a curve is nearest to the origin; `size` is its largest coordinate.
+#[inline(always)]
+fn nearest<const N: usize>(curve: &impl Distance<N>, size: f64) -> Option<f64> {
+    let [start, end] = curve.squares_at_ends();
+    let mut best = Best::new(size, start);
     // The size is 0 if all points coincide.
     if !(PLAIN_SIZES.contains(&best.size) || best.size == 0.0) {
         return None;
     }
-    let cubic = Cubic(CubicWithDerivatives::new(points));
-    let whole = cubic.quintic();
+    let whole = curve.rate();
     // Without a negative coefficient the distance does not decrease, and the start is nearest.
     if signs(&whole) != 0 {
-        cubic.search(&whole, [0.0, 1.0], ROUGH_HALVINGS, &mut best);
+        search(curve, &whole, [0.0, 1.0], ROUGH_HALVINGS, &mut best);
     }
-    best.take(1.0, points[3].dot(points[3]));
+    best.take(1.0, end);
     Some(best.t)
 }
 
-/// The Bernstein coefficients of B·B′ on a segment. Only their signs and ratios count, so B′ may have any
-/// positive factor.
-type Quintic = [f64; 6];
-
-/// One bit for each negative coefficient. Zeros count as positive, which can add sign changes but never hide one.
-#[inline(always)]
-fn signs(b: &Quintic) -> u32 {
-    let mut bits = 0;
-    for (k, &c) in b.iter().enumerate() {
-        bits |= u32::from(c < 0.0) << k;
-    }
-    bits
+/// The squared distance of the points of a curve from the origin.
+trait Distance<const N: usize>: Sized {
+    /// The Bernstein coefficients of a polynomial with the sign of the derivative. Only their signs and ratios count.
+    fn rate(&self) -> [f64; N];
+    /// The squared distances of both ends.
+    fn squares_at_ends(&self) -> [f64; 2];
+    /// The squared distance at t, and half its derivative and half its second derivative up to a common positive factor and to
+    /// multiples of the derivative; the square of the derivative divided by the second one is in the unit of the squared distance.
+    fn at(&self, t: f64) -> (f64, f64, f64);
+    /// The part from lo to hi.
+    fn part(&self, lo: f64, hi: f64) -> Self;
+    /// Both halves.
+    fn halves(&self) -> (Self, Self);
+    /// Whether the distance decreases at the end of this curve, and does not at the start of the next one.
+    fn ends_at_minimum(&self, next: &Self) -> bool;
 }
 
-/// The coefficients of the two halves.
-#[inline(always)]
-fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
-    let (mut left, mut right) = (*b, *b);
-    halve(&mut left, &mut right);
-    (left, right)
-}
-
-/// Same as `Cubic::search`, but halves the control points and not the coefficients: if roots are close together, the
-/// coefficients of the halves are small, and so is their rounding.
-#[inline(never)]
-fn search_closely<V: Euclidean>(
-    points: [V; 4],
-    [lo, hi]: [f64; 2],
-    halvings: u32,
-    best: &mut Best,
-) {
-    let piece = Cubic(CubicWithDerivatives::new(points));
-    let force = halvings == 0 || !best.work.spend(1);
-    if piece.try_finish(&piece.quintic(), [0.0, 1.0], [lo, hi], force, best) {
-        return;
-    }
-    let (left, right) = split_cubic_with(points, |a, b| (a + b) * 0.5);
-    let mid = 0.5 * (lo + hi);
-    search_closely(left, [lo, mid], halvings - 1, best);
-    // Because of rounding, a root in the middle may lie in neither half.
-    let centre = right[0];
-    if centre.dot(centre - left[2]) < 0.0 && centre.dot(right[1] - centre) >= 0.0 {
-        best.take(mid, centre.dot(centre));
-    }
-    search_closely(right, [mid, hi], halvings - 1, best);
-}
-
-/// A cubic relative to the point to which it shall be nearest.
-struct Cubic<V>(CubicWithDerivatives<V>);
-
-impl<V: Euclidean> Cubic<V> {
+impl<V: Euclidean> Distance<6> for CubicWithDerivatives<V> {
+    /// B·B′.
     #[inline(always)]
-    fn quintic(&self) -> Quintic {
-        let by = |i: usize, j: usize| self.0.points[i].dot(self.0.first[j]);
+    fn rate(&self) -> [f64; 6] {
+        let by = |i: usize, j: usize| self.points[i].dot(self.first[j]);
         [
             by(0, 0),
             0.4 * by(0, 1) + 0.6 * by(1, 0),
@@ -122,101 +109,245 @@ impl<V: Euclidean> Cubic<V> {
         ]
     }
 
-    /// Halves a segment until each part has at most one sign change, from left to right.
-    fn search(&self, quintic: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
-        let force = !best.work.spend(1);
-        if self.try_finish(quintic, [lo, hi], [0.0, 1.0], force, best) {
-            return;
-        }
-        if halvings == 0 {
-            // Because of rounding, a root at an end may lie on neither side.
-            let piece = self.piece(lo, hi);
-            best.take(lo, piece[0].dot(piece[0]));
-            search_closely(piece, [lo, hi], CLOSE_HALVINGS, best);
-            best.take(hi, piece[3].dot(piece[3]));
-            return;
-        }
-        let (left, right) = quintic_halves(quintic);
-        let mid = 0.5 * (lo + hi);
-        self.search(&left, [lo, mid], halvings - 1, best);
-        self.search(&right, [mid, hi], halvings - 1, best);
-    }
-
-    /// Whether the quintic of a segment, from lo to hi on this curve, has at most one sign change, or `force`. If so,
-    /// it considers the minimum, which exists only if the first sign is negative. This curve is the part [from, to] of
-    /// the whole one.
     #[inline(always)]
-    fn try_finish(
-        &self,
-        quintic: &Quintic,
-        [lo, hi]: [f64; 2],
-        [from, to]: [f64; 2],
-        force: bool,
-        best: &mut Best,
-    ) -> bool {
-        let signs = signs(quintic);
-        // Bit k is set if the coefficients k and k + 1 differ in sign. x & (x − 1) clears the lowest bit that is set.
-        let changes = (signs ^ (signs >> 1)) & 31;
-        let converged = changes & changes.wrapping_sub(1) == 0 || force;
-        if converged && changes != 0 && signs & 1 == 1 {
-            let k = changes.trailing_zeros() as usize;
-            let (before, after) = (quintic[k], quintic[k + 1]);
-            // The zero of the control polygon.
-            let guess = 0.2 * (k as f64 + before / (before - after));
-            let (t, square) = self.refine_root([lo, hi], lo + (hi - lo) * guess, best.slack);
-            best.take(from + (to - from) * t, square);
-        }
-        converged
+    fn squares_at_ends(&self) -> [f64; 2] {
+        [0, 3].map(|k| self.points[k].dot(self.points[k]))
     }
 
-    /// The control points of the segment from lo to hi.
-    fn piece(&self, lo: f64, hi: f64) -> [V; 4] {
-        let at = |[a, b, c]: [f64; 3]| {
-            let [p, q, r, s] = self.0.points;
-            let (pq, qr, rs) = (lerp(p, q, a), lerp(q, r, a), lerp(r, s, a));
-            lerp(lerp(pq, qr, b), lerp(qr, rs, b), c)
-        };
-        // The control points are the values of the blossom.
-        [[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at)
-    }
-
-    /// The root of B·B′ with a sign change from − to +, by Newton's method restricted to lo and hi, and |B|² at the
-    /// root. The iteration ends with the step that reduces the distance by less than rounding.
     #[inline(always)]
-    fn refine_root(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
-        let mut t = guess;
-        for _ in 0..MAX_STEPS {
-            let (square, value, slope) = self.eval_squared_distance(t);
-            if value < 0.0 {
-                lo = t;
-            } else {
-                hi = t;
-            }
-            // To second order, the step reduces |B|² by value²/slope.
-            let step = value / slope;
-            let (next, gain) = (t - step, value * step);
-            if gain * gain <= slack * square && next >= lo && next <= hi {
-                return (next, square - gain);
-            }
-            t = if next > lo && next < hi {
-                next
-            } else {
-                0.5 * (lo + hi)
-            };
-        }
-        (t, self.eval_squared_distance(t).0)
-    }
-
-    /// |B|² at t and half its first and second derivatives.
-    #[inline(always)]
-    fn eval_squared_distance(&self, t: f64) -> (f64, f64, f64) {
-        let [point, first, second] = self.0.at(t);
+    fn at(&self, t: f64) -> (f64, f64, f64) {
+        let [point, first, second] = self.at(t);
         (
             point.dot(point),
             point.dot(first),
             first.dot(first) + point.dot(second),
         )
     }
+
+    #[inline(always)]
+    fn part(&self, lo: f64, hi: f64) -> Self {
+        let at = |[a, b, c]: [f64; 3]| {
+            let [p, q, r, s] = self.points;
+            let (pq, qr, rs) = (lerp(p, q, a), lerp(q, r, a), lerp(r, s, a));
+            lerp(lerp(pq, qr, b), lerp(qr, rs, b), c)
+        };
+        // The control points are the values of the blossom.
+        Self::new([[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at))
+    }
+
+    #[inline(always)]
+    fn halves(&self) -> (Self, Self) {
+        let (left, right) = split_cubic_with(self.points, |a, b| (a + b) * 0.5);
+        (Self::new(left), Self::new(right))
+    }
+
+    #[inline(always)]
+    fn ends_at_minimum(&self, next: &Self) -> bool {
+        let [centre, after, ..] = next.points;
+        centre.dot(centre - self.points[2]) < 0.0 && centre.dot(after - centre) >= 0.0
+    }
+}
+
+/// C(3, i) C(4, j) / C(7, i + j): the shares of the products of coefficients in those of a product.
+const SHARES: [[f64; 5]; 4] = {
+    let (cubic, quartic) = ([1.0, 3.0, 3.0, 1.0], [1.0, 4.0, 6.0, 4.0, 1.0]);
+    let septic = [1.0, 7.0, 21.0, 35.0, 35.0, 21.0, 7.0, 1.0];
+    let mut shares = [[0.0; 5]; 4];
+    let mut k = 0;
+    while k < 20 {
+        let (i, j) = (k / 5, k % 5);
+        shares[i][j] = cubic[i] * quartic[j] / septic[i + j];
+        k += 1;
+    }
+    shares
+};
+
+impl<V: Euclidean> Distance<8> for RationalCubic<V> {
+    /// A·D.
+    #[inline(always)]
+    fn rate(&self) -> [f64; 8] {
+        let mut rate = [0.0; 8];
+        for (i, (point, shares)) in self.points.iter().zip(&SHARES).enumerate() {
+            for (j, (d, share)) in self.derivative.iter().zip(shares).enumerate() {
+                rate[i + j] += share * point.dot(*d);
+            }
+        }
+        rate
+    }
+
+    #[inline(always)]
+    fn squares_at_ends(&self) -> [f64; 2] {
+        [0, 3].map(|k| {
+            let point = self.points[k] / self.weights[k];
+            point.dot(point)
+        })
+    }
+
+    /// With F = A·D, the derivative of F/w is (A·D′ + D·D/w)/w, because A′ = (D + w′A)/w; and B·B′ = F/w³.
+    #[inline(always)]
+    fn at(&self, t: f64) -> (f64, f64, f64) {
+        let u = 1.0 - t;
+        let (uu, ut, tt) = (u * u, u * t, t * t);
+        let cubic = [uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t];
+        let point = V::blend4(self.points, cubic);
+        let weight = f64::blend4(self.weights, cubic);
+        let [a, b, c, d, e] = self.derivative;
+        let first = V::blend4(
+            [a, b, c, d],
+            [uu * uu, 4.0 * (uu * ut), 6.0 * (ut * ut), 4.0 * (ut * tt)],
+        ) + e * (tt * tt);
+        let second = V::blend4([b - a, c - b, d - c, e - d], cubic) * 4.0;
+        let part = 1.0 / weight;
+        let cube = part * part * part;
+        (
+            point.dot(point) * (part * part),
+            point.dot(first) * cube,
+            (point.dot(second) + first.dot(first) * part) * cube,
+        )
+    }
+
+    #[inline(always)]
+    fn part(&self, lo: f64, hi: f64) -> Self {
+        self.part(lo, hi)
+    }
+
+    #[inline(always)]
+    fn halves(&self) -> (Self, Self) {
+        self.halves()
+    }
+
+    #[inline(always)]
+    fn ends_at_minimum(&self, next: &Self) -> bool {
+        let centre = next.points[0];
+        centre.dot(self.derivative[4]) < 0.0 && centre.dot(next.derivative[0]) >= 0.0
+    }
+}
+
+/// One bit for each negative coefficient. Zeros count as positive, which can add sign changes but never hide one.
+#[inline(always)]
+fn signs<const N: usize>(b: &[f64; N]) -> u32 {
+    let mut bits = 0;
+    for (k, &c) in b.iter().enumerate() {
+        bits |= u32::from(c < 0.0) << k;
+    }
+    bits
+}
+
+/// The coefficients of the two halves.
+#[inline(always)]
+fn halves_of<const N: usize>(b: &[f64; N]) -> ([f64; N], [f64; N]) {
+    let (mut left, mut right) = (*b, *b);
+    halve(&mut left, &mut right);
+    (left, right)
+}
+
+/// Halves a segment until each part has at most one sign change, from left to right.
+fn search<const N: usize>(
+    curve: &impl Distance<N>,
+    rate: &[f64; N],
+    [lo, hi]: [f64; 2],
+    halvings: u32,
+    best: &mut Best,
+) {
+    let force = !best.work.spend(1);
+    if try_finish(curve, rate, [lo, hi], [0.0, 1.0], force, best) {
+        return;
+    }
+    if halvings == 0 {
+        // Because of rounding, a root at an end may lie on neither side.
+        let piece = curve.part(lo, hi);
+        let [start, end] = piece.squares_at_ends();
+        best.take(lo, start);
+        search_closely(&piece, [lo, hi], CLOSE_HALVINGS, best);
+        best.take(hi, end);
+        return;
+    }
+    let (left, right) = halves_of(rate);
+    let mid = 0.5 * (lo + hi);
+    search(curve, &left, [lo, mid], halvings - 1, best);
+    search(curve, &right, [mid, hi], halvings - 1, best);
+}
+
+/// Same as `search`, but halves the control points and not the coefficients: if roots are close together, the
+/// coefficients of the halves are small, and so is their rounding.
+#[inline(never)]
+fn search_closely<const N: usize, C: Distance<N>>(
+    piece: &C,
+    [lo, hi]: [f64; 2],
+    halvings: u32,
+    best: &mut Best,
+) {
+    let force = halvings == 0 || !best.work.spend(1);
+    if try_finish(piece, &piece.rate(), [0.0, 1.0], [lo, hi], force, best) {
+        return;
+    }
+    let (left, right) = piece.halves();
+    let mid = 0.5 * (lo + hi);
+    search_closely(&left, [lo, mid], halvings - 1, best);
+    // Because of rounding, a root in the middle may lie in neither half.
+    if left.ends_at_minimum(&right) {
+        best.take(mid, right.squares_at_ends()[0]);
+    }
+    search_closely(&right, [mid, hi], halvings - 1, best);
+}
+
+/// Whether the polynomial of a segment, from lo to hi on this curve, has at most one sign change, or `force`. If so, it
+/// considers the minimum, which exists only if the first sign is negative. This curve is the part [from, to] of the whole
+/// one.
+#[inline(always)]
+fn try_finish<const N: usize>(
+    curve: &impl Distance<N>,
+    rate: &[f64; N],
+    [lo, hi]: [f64; 2],
+    [from, to]: [f64; 2],
+    force: bool,
+    best: &mut Best,
+) -> bool {
+    let signs = signs(rate);
+    // Bit k is set if the coefficients k and k + 1 differ in sign. x & (x − 1) clears the lowest bit that is set.
+    let changes = (signs ^ (signs >> 1)) & ((1 << (N - 1)) - 1);
+    let converged = changes & changes.wrapping_sub(1) == 0 || force;
+    if converged && changes != 0 && signs & 1 == 1 {
+        let k = changes.trailing_zeros() as usize;
+        let (before, after) = (rate[k], rate[k + 1]);
+        // The zero of the control polygon.
+        let guess = 1.0 / (N - 1) as f64 * (k as f64 + before / (before - after));
+        let (t, square) = refine_root(curve, [lo, hi], lo + (hi - lo) * guess, best.slack);
+        best.take(from + (to - from) * t, square);
+    }
+    converged
+}
+
+/// The root of B·B′ with a sign change from − to +, by Newton's method restricted to lo and hi, and |B|² at the root. The
+/// iteration ends with the step that reduces the distance by less than rounding.
+#[inline(always)]
+fn refine_root<const N: usize>(
+    curve: &impl Distance<N>,
+    [mut lo, mut hi]: [f64; 2],
+    guess: f64,
+    slack: f64,
+) -> (f64, f64) {
+    let mut t = guess;
+    for _ in 0..MAX_STEPS {
+        let (square, value, slope) = curve.at(t);
+        if value < 0.0 {
+            lo = t;
+        } else {
+            hi = t;
+        }
+        // To second order, the step reduces |B|² by value²/slope.
+        let step = value / slope;
+        let (next, gain) = (t - step, value * step);
+        if gain * gain <= slack * square && next >= lo && next <= hi {
+            return (next, square - gain);
+        }
+        t = if next > lo && next < hi {
+            next
+        } else {
+            0.5 * (lo + hi)
+        };
+    }
+    (t, curve.at(t).0)
 }
 
 /// The nearest point found so far.
@@ -234,13 +365,12 @@ struct Best {
 impl Best {
     /// Starts with the start point.
     #[inline(always)]
-    fn new<V: Euclidean>(points: &[V; 4]) -> Self {
-        let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    fn new(size: f64, start: f64) -> Self {
         let rounding = 4.0 * f64::EPSILON * size;
         Self {
             size,
             t: 0.0,
-            square: points[0].dot(points[0]),
+            square: start,
             slack: rounding * rounding,
             work: WorkLimit::new(MAX_PIECES),
         }
