@@ -7,10 +7,9 @@ use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::WireframeOptions;
 use casteljau::surface::PatchEdge;
 use casteljau::{
-    Grid, NurbsCurve, NurbsSurface, Patch, RationalPatch, RationalSurface, Surface,
-    TessellationOptions,
+    Grid, NurbsCurve, NurbsSurface, RationalPatch, RationalSurface, Surface, TessellationOptions,
 };
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 const CENTER: DVec3 = DVec3::new(0.3, -0.2, 0.5);
 
