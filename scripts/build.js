@@ -78,7 +78,7 @@ export const glue = once(async (/** @type {Mode} */ mode) => {
   await compile(mode);
   const folder = mode === "development" ? "debug" : "wasm";
   const compiled = join(target, "wasm32-unknown-unknown", folder, "casteljau.wasm");
-  const modules = ["curves", "surfaces", "regions", "core", "core-surfaces", "nurbs", "applet"];
+  const modules = ["curves", "surfaces", "regions", "core", "core-surfaces", "nurbs", "nurbs-surfaces", "applet"];
   const files =
     mode === "development" ? ["casteljau-bytes.js"] : ["needs.json", ...modules.map((name) => `${name}-bytes.js`)];
   const outputs = ["casteljau.js", "casteljau.wasm", "functions.d.ts", ...files].map((name) => `js/glue/${name}`);

@@ -80,7 +80,7 @@ const markClassNames = {
     build.onLoad({ filter: /[\\/]js[\\/]geometry[\\/]/ }, async ({ path }) => {
       const contents = await readFile(path, "utf8");
       const marked = contents.replace(
-        /^(export class (?:Core)?(Curve|RationalCurve|NurbsCurve|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b.*\{)$/m,
+        /^(export class (?:Core)?(Curve|RationalCurve|NurbsCurve|RationalPatch|NurbsSurface|RationalSurface|Spline|Path|PathBuilder|InkStroke|Patch|Surface|Mesh)\b.*\{)$/m,
         '$1 static className = "$2";',
       );
       return { contents: marked, loader: "ts" };
@@ -271,7 +271,9 @@ await Promise.all([
     sourcemap: false,
   }),
   bundle("entries/core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
-  bundle("entries/nurbs.ts", "nurbs.js", { plugins: modules(useModules({ curves: "nurbs" })) }),
+  bundle("entries/nurbs.ts", "nurbs.js", {
+    plugins: modules(useModules({ curves: "nurbs", surfaces: "nurbs-surfaces" })),
+  }),
   bundle("entries/surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
   bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
   // What casteljau/react, casteljau/vue and casteljau/svelte are when a program runs: nothing.

@@ -20,6 +20,7 @@ export const IMPORTS = [
   ["everything of core", "Curve, Spline, Path", "core"],
   ["{ Surface } of surfaces", "Surface", "surfaces"],
   ["nurbs: { RationalCurve }", "RationalCurve", "nurbs"],
+  ["nurbs: { NurbsSurface }", "NurbsSurface", "nurbs"],
   ["only types", "type Curve, type Mesh", "index"],
 ];
 

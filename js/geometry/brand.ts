@@ -33,9 +33,49 @@ export type RationalData = { flat: Float64Array; dimension: 2 | 3; weights: Floa
 export type NurbsData = RationalData & { degree: number; knots: Float64Array; closed: boolean };
 
 /**
+ * The data of a rational patch: its net, the weights and its degrees.
+ *
  * @internal
  */
-export type BrandedType = "curve" | "rationalcurve" | "nurbscurve" | "spline" | "path" | "patch" | "surface" | "mesh";
+export type RationalPatchData = PatchData & { weights: Float64Array };
+
+/**
+ * The data of a NURBS surface: as of a patch, and its knots.
+ *
+ * @internal
+ */
+export type NurbsSurfaceData = RationalPatchData & { knotsU: Float64Array; knotsV: Float64Array };
+
+/**
+ * The nets of a surface: the vertices; for each vertex the index of the first one that had the same position when the
+ * surface was created (`joined`); two degrees for each patch; the vertex indices of all nets, one net after the other.
+ *
+ * @internal
+ */
+export type Network = { vertices: Float64Array; joined: Float64Array; degrees: number[]; indices: Uint32Array };
+
+/**
+ * The data of a surface of rational patches: that of a surface, and a weight for each index.
+ *
+ * @internal
+ */
+export type RationalSurfaceData = Network & { weights: Float64Array };
+
+/**
+ * @internal
+ */
+export type BrandedType =
+  | "curve"
+  | "rationalcurve"
+  | "nurbscurve"
+  | "spline"
+  | "path"
+  | "patch"
+  | "rationalpatch"
+  | "nurbssurface"
+  | "surface"
+  | "rationalsurface"
+  | "mesh";
 
 /**
  * @internal
@@ -119,6 +159,38 @@ export function pathData(value: unknown, name: string): Float64Array {
  */
 export function patchData(value: unknown, name: string): PatchData {
   return dataOf(value, name, typeOf(value) === "patch", "a Patch");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a rational patch
+ */
+export function rationalPatchData(value: unknown, name: string): RationalPatchData {
+  return dataOf(value, name, typeOf(value) === "rationalpatch", "a RationalPatch");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a NURBS surface
+ */
+export function nurbsSurfaceData(value: unknown, name: string): NurbsSurfaceData {
+  return dataOf(value, name, typeOf(value) === "nurbssurface", "a NurbsSurface");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a surface without weights
+ */
+export function surfaceData(value: unknown, name: string): Network {
+  return dataOf(value, name, typeOf(value) === "surface", "a Surface");
+}
+
+/**
+ * @internal
+ * @throws {TypeError} for anything but a surface of rational patches
+ */
+export function rationalSurfaceData(value: unknown, name: string): RationalSurfaceData {
+  return dataOf(value, name, typeOf(value) === "rationalsurface", "a RationalSurface");
 }
 
 /**

@@ -2,7 +2,19 @@
 // contain them: the classes of this package are known by their brands, built-in ones by their tags.
 
 /** The classes of this package; `casteljauType` is the name in lower case. */
-const TYPES = ["Curve", "RationalCurve", "NurbsCurve", "Spline", "Path", "Patch", "Surface", "Mesh"];
+const TYPES = [
+  "Curve",
+  "RationalCurve",
+  "NurbsCurve",
+  "Spline",
+  "Path",
+  "Patch",
+  "RationalPatch",
+  "NurbsSurface",
+  "Surface",
+  "RationalSurface",
+  "Mesh",
+];
 
 /** The longest part of a text, and the largest number of keys of an object, that a message shows. */
 const MAX_TEXT_LENGTH = 40;

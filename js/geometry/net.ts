@@ -34,7 +34,7 @@ export function netNumbers(net: NetLike, degreeU: number, degreeV: number): Floa
     if (net.length !== rows) {
       throw new RangeError(`net: expected ${rows} rows of ${columns} points (${degrees}), got ${net.length} rows`);
     }
-    return flatRows(net, columns);
+    return flatRows(net, columns, "net");
   }
   const { flat } = flatten(net as PointsLike, 3, 3, "net");
   const [count, needed] = [flat.length / 3, columns * rows];
@@ -43,20 +43,29 @@ export function netNumbers(net: NetLike, degreeU: number, degreeV: number): Floa
   throw new RangeError(`net: expected ${needed} control points ${order} (${degrees}), got ${count}`);
 }
 
-/** Whether a net consists of rows: its elements are arrays of points, not of numbers. */
-function isNested(net: unknown): net is ArrayLike<unknown> {
+/**
+ * Whether a net consists of rows: its elements are arrays of points, not of numbers.
+ *
+ * @internal
+ */
+export function isNested(net: unknown): net is ArrayLike<unknown> {
   if (!Array.isArray(net) || !Array.isArray(net[0])) return false;
   return isList(net[0][0]) || (typeof net[0][0] === "object" && net[0][0] !== null);
 }
 
-function flatRows(rows: ArrayLike<unknown>, columns: number): Float64Array {
+/**
+ * The coordinates of rows of points, checked.
+ *
+ * @internal
+ */
+export function flatRows(rows: ArrayLike<unknown>, columns: number, name: string): Float64Array {
   const all = new Float64Array(3 * columns * rows.length);
   for (let j = 0; j < rows.length; j++) {
     const row = rows[j];
-    if (!isList(row)) throw new TypeError(`net[${j}]: expected a row of ${columns} points, got ${describe(row)}`);
-    const { flat } = flatten(row as PointsLike, 3, 3, `net[${j}]`);
+    if (!isList(row)) throw new TypeError(`${name}[${j}]: expected a row of ${columns} points, got ${describe(row)}`);
+    const { flat } = flatten(row as PointsLike, 3, 3, `${name}[${j}]`);
     if (flat.length !== 3 * columns) {
-      throw new RangeError(`net[${j}]: expected a row of ${columns} points, got ${flat.length / 3}`);
+      throw new RangeError(`${name}[${j}]: expected a row of ${columns} points, got ${flat.length / 3}`);
     }
     all.set(flat, 3 * columns * j);
   }

@@ -3,9 +3,9 @@ import { patchData, requireJSON } from "./brand.js";
 import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 import type { PointsLike } from "./check.js";
-import type { PatchData } from "./brand.js";
+
 import type { CorePatch } from "./patch/core-patch.js";
-import type { Network } from "./surface/network.js";
+import type { Network, PatchData } from "./brand.js";
 
 /** What `Surface.toJSON` returns; `Surface.fromJSON` also reads other forms of points. */
 export interface SurfaceJSON {
@@ -24,13 +24,53 @@ export interface SurfaceJSON {
 export type JoinedOf = (vertices: Float64Array) => Float64Array;
 
 /**
+ * The network of patches of the same degrees.
+ *
+ * @internal
+ */
+export function checkedNetwork(
+  data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> },
+  options: { degreeU?: number; degreeV?: number } | undefined,
+  joinedOf: JoinedOf,
+): Network {
+  const { vertices, patches } = check.object(data, "data");
+  const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
+  check.whole(degreeU, "degreeU", 1, 64);
+  check.whole(degreeV, "degreeV", 1, 64);
+  const flat = flatten(vertices as PointsLike, 3, 3, "vertices").flat;
+  const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
+  const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) =>
+    k % 2 ? degreeV : degreeU,
+  );
+  return { vertices: flat, joined: joinedOf(flat), degrees, indices };
+}
+
+/**
+ * @param count the number of points of one net
+ */
+function patchIndices(patches: unknown, count: number, vertices: number): Uint32Array {
+  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
+  const all = new Uint32Array(patches.length * count);
+  patches.forEach((net, k) => all.set(vertexIndices(net, count, vertices, `patches[${k}]`), k * count));
+  return all;
+}
+
+/**
  * The network of patches: control points at the same position become one vertex.
  *
  * @internal
  */
 export function networkOfPatches(patches: ArrayLike<CorePatch>, joinedOf: JoinedOf): Network {
   if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
-  const checked = Array.from(patches, checkedPatch); // also finds holes
+  return networkOfNets(Array.from(patches, checkedPatch), joinedOf); // also finds holes
+}
+
+/**
+ * The network of nets.
+ *
+ * @internal
+ */
+export function networkOfNets(checked: PatchData[], joinedOf: JoinedOf): Network {
   const nets = checked.map(({ flat }) => flat);
   const vertices = new Float64Array(nets.reduce((sum, net) => sum + net.length, 0));
   let at = 0;

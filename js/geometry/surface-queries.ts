@@ -1,7 +1,8 @@
 // Queries of patches and surfaces: a patch is passed to the core as a surface of one patch.
+import * as check from "./check.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
 import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
-import type { PointLike } from "./check.js";
+import type { MatrixLike, PointLike } from "./check.js";
 import type { Bounds, Point } from "./points.js";
 
 /** Gaussian, mean and principal curvatures, k1 ≥ k2; positive where the surface bends toward its normal ∂u × ∂v. */
@@ -92,6 +93,16 @@ export function intersectRay(write: SurfaceWriter, origin: PointLike, direction:
 }
 
 /**
+ * The 16 numbers of a projection, of 6 numbers of the plane or 16.
+ *
+ * @internal
+ */
+export function projectionNumbers(matrix: MatrixLike): ArrayLike<number> {
+  const m = check.matrixNumbers(matrix);
+  return m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m;
+}
+
+/**
  * A point of a surface without the index of its patch.
  *
  * @internal
@@ -122,9 +133,10 @@ export function deCasteljau(
 /**
  * The coordinates of 3D points, checked.
  *
+ * @internal
  * @param named the points with their names for messages
  */
-function coordinatesOf(...named: [PointLike, string][]): Float64Array[] {
+export function coordinatesOf(...named: [PointLike, string][]): Float64Array[] {
   return named.map(([point, name]) => {
     const numbers = new Float64Array(3);
     writePoint(numbers, 0, point, 3, name);
@@ -132,7 +144,12 @@ function coordinatesOf(...named: [PointLike, string][]): Float64Array[] {
   });
 }
 
-function readPoints(numbers: Float64Array): SurfacePoint[] {
+/**
+ * The points of a surface that the core has written.
+ *
+ * @internal
+ */
+export function readPoints(numbers: Float64Array): SurfacePoint[] {
   return Array.from({ length: numbers.length / RECORD_LENGTH }, (_, k) => {
     const [patch, u, v, x, y, z, distance] = numbers.subarray(RECORD_LENGTH * k, RECORD_LENGTH * (k + 1));
     return { patch, u, v, point: { x, y, z }, distance };

@@ -1,6 +1,7 @@
 // Isocurves of a surface, and meshes of tubes or ribbons along them.
 import * as check from "./check.js";
-import { Mesh, readMesh } from "./mesh.js";
+import { meshInto, readMesh } from "./mesh.js";
+import type { Mesh } from "./mesh.js";
 import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
 
 /** Lines as tubes. */
@@ -42,7 +43,7 @@ const MAX_SIDES = 0xffffffff;
  * @returns the control points of each
  */
 export function isocurves(writeSurface: () => unknown, options?: { lines?: number }): Float64Array[] {
-  const lines = check.segmentCount(check.options(options, ["lines"]).lines ?? DEFAULT_LINES, "lines");
+  const lines = linesOf(options);
   writeSurface();
   const numbers = readResult(0, core().surface_isocurves(lines));
   releaseMemory();
@@ -56,9 +57,33 @@ export function isocurves(writeSurface: () => unknown, options?: { lines?: numbe
 }
 
 /**
+ * The number of strips, checked.
+ *
+ * @internal
+ */
+export function linesOf(options: { lines?: number } | undefined): number {
+  return check.segmentCount(check.options(options, ["lines"]).lines ?? DEFAULT_LINES, "lines");
+}
+
+/**
  * @internal
  */
 export function wireframe(writeSurface: () => unknown, options: WireframeOptions): Mesh {
+  const { args, into } = wireframeArguments(options);
+  writeSurface();
+  unwrapCount(core().surface_wireframe(...args));
+  return readMesh(into, { separatePatches: false });
+}
+
+/**
+ * The checked options of a wireframe as arguments of the core: the lines, the radius with the sides, or the width with 0.
+ *
+ * @internal
+ */
+export function wireframeArguments(options: WireframeOptions): {
+  args: [number, number, number];
+  into: Mesh | undefined;
+} {
   const checked = check.options(options, WIREFRAME_OPTIONS) as Record<string, any>;
   const { lines = DEFAULT_LINES, radius, sides = DEFAULT_SIDES, width, into } = checked;
   if ((radius === undefined) === (width === undefined)) {
@@ -71,8 +96,5 @@ export function wireframe(writeSurface: () => unknown, options: WireframeOptions
   check.segmentCount(lines, "lines");
   check.whole(sides, "sides", 3, MAX_SIDES);
   const size = width === undefined ? check.positive(radius, "radius") : check.positive(width, "width");
-  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh, "a Mesh");
-  writeSurface();
-  unwrapCount(core().surface_wireframe(lines, size, width === undefined ? sides : 0));
-  return readMesh(earlier, { separatePatches: false });
+  return { args: [lines, size, width === undefined ? sides : 0], into: meshInto(into) };
 }

@@ -3,7 +3,7 @@ import { END, quote, Reader, syntaxError, wholeOf } from "./text-reader.js";
 import { readArrays } from "./surface-arrays.js";
 import { formatNumber } from "./format-number.js";
 import { sharedVertices } from "../geometry/surface-network.js";
-import type { Network } from "../geometry/surface/network.js";
+import type { Network } from "../geometry/brand.js";
 
 /** The length of the shortest vertex, `0 0 0` and a line break. */
 const MIN_VERTEX_CHARACTERS = 6;

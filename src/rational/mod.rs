@@ -39,9 +39,8 @@ use crate::curve::Curve;
 use crate::geometry::check::{check_points, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars, points_of};
-use weighted::{Homogeneous, WeightedPoint};
+use weighted::{Homogeneous, WeightedPoint, are_proportional, weight_scale};
 
 /// The largest weight, 2⁵⁰⁰, and the inverse of the smallest: products of two weights stay in the range of f64.
 pub(crate) const MAX_WEIGHT: f64 = crate::geometry::check::MAX_COORDINATE;
@@ -179,14 +178,10 @@ impl<P: Point> RationalCurve<P> {
     /// Whether both curves have the same degree, every control point lies within `tolerance` of its counterpart, and the
     /// weights are equal up to a common factor, each within `tolerance` times the largest weight.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
-        let (a, b) = (self.weight_scale(), other.weight_scale());
         let close = |(&a, &b): (&P, &P)| a == b || (a - b).norm() <= tolerance;
-        // The ratio of the first weights is the common factor.
-        let factor = (self.weights[0] * a) / (other.weights[0] * b);
-        let alike = |(v, w): (&f64, &f64)| (v * a - w * b * factor).abs() <= 2.0 * tolerance;
         self.points.len() == other.points.len()
             && self.points.iter().zip(&other.points).all(close)
-            && self.weights.iter().zip(&other.weights).all(alike)
+            && are_proportional(&self.weights, &other.weights, tolerance)
     }
 
     /// The polynomial curve if all weights are equal.
@@ -206,7 +201,7 @@ impl<P: Point> RationalCurve<P> {
 
     /// The power of two that makes the largest weight 1 to 2.
     fn weight_scale(&self) -> f64 {
-        unit_scale(self.weights.iter().copied().fold(0.0, f64::max))
+        weight_scale(&self.weights)
     }
 
     /// The homogeneous control points relative to an origin, with a largest weight of 1 to 2.

@@ -4,6 +4,7 @@
 //! weight apart, so that P comes back without rounding; sums of several points use homogeneous coordinates.
 
 use crate::geometry::point::Point;
+use crate::numeric::float::unit_scale;
 use casteljau_kernels::numeric::vector::{Interpolate, Vector};
 use std::ops::{Add, AddAssign, Mul, Sub};
 
@@ -102,4 +103,26 @@ pub(super) fn transposed<T: Copy>(net: &[T], columns: usize) -> Vec<T> {
     (0..columns)
         .flat_map(|i| net.iter().skip(i).step_by(columns).copied())
         .collect()
+}
+
+/// The power of two that makes the largest weight 1 to 2.
+pub(super) fn weight_scale(weights: &[f64]) -> f64 {
+    unit_scale(weights.iter().copied().fold(0.0, f64::max))
+}
+
+/// Whether lists of numbers are equal within `tolerance` times the largest one.
+pub(super) fn are_close(a: &[f64], b: &[f64], tolerance: f64) -> bool {
+    let size = a.iter().chain(b).fold(0.0, |max: f64, x| max.max(x.abs()));
+    let mut pairs = a.iter().zip(b);
+    a.len() == b.len() && pairs.all(|(a, b)| (a - b).abs() <= tolerance * size)
+}
+
+/// Whether weights are equal up to a common factor, each within `tolerance` times the largest one.
+pub(super) fn are_proportional(a: &[f64], b: &[f64], tolerance: f64) -> bool {
+    let (scale_a, scale_b) = (weight_scale(a), weight_scale(b));
+    // The ratio of the first weights is the common factor.
+    let factor = (a[0] * scale_a) / (b[0] * scale_b);
+    let close =
+        |(v, w): (&f64, &f64)| (v * scale_a - w * scale_b * factor).abs() <= 2.0 * tolerance;
+    a.len() == b.len() && a.iter().zip(b).all(close)
 }

@@ -11,7 +11,7 @@ use crate::mesh::options::Weld;
 use crate::mesh::options::{Detail, TessellationOptions, View};
 use crate::mesh::{Indices, Mesh};
 use crate::surface::network::Surface;
-use crate::surface::topology::EdgeUse;
+use crate::surface::topology::{EdgeUse, Topology};
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
 use std::ops::Range;
@@ -53,7 +53,7 @@ pub fn surface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -
     arena::answer(|arena| {
         let (surface, end) = surface(arena)?;
         let options = options(arena, end, kind, [a, b], weld);
-        keep(&surface, &options, precise)
+        keep_surface(&surface, &options, precise)
     })
 }
 
@@ -72,7 +72,7 @@ pub fn patch_tessellate(
         let patch = patch(arena, degree_u, degree_v);
         let end = 3 * patch.control_points().len();
         let options = options(arena, end, kind, [a, b], weld);
-        keep(&patch.as_surface(), &options, precise)
+        keep_surface(&patch.as_surface(), &options, precise)
     })
 }
 
@@ -124,7 +124,7 @@ const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
     clippy::cast_sign_loss,
     reason = "JavaScript checks that they are counts"
 )]
-fn options(
+pub(super) fn options(
     arena: &Arena,
     end: usize,
     kind: u32,
@@ -146,15 +146,31 @@ fn options(
     TessellationOptions::from(detail).weld(WELDS[weld as usize % 3])
 }
 
+fn keep_surface(
+    surface: &Surface,
+    options: &TessellationOptions,
+    precise: bool,
+) -> Result<usize, Error> {
+    keep(
+        precise,
+        || surface.tessellate(options),
+        || surface.tessellate_f64(options),
+    )
+}
+
 /// Makes a mesh and stores it to be copied; f64 positions and normals are stored separately.
-fn keep(surface: &Surface, options: &TessellationOptions, precise: bool) -> Result<usize, Error> {
+pub(super) fn keep(
+    precise: bool,
+    in_f32: impl FnOnce() -> Result<Mesh, Error>,
+    in_f64: impl FnOnce() -> Result<Mesh<f64>, Error>,
+) -> Result<usize, Error> {
     let mesh = if precise {
-        let mut mesh = surface.tessellate_f64(options)?;
+        let mut mesh = in_f64()?;
         let numbers = [&mut mesh.positions, &mut mesh.normals].map(std::mem::take);
         PRECISE.with(|kept| *kept = numbers);
         mesh.to_f32()
     } else {
-        surface.tessellate(options)?
+        in_f32()?
     };
     Ok(keep_mesh(mesh))
 }
@@ -173,17 +189,21 @@ pub(crate) fn keep_mesh(mesh: Mesh) -> usize {
 pub fn surface_topology() -> isize {
     arena::answer(|a| {
         let topology = surface(a)?.0.topology();
-        let code = |s: &EdgeUse| s.patch * 8 + s.edge as usize * 2 + usize::from(s.reversed);
-        let mut numbers = Vec::new();
-        for groups in [&topology.shared, &topology.non_manifold] {
-            write_groups(&mut numbers, groups, code);
-        }
-        for sides in [topology.open, topology.collapsed] {
-            write_groups(&mut numbers, &[sides], code);
-        }
-        write_groups(&mut numbers, &topology.components, |&patch| patch);
-        Ok(a.write_counts(0, numbers.into_iter()))
+        Ok(write_topology(a, topology))
     })
+}
+
+pub(super) fn write_topology(a: &mut Arena, topology: Topology) -> usize {
+    let code = |s: &EdgeUse| s.patch * 8 + s.edge as usize * 2 + usize::from(s.reversed);
+    let mut numbers = Vec::new();
+    for groups in [&topology.shared, &topology.non_manifold] {
+        write_groups(&mut numbers, groups, code);
+    }
+    for sides in [topology.open, topology.collapsed] {
+        write_groups(&mut numbers, &[sides], code);
+    }
+    write_groups(&mut numbers, &topology.components, |&patch| patch);
+    a.write_counts(0, numbers.into_iter())
 }
 
 fn write_groups<T>(numbers: &mut Vec<usize>, groups: &[Vec<T>], code: impl Fn(&T) -> usize) {

@@ -24,7 +24,7 @@ fn plane_curve(a: &Arena, at: usize) -> Result<(NurbsCurve<DVec2>, usize), Error
 }
 
 /// Decodes a curve whose points are read by `points`, from their index and their number.
-fn curve_at<P: Point>(
+pub(super) fn curve_at<P: Point>(
     a: &Arena,
     at: usize,
     dimension: usize,
@@ -41,7 +41,12 @@ fn curve_at<P: Point>(
 }
 
 /// Writes a curve from number `at` on; returns the end.
-fn write(a: &mut Arena, at: usize, curve: &NurbsCurve<DVec3>, dimension: usize) -> usize {
+pub(super) fn write(
+    a: &mut Arena,
+    at: usize,
+    curve: &NurbsCurve<DVec3>,
+    dimension: usize,
+) -> usize {
     let counts = [
         curve.degree(),
         usize::from(curve.is_closed()),

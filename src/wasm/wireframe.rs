@@ -23,15 +23,20 @@ pub fn surface_isocurves(lines: usize) -> isize {
 #[wasm_bindgen]
 pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
     arena::answer(|a| {
-        let wire = if sides > 0 {
-            Wire::Tube {
-                radius: size,
-                sides,
-            }
-        } else {
-            Wire::Ribbon { width: size }
-        };
-        let mesh = surface(a)?.0.wireframe(&WireframeOptions { lines, wire })?;
+        let mesh = surface(a)?.0.wireframe(&options(lines, size, sides))?;
         Ok(keep_mesh(mesh))
     })
+}
+
+/// Tubes with radius `size`, or, if `sides` is 0, ribbons of that width.
+pub(super) fn options(lines: usize, size: f64, sides: usize) -> WireframeOptions {
+    let wire = if sides > 0 {
+        Wire::Tube {
+            radius: size,
+            sides,
+        }
+    } else {
+        Wire::Ribbon { width: size }
+    };
+    WireframeOptions { lines, wire }
 }

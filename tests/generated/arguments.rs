@@ -9,9 +9,10 @@ use casteljau::models::{Height, Up};
 use casteljau::path::FillRule;
 use casteljau::spline::{Join, JointMode};
 use casteljau::{
-    Curve, GridMethod, NurbsCurve, Patch, Path, Point, RationalCurve, Spline, Surface,
+    Curve, GridMethod, NurbsCurve, NurbsSurface, Patch, Path, Point, RationalCurve, RationalPatch,
+    Spline, Surface,
 };
-use casteljau_generator::{Case, SplineData, SurfaceData, Value};
+use casteljau_generator::{Case, NurbsSurfaceData, SplineData, SurfaceData, Value};
 
 /// The plane or space; points are made from three coordinates.
 pub(crate) trait Space: Point<Affine: Argument, Projective: Argument> + Numbers {
@@ -82,6 +83,14 @@ arguments! {
     [P: Space] Spline<P>: Value::Spline(data) => Some(spline_of(data));
     [] Path: Value::Path(splines) => Some(Path::new(&splines.iter().map(spline_of).collect::<Vec<_>>()));
     [] Patch: Value::Patch(data) => Patch::new(&data.vertices, data.degrees[0][0], data.degrees[0][1]).ok();
+    [] RationalPatch: Value::RationalPatch(data) => {
+        RationalPatch::new(&data.points, &data.weights, data.degrees[0], data.degrees[1]).ok()
+    };
+    [] NurbsSurface: Value::NurbsSurface(data) => {
+        let ([m, n], [u, v]) = (data.degrees, &data.knots);
+        NurbsSurface::new(m, n, &data.points, Some(&data.weights), u, v).ok()
+    };
+    [] NurbsSurfaceData: Value::RationalPatch(data) | Value::NurbsSurface(data) => Some(data.clone());
     [] Surface: Value::Surface(data) => surface_of(data);
     [] SplineData: Value::Spline(data) => Some(data.clone());
     [] SurfaceData: Value::Patch(data) | Value::Surface(data) => Some(data.clone());

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The types whose functions are called with generated arguments.
-const TYPES: [&str; 11] = [
+const TYPES: [&str; 13] = [
     "Curve",
     "RationalCurve",
     "NurbsCurve",
@@ -11,6 +11,8 @@ const TYPES: [&str; 11] = [
     "Path",
     "InkStroke",
     "Patch",
+    "RationalPatch",
+    "NurbsSurface",
     "Surface",
     "Mesh",
     "Grid",

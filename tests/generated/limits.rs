@@ -8,6 +8,9 @@ const DEFAULT: usize = 1_000_000;
 /// The documented limit of one search in a patch, plus the amount by which its last step may exceed it.
 const SEARCH: usize = (1 << 23) + (1 << 22);
 
+/// A few searches for each of six faces.
+const RATIONAL_BOUNDS: usize = 6 * 4 * SEARCH;
+
 /// The limit of a ray, including three searches for the nearest point to the origin.
 const RAY: usize = (1 << 27) + 4 * SEARCH;
 
@@ -25,6 +28,10 @@ const LIMITS: &[(&str, usize)] = &[
     ("Path::flatten", FLATTEN),
     ("RationalCurve::flatten", FLATTEN),
     ("NurbsCurve::flatten", FLATTEN),
+    ("RationalPatch::bounds", RATIONAL_BOUNDS),
+    ("RationalPatch::control_bounds", RATIONAL_BOUNDS),
+    ("NurbsSurface::bounds", RATIONAL_BOUNDS),
+    ("NurbsSurface::control_bounds", RATIONAL_BOUNDS),
     ("Patch::nearest", 2 * SEARCH),
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),
@@ -63,6 +70,10 @@ pub(crate) fn of(case: &Case) -> usize {
     let limit = found.map_or(DEFAULT, |&(_, limit)| limit);
     match case.arguments.first() {
         Some((_, Value::Surface(surface))) => limit * surface.degrees.len().max(1),
+        Some((_, Value::NurbsSurface(surface))) => {
+            let spans = |k: usize| surface.knots[k].len() - 2 * surface.degrees[k] - 1;
+            limit * spans(0) * spans(1)
+        }
         _ => limit,
     }
 }

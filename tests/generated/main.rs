@@ -18,6 +18,7 @@ mod lines;
 mod meshes;
 mod numbers;
 mod nurbs;
+mod nurbs_surfaces;
 mod parsers;
 mod patches;
 mod paths;
@@ -180,6 +181,30 @@ groups! {
         Patch of (patches): control_bounds transform move_point bounds nearest intersect_ray;
         Patch of (meshes): grid grid_into grid_by;
         Patch of (meshes): tessellate tessellate_f64;
+    }
+    rational_patches {
+        RationalPatch one (nurbs_surfaces patch_accessors): new degree_u degree_v control_points weights;
+        RationalPatch one (nurbs_surfaces patch_from): from;
+        RationalPatch one (nurbs_surfaces patch_eval): eval;
+        RationalPatch one (nurbs_surfaces patch_partials): partials;
+        RationalPatch one (nurbs_surfaces patch_normal): normal;
+        RationalPatch one (nurbs_surfaces patch_curvature): curvature;
+        RationalPatch one (nurbs_surfaces patch_isocurve_at_u): isocurve_at_u;
+        RationalPatch one (nurbs_surfaces patch_isocurve_at_v): isocurve_at_v;
+        RationalPatch one (nurbs_surfaces patch_split_u): split_u;
+        RationalPatch one (nurbs_surfaces patch_split_v): split_v;
+        RationalPatch one (nurbs_surfaces patch_elevate): elevate;
+        RationalPatch one (nurbs_surfaces patch_transform): transform;
+        RationalPatch one (nurbs_surfaces patch_project): project;
+        RationalPatch one (nurbs_surfaces patch_bounds): bounds control_bounds;
+        RationalPatch one (nurbs_surfaces patch_approx_eq): approx_eq;
+    }
+    nurbs_surfaces {
+        NurbsSurface one (nurbs_surfaces accessors): new degree_u degree_v control_points weights knots_u knots_v domain_u domain_v joints_u joints_v patches;
+        NurbsSurface one (nurbs_surfaces): plane sphere cylinder cone torus ruled extrude revolve loft;
+        NurbsSurface one (nurbs_surfaces): eval partials normal curvature isocurve_at_u isocurve_at_v split_u split_v;
+        NurbsSurface one (nurbs_surfaces): insert_knot_u insert_knot_v elevate_u elevate_v reverse transform project to_surface approx_eq;
+        NurbsSurface one (nurbs_surfaces box_of_surface): bounds control_bounds;
     }
     surfaces_meshes {
         Surface one (surfaces): new teapot teacup teaspoon to_text;

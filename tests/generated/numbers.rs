@@ -11,7 +11,10 @@ use casteljau::path::{
 };
 use casteljau::spline::*;
 use casteljau::surface::*;
-use casteljau::{Curve, EllipticalArc, Error, NurbsCurve, Path, Point, RationalCurve, Spline};
+use casteljau::{
+    Curve, EllipticalArc, Error, NurbsCurve, NurbsSurface, Path, Point, RationalCurve,
+    RationalPatch, Spline,
+};
 use std::fmt::Debug;
 use std::hash::{DefaultHasher, Hasher};
 
@@ -79,6 +82,15 @@ numbers! {
     [P: Point + Numbers] NurbsCurve<P>, curve, see => {
         curve.control_points().visit(see);
         [curve.weights(), curve.knots()].iter().for_each(|numbers| numbers.visit(see));
+    };
+    [] RationalPatch, patch, see => {
+        patch.control_points().visit(see);
+        patch.weights().visit(see);
+    };
+    [] NurbsSurface, surface, see => {
+        surface.control_points().visit(see);
+        let numbers = [surface.weights(), surface.knots_u(), surface.knots_v()];
+        numbers.iter().for_each(|numbers| numbers.visit(see));
     };
     [] IntersectionKind, kind, see => if let IntersectionKind::Overlap { t_end, u_end } = kind {
         [*t_end, *u_end].visit(see);

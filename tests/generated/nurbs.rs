@@ -91,7 +91,7 @@ pub(crate) fn reverse<P: Space>(curve: NurbsCurve<P>) -> Checked {
 }
 
 pub(crate) fn insert_knot<P: Space>(curve: NurbsCurve<P>, t: f64, times: usize) -> Checked {
-    let finer = answer!(curve.insert_knot(t, times), "t|times|ts");
+    let finer = answer!(curve.insert_knot(t, times), "t|times");
     has_same_points(&curve, &finer)
 }
 

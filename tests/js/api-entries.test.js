@@ -3,10 +3,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inspect as inspectInNode } from "node:util";
 import * as casteljau from "casteljau";
-import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
+import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch, RationalSurface } from "casteljau/nurbs";
 import { checksOf, differences } from "../../www/api/build/run.js";
 import { entryFolders, readEntries, SECTIONS } from "../../www/api/build/entries.js";
 import { reference } from "../../www/api/build/reference.js";
+
+const NURBS = { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch, RationalSurface };
 
 /** What `console.log` prints, on one line. */
 const shown = (value) =>
@@ -47,7 +49,7 @@ test("every public name has an entry with a sentence", () => {
 
 test("the entries are those of the built package", () => {
   const namesOf = (page) => pages.find(({ title }) => title === page)?.items.map(({ id }) => id) ?? [];
-  for (const [name, value] of Object.entries({ ...casteljau, NurbsCurve, RationalCurve })) {
+  for (const [name, value] of Object.entries({ ...casteljau, ...NURBS })) {
     if (!/^[A-Z]/.test(name)) {
       const isThere = pages.some(({ items }) => items.some(({ id }) => id === name));
       assert.ok(isThere, name);

@@ -49,7 +49,9 @@ function* numbersOf(value) {
   if (value instanceof Path) parts = [...value.subpaths];
   else if (value instanceof Surface) parts = [value.vertices];
   else if (typeof value.controlPoints === "function") {
-    const lists = ["controlPoints", "weights", "knots"].filter((list) => typeof value[list] === "function");
+    const lists = ["controlPoints", "weights", "knots", "knotsU", "knotsV"].filter(
+      (list) => typeof value[list] === "function",
+    );
     parts = lists.map((list) => value[list]());
   }
   for (const part of parts) yield* numbersOf(part);

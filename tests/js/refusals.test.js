@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, afterEach, test } from "node:test";
 import { Curve, easing, Patch, Path, Spline, Surface } from "casteljau";
-import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
+import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch, RationalSurface } from "casteljau/nurbs";
 import { CUBIC, pointsOf, recorder, refused, SEVEN, SPACE } from "./reference.js";
 
 const cubic = new Curve(CUBIC);
@@ -16,6 +16,9 @@ const spaceSpline = new Spline([...SPACE, ...SPACE.slice(1)]);
 const mixed = Spline.fromCurves([new Curve([0, 0, 1, 0]), new Curve([1, 0, 2, 0, 3, 1])]);
 const conic = RationalCurve.conic([0, 0], [1, 1], [2, 0], 0.5);
 const nurbs = NurbsCurve.circle([0, 0], 1);
+const cylinder = NurbsSurface.cylinder([0, 0, 0], 1, 2);
+const quarter = cylinder.patches()[0];
+const weighted = cylinder.toSurface();
 const line = new Spline([0, 0, 1, 0], { degree: 1 });
 const ring = new Spline(CUBIC.slice(1), { closed: true });
 const path = new Path([seven]);
@@ -239,6 +242,12 @@ const SCOPE = {
     NurbsCurve,
     conic,
     nurbs,
+    RationalPatch,
+    NurbsSurface,
+    RationalSurface,
+    cylinder,
+    quarter,
+    weighted,
     empty,
     plane,
     surface,

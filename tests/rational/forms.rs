@@ -2,8 +2,8 @@
 
 use super::within;
 use crate::support::Rng;
-use casteljau::glam::{DAffine2, DVec2};
-use casteljau::{NurbsCurve, Path, RationalCurve};
+use casteljau::glam::{DAffine2, DVec2, DVec3};
+use casteljau::{NurbsCurve, NurbsSurface, Path, RationalCurve, RationalPatch};
 
 fn quarter() -> RationalCurve<DVec2> {
     let points = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
@@ -93,4 +93,56 @@ fn json_keeps_every_bit() {
     );
     let bad = text.replace("\"degree\":2", "\"degree\":3");
     assert!(serde_json::from_str::<NurbsCurve<DVec2>>(&bad).is_err());
+}
+
+#[test]
+fn json_of_surfaces_keeps_every_bit() {
+    let sphere = NurbsSurface::sphere(DVec3::ZERO, 1.0, DVec3::Z).expect("finite");
+    let text = serde_json::to_string(&sphere).expect("JSON");
+    assert!(text.starts_with("{\"degreeU\":2,\"degreeV\":2,\"points\":[["));
+    assert_eq!(
+        serde_json::from_str::<NurbsSurface>(&text).expect("valid"),
+        sphere
+    );
+    let bad = text.replace("\"degreeU\":2", "\"degreeU\":3");
+    assert!(serde_json::from_str::<NurbsSurface>(&bad).is_err());
+    let plane = NurbsSurface::plane(DVec3::ZERO, DVec3::X, DVec3::Y).expect("finite");
+    let patch = &plane.patches()[0];
+    let text = serde_json::to_string(patch).expect("JSON");
+    assert_eq!(
+        text,
+        "{\"net\":[[0.0,0.0,0.0],[1.0,0.0,0.0],[0.0,1.0,0.0],[1.0,1.0,0.0]],\"weights\":[1.0,1.0,1.0,1.0],\"degreeU\":1,\"degreeV\":1}"
+    );
+    assert_eq!(
+        &serde_json::from_str::<RationalPatch>(&text).expect("valid"),
+        patch
+    );
+}
+
+#[test]
+fn surfaces_are_equal_within_a_tolerance() {
+    let sphere = |radius: f64| NurbsSurface::sphere(DVec3::ZERO, radius, DVec3::Z).expect("finite");
+    let (a, b) = (sphere(1.0), sphere(1.0 + 1e-9));
+    assert!(a.approx_eq(&a, 0.0) && !a.approx_eq(&b, 1e-10) && a.approx_eq(&b, 2e-9));
+    assert!(!a.approx_eq(&a.elevate_u().expect("low degrees"), 1.0));
+    let heavier = |factor: f64| {
+        let weights: Vec<f64> = a.weights().iter().map(|w| factor * w).collect();
+        let net = (a.degree_u(), a.degree_v(), a.control_points());
+        NurbsSurface::new(
+            net.0,
+            net.1,
+            net.2,
+            Some(&weights),
+            a.knots_u(),
+            a.knots_v(),
+        )
+        .expect("valid")
+    };
+    assert!(!a.approx_eq(&heavier(1.01), 1e-3) && a.approx_eq(&heavier(1.01), 0.02));
+    // The weights of a patch count up to a factor.
+    let patch = |surface: &NurbsSurface| surface.patches()[3].clone();
+    assert!(patch(&a).approx_eq(&patch(&heavier(4.0)), 0.0));
+    let weights = vec![1.0; 9];
+    let plain = RationalPatch::new(patch(&a).control_points(), &weights, 2, 2).expect("valid");
+    assert!(!patch(&a).approx_eq(&plain, 0.1) && patch(&a).approx_eq(&plain, 0.5));
 }

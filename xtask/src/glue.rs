@@ -46,7 +46,7 @@ pub(crate) struct Part {
     own: &'static [&'static [&'static str]],
 }
 
-pub(crate) const PARTS: [Part; 7] = [
+pub(crate) const PARTS: [Part; 8] = [
     Part {
         name: "curves",
         own: &[&[
@@ -81,6 +81,11 @@ pub(crate) const PARTS: [Part; 7] = [
         name: "nurbs",
         own: &[NURBS, CORE_CURVES, CURVE_MEASURES, CORE_SPLINES],
     },
+    // For the surfaces of casteljau/nurbs.
+    Part {
+        name: "nurbs-surfaces",
+        own: &[NURBS_SURFACES, MESHES],
+    },
     // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
         name: "applet",
@@ -102,8 +107,13 @@ pub(crate) const PARTS: [Part; 7] = [
 
 const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
 
-/// Left out of the complete module, which has what `casteljau` calls.
+/// Of [`SURFACES`], what all kinds of surfaces call.
+const MESHES: &[&str] = &["mesh_", "points_joined"];
+
+/// Left out of the complete module, which has what `casteljau` calls; so are [`NURBS_SURFACES`].
 const NURBS: &[&str] = &["nurbs_", "rational_"];
+
+const NURBS_SURFACES: &[&str] = &["nurbssurface_", "rationalpatch_", "rationalsurface_"];
 
 /// The functions that js/geometry/curve/core-curve.ts calls, besides measures.
 const CORE_CURVES: &[&str] = &[
@@ -197,7 +207,7 @@ fn without_hash(export: &str) -> &str {
 }
 
 fn in_complete_module(export: &str) -> bool {
-    !selects(NURBS, export)
+    !selects(NURBS, export) && !selects(NURBS_SURFACES, export)
 }
 
 impl Part {

@@ -15,7 +15,7 @@ import { subpathsOf } from "../path/packed-shape.js";
 import { boxAt, dimensionOf, flatten, nested, pointList, requireList, samePoints, writePoint } from "../points.js";
 import { coreSplineOf, readSplineData } from "../spline/core-spline.js";
 import { intersectNurbs, intersectSplineWithNurbs, selfIntersectNurbs } from "./intersections.js";
-import { nurbsDataOf, nurbsOfSpline, readNurbsData, writeNurbs } from "./nurbs-data.js";
+import { alike, nurbsDataOf, nurbsOfSpline, readNurbsData, writeNurbs } from "./nurbs-data.js";
 import { projective } from "./projective.js";
 import { checkedWeights, defaultTolerance, rationalCurveOf } from "./rational-curve.js";
 import type { PointAtLength } from "../arc-length.js";
@@ -785,7 +785,11 @@ class CheckedNurbs {
 
 // Outside of the class, see ../curve/core-curve.js.
 const nurbsFrom = (options: NurbsOptions): NurbsCurve => new NurbsCurve(options);
-const nurbsOf = (data: NurbsData) => nurbsFrom(new CheckedNurbs(data) as any);
+
+/**
+ * @internal
+ */
+export const nurbsOf = (data: NurbsData): NurbsCurve => nurbsFrom(new CheckedNurbs(data) as any);
 
 /** Reads a curve from the arena. */
 function readNurbs(end: number, dimension: 2 | 3, from = 0): NurbsCurve {
@@ -806,13 +810,6 @@ function checkedData(options: NurbsOptions): NurbsData {
     knots: check.numbers(knots, "knots"),
     closed: check.optionalBoolean(closed, "closed"),
   };
-}
-
-/** Whether numbers are equal within a part of the largest one. */
-function alike(a: Float64Array, b: Float64Array, tolerance: number) {
-  if (a.length !== b.length) return false;
-  const largest = [...a, ...b].reduce((size, x) => Math.max(size, Math.abs(x)), 0);
-  return a.every((x, i) => Math.abs(x - b[i]) <= tolerance * largest);
 }
 
 function checkedRadius(value: unknown, name: string): number {

@@ -8,8 +8,9 @@ import type { NurbsData, RationalData, SplineData } from "../brand.js";
  * Writes curves, and then further numbers, to the arena.
  *
  * @internal
+ * @param write the arena's function, of any module
  */
-export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = []) {
+export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [], write = writeNumbers) {
   const parts = curves.flatMap(({ degree, closed, flat, weights, knots }) => [
     [degree, Number(closed), weights.length, knots.length],
     flat,
@@ -17,7 +18,7 @@ export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [])
     knots,
   ]);
   parts.push(further as Float64Array);
-  const view = writeArguments(
+  const view = write(
     new Float64Array(0),
     parts.reduce((sum, part) => sum + part.length, 0),
   );
@@ -28,6 +29,9 @@ export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [])
   }
 }
 
+/** Writes numbers to the arena of the module of curves. */
+const writeNumbers = (numbers: Float64Array, extra: number) => writeArguments(numbers, extra);
+
 /**
  * Reads a curve from the arena.
  *
@@ -35,7 +39,15 @@ export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [])
  * @param end the index after it, negative if the core reported an error
  */
 export function readNurbsData(end: number, dimension: 2 | 3, from = 0): NurbsData {
-  const numbers = readResult(from, end);
+  return nurbsOfNumbers(readResult(from, end), dimension);
+}
+
+/**
+ * The curve that numbers of the arena describe.
+ *
+ * @internal
+ */
+export function nurbsOfNumbers(numbers: Float64Array, dimension: 2 | 3): NurbsData {
   const [degree, closed, count] = numbers;
   const [weights, knots] = [4 + count * dimension, 4 + count * (dimension + 1)];
   return {
@@ -81,4 +93,15 @@ export function nurbsDataOf(shape: unknown, name: string, expected: string): Nur
   if (type === "nurbscurve") return nurbsData(shape, name);
   if (type === "rationalcurve") return nurbsOfRational(rationalData(shape, name));
   return nurbsOfSpline(splineData(shape, name, expected));
+}
+
+/**
+ * Whether numbers are equal within a part of the largest one.
+ *
+ * @internal
+ */
+export function alike(a: Float64Array, b: Float64Array, tolerance: number): boolean {
+  if (a.length !== b.length) return false;
+  const largest = [...a, ...b].reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+  return a.every((x, i) => Math.abs(x - b[i]) <= tolerance * largest);
 }

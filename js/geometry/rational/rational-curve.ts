@@ -730,12 +730,12 @@ function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): Che
  * @internal
  * @param count of the points
  */
-export function checkedWeights(weights: ArrayLike<number>, count: number): Float64Array {
-  const numbers = check.numbers(weights, "weights");
+export function checkedWeights(weights: ArrayLike<number>, count: number, name = "weights"): Float64Array {
+  const numbers = check.numbers(weights, name);
   if (numbers.length !== count) {
-    throw new RangeError(`weights: expected ${count} numbers, one for each point, got ${numbers.length}`);
+    throw new RangeError(`${name}: expected ${count} numbers, one for each point, got ${numbers.length}`);
   }
-  numbers.forEach((w, i) => checkedWeight(w, `weights[${i}]`));
+  numbers.forEach((w, i) => checkedWeight(w, `${name}[${i}]`));
   return numbers;
 }
 

@@ -5,8 +5,8 @@ import { coreCurveOf } from "../curve/core-curve.js";
 import { corePatchOf } from "../patch/core-patch.js";
 import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
 import { showInNode } from "../inspected.js";
-import { flatten, writePoint } from "../points.js";
-import { networkJSON, networkOfJSON, networkOfPatches, vertexIndices } from "../surface-network.js";
+import { writePoint } from "../points.js";
+import { checkedNetwork, networkJSON, networkOfJSON, networkOfPatches } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import { surfaceText } from "../../io/surface-text.js";
 import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
@@ -17,7 +17,8 @@ import { tessellation } from "../tessellation.js";
 import { readTopology } from "../topology.js";
 import { isocurves, wireframe } from "../wireframe.js";
 import type { TransformLike, Complete, PointLike, PointsLike, MatrixLike } from "../check.js";
-import type { Network, TeapotOptions } from "./network.js";
+import type { Network } from "../brand.js";
+import type { TeapotOptions } from "./network.js";
 import type { SurfaceJSON } from "../surface-network.js";
 import type { CorePatch } from "../patch/core-patch.js";
 import type { CoreCurve } from "../curve/core-curve.js";
@@ -69,7 +70,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
       this.#network = checked.network;
       return;
     }
-    this.#network = checkedNetwork(data, options);
+    this.#network = checkedNetwork(data, options, joinedOf);
   }
 
   /**
@@ -372,11 +373,11 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   ) {
     const sink = check.drawingTarget(target);
     const { matrix, lines = 4, tolerance } = check.options(options, ["matrix", "lines", "tolerance"]);
-    const m = check.matrixNumbers(matrix as MatrixLike);
+    const m = queries.projectionNumbers(matrix as MatrixLike);
     check.segmentCount(lines, "lines");
     const tolerancePx = check.optionalTolerance(tolerance);
     const end = this._write(16);
-    end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
+    end.view.set(m, end.at);
     unwrapCount(core().surface_trace(sink, lines, tolerancePx));
   }
 
@@ -486,30 +487,4 @@ function summary(surface: CoreSurface) {
   const { degrees, vertices } = surface.casteljauData();
   const nets = new Set(degrees.flatMap((degree, k) => (k % 2 ? [`${degrees[k - 1]} × ${degree}`] : [])));
   return { patches: surface.patchCount, degrees: [...nets], vertices: vertices.length / 3 };
-}
-
-function checkedNetwork(
-  data: { vertices: PointsLike; patches: ArrayLike<ArrayLike<number>> },
-  options?: { degreeU?: number; degreeV?: number },
-): Network {
-  const { vertices, patches } = check.object(data, "data");
-  const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
-  check.whole(degreeU, "degreeU", 1, 64);
-  check.whole(degreeV, "degreeV", 1, 64);
-  const flat = flatten(vertices as PointsLike, 3, 3, "vertices").flat;
-  const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
-  const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) =>
-    k % 2 ? degreeV : degreeU,
-  );
-  return { vertices: flat, joined: joinedOf(flat), degrees, indices };
-}
-
-/**
- * @param count the number of points of one net
- */
-function patchIndices(patches: unknown, count: number, vertices: number): Uint32Array {
-  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
-  const all = new Uint32Array(patches.length * count);
-  patches.forEach((net, k) => all.set(vertexIndices(net, count, vertices, `patches[${k}]`), k * count));
-  return all;
 }

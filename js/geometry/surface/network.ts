@@ -2,6 +2,7 @@
 import * as check from "../check.js";
 import { parseSurface } from "../../io/surface-text.js";
 import { core, writeArguments, readResult, releaseMemory } from "../../wasm/surfaces-transfer.js";
+import type { Network } from "../brand.js";
 
 /** The parts of the teapot, its height and the axis that points up. */
 export interface TeapotOptions {
@@ -17,12 +18,6 @@ export interface TeapotOptions {
   /** "z" by default */
   up?: "z" | "y";
 }
-
-/**
- * The nets of a surface: the vertices; for each vertex the index of the first one that had the same position when the
- * surface was created (`joined`); two degrees for each patch; the vertex indices of all nets, one net after the other.
- */
-export type Network = { vertices: Float64Array; joined: Float64Array; degrees: number[]; indices: Uint32Array };
 
 /** In the order of the core's bits. */
 const PARTS = ["rim", "body", "handle", "spout", "lid", "bottom"] as const;

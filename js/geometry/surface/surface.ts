@@ -6,7 +6,7 @@ import { networkOfJSON } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "../curve/curve.js";
 import type { Patch } from "../patch/patch.js";
-import type { Network } from "./network.js";
+import type { Network } from "../brand.js";
 import type { SurfaceJSON } from "../surface-network.js";
 
 /**

@@ -110,7 +110,7 @@ impl RationalSurface {
         )
     }
 
-    fn weighted(network: Surface, weights: Vec<f64>) -> Result<Self, Error> {
+    pub(crate) fn weighted(network: Surface, weights: Vec<f64>) -> Result<Self, Error> {
         check_weights(&weights, network.indices().len())?;
         Ok(Self { network, weights })
     }

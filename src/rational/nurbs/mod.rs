@@ -13,7 +13,7 @@ mod refine;
 #[cfg(feature = "surfaces")]
 pub(super) use queries::locate;
 
-use super::weighted::WeightedPoint;
+use super::weighted::{WeightedPoint, are_close};
 use super::{RationalCurve, check_weights};
 use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::check::{MAX_COORDINATE, check_points, images};
@@ -252,17 +252,12 @@ impl<P: Point> NurbsCurve<P> {
     /// weights and knots are equal within `tolerance` times the largest one.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         let close = |(&a, &b): (&P, &P)| a == b || (a - b).norm() <= tolerance;
-        let alike = |a: &[f64], b: &[f64]| {
-            let size = a.iter().chain(b).fold(0.0, |max: f64, x| max.max(x.abs()));
-            let mut pairs = a.iter().zip(b);
-            a.len() == b.len() && pairs.all(|(a, b)| (a - b).abs() <= tolerance * size)
-        };
         self.degree == other.degree
             && self.closed == other.closed
             && self.points.len() == other.points.len()
             && self.points.iter().zip(&other.points).all(close)
-            && alike(&self.weights, &other.weights)
-            && alike(&self.knots, &other.knots)
+            && are_close(&self.weights, &other.weights, tolerance)
+            && are_close(&self.knots, &other.knots, tolerance)
     }
 
     /// The same curve with reversed direction and the same domain.

@@ -19,6 +19,7 @@ impl<P: Point> NurbsCurve<P> {
     ///
     /// Source: Böhm, "Inserting new knots into B-spline curves", CAD 12 (1980).
     pub fn insert_knot(&self, t: f64, times: usize) -> Result<Self, Error> {
+        self.check_inside("t", t)?;
         let free = self.degree.saturating_sub(self.multiplicity(t));
         if times > free {
             return Err(Error::Range {

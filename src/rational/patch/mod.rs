@@ -9,12 +9,11 @@ mod split;
 
 use super::check_weights;
 use super::transform::projected;
-use super::weighted::{Homogeneous, WeightedPoint};
+use super::weighted::{Homogeneous, WeightedPoint, are_proportional, weight_scale};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
 use crate::geometry::error::Error;
-use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Net, Points};
 use crate::patch::curvature::curvature;
 use crate::patch::{Curvature, Partials, Patch};
@@ -207,6 +206,13 @@ impl RationalPatch {
         })
     }
 
+    /// Whether both patches have the same degrees, every control point lies within `tolerance` of its counterpart, and the
+    /// weights are equal up to a common factor, each within `tolerance` times the largest weight.
+    pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
+        self.net.approx_eq(&other.net, tolerance)
+            && are_proportional(&self.weights, &other.weights, tolerance)
+    }
+
     /// The control points with their weights.
     pub(super) fn weighted(&self) -> Vec<WeightedPoint<DVec3>> {
         let parts = self.net.points.iter().zip(&self.weights);
@@ -217,7 +223,7 @@ impl RationalPatch {
 
     /// The homogeneous control points relative to an origin, with a largest weight of 1 to 2.
     pub(super) fn homogeneous(&self, origin: DVec3) -> Vec<Homogeneous<DVec3>> {
-        let scale = unit_scale(self.weights.iter().copied().fold(0.0, f64::max));
+        let scale = weight_scale(&self.weights);
         let parts = self.net.points.iter().zip(&self.weights);
         parts
             .map(|(&p, &w)| Homogeneous::new(p - origin, w * scale))

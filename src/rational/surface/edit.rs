@@ -4,8 +4,9 @@ use super::{Direction, NurbsSurface};
 use crate::geometry::check::images;
 use crate::geometry::error::Error;
 use crate::rational::nurbs::{NurbsCurve, locate};
+use crate::rational::transform::projected;
 use crate::rational::weighted::{WeightedPoint, transposed};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat4, DVec3};
 
 impl NurbsSurface {
     /// The same surface with the knot u inserted `times` times; see [`NurbsCurve::insert_knot`].
@@ -14,6 +15,7 @@ impl NurbsSurface {
     /// As there.
     pub fn insert_knot_u(&self, u: f64, times: usize) -> Result<Self, Error> {
         self.along_u(|row| row.insert_knot(u, times))
+            .map_err(|error| with_name(error, "u"))
     }
 
     /// The same surface with the knot v inserted `times` times; see [`NurbsCurve::insert_knot`].
@@ -22,6 +24,7 @@ impl NurbsSurface {
     /// As there.
     pub fn insert_knot_v(&self, v: f64, times: usize) -> Result<Self, Error> {
         self.along_v(|column| column.insert_knot(v, times))
+            .map_err(|error| with_name(error, "v"))
     }
 
     /// The same surface with a degree in u that is higher by 1; see [`NurbsCurve::elevate`].
@@ -47,8 +50,9 @@ impl NurbsSurface {
     /// # Errors
     /// As there.
     pub fn split_u(&self, u: f64) -> Result<(Self, Self), Error> {
-        let before = self.along_u(|row| Ok(row.split(u)?.0))?;
-        Ok((before, self.along_u(|row| Ok(row.split(u)?.1))?))
+        let part = |k: usize| self.along_u(|row| Ok(<[_; 2]>::from(row.split(u)?)[k].clone()));
+        let both = || Ok((part(0)?, part(1)?));
+        both().map_err(|error| with_name(error, "u"))
     }
 
     /// Splits the surface at v into two surfaces; see [`split_u`](Self::split_u).
@@ -56,8 +60,10 @@ impl NurbsSurface {
     /// # Errors
     /// As there.
     pub fn split_v(&self, v: f64) -> Result<(Self, Self), Error> {
-        let before = self.along_v(|column| Ok(column.split(v)?.0))?;
-        Ok((before, self.along_v(|column| Ok(column.split(v)?.1))?))
+        let part =
+            |k: usize| self.along_v(|column| Ok(<[_; 2]>::from(column.split(v)?)[k].clone()));
+        let both = || Ok((part(0)?, part(1)?));
+        both().map_err(|error| with_name(error, "v"))
     }
 
     /// The curve u = constant, with the degree and the knots in v.
@@ -97,6 +103,19 @@ impl NurbsSurface {
         Self::from_weighted(&parts, self.u.clone(), self.v.clone())
     }
 
+    /// The image of the surface under a projective map; see [`RationalCurve::project`](crate::RationalCurve::project).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn project(&self, matrix: &DMat4) -> Result<Self, Error> {
+        let (points, weights) = projected(&self.points, &self.weights, matrix)?;
+        let parts = points.into_iter().zip(weights);
+        let parts: Vec<WeightedPoint<DVec3>> = parts
+            .map(|(point, weight)| WeightedPoint { point, weight })
+            .collect();
+        Self::from_weighted(&parts, self.u.clone(), self.v.clone())
+    }
+
     /// The surface whose rows are the results of an operation, which has the same degree and knots for every row.
     fn along_u(
         &self,
@@ -116,6 +135,16 @@ impl NurbsSurface {
         let parts = transposed(&across, v.count());
         Self::from_weighted(&parts, self.u.clone(), v)
     }
+}
+
+/// The error of an operation on rows or columns, with the name of the surface's parameter.
+fn with_name(mut error: Error, name: &'static str) -> Error {
+    if let Error::Range { what, .. } | Error::NotFinite { what, .. } = &mut error
+        && *what == "t"
+    {
+        *what = name;
+    }
+    error
 }
 
 fn changed_rows(

@@ -10,7 +10,7 @@ mod loft;
 use super::check_weights;
 use super::nurbs::{NurbsCurve, locate};
 use super::patch::RationalPatch;
-use super::weighted::{WeightedPoint, transposed};
+use super::weighted::{WeightedPoint, are_close, transposed};
 use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_points;
@@ -274,6 +274,19 @@ impl NurbsSurface {
         let first = self.patches[0].bounds();
         let others = self.patches[1..].iter();
         others.fold(first, |all, patch| all.union(patch.bounds()))
+    }
+
+    /// Whether both surfaces have the same degrees and numbers of knots, every control point lies within `tolerance` of its
+    /// counterpart, and weights and knots are equal within `tolerance` times the largest one.
+    pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
+        let close = |(&a, &b): (&DVec3, &DVec3)| a == b || a.distance(b) <= tolerance;
+        let along = |a: &Direction, b: &Direction| {
+            a.degree == b.degree && are_close(&a.knots, &b.knots, tolerance)
+        };
+        along(&self.u, &other.u)
+            && along(&self.v, &other.v)
+            && self.points.iter().zip(&other.points).all(close)
+            && are_close(&self.weights, &other.weights, tolerance)
     }
 
     /// The patch that contains (u, v), the parameters on it, and its extent in u and v.

@@ -131,6 +131,9 @@ impl<'a> Maker<'a> {
             "path" if is_large => Value::Path(large::path(rng, 3.0)),
             "path" => Value::Path(geometry::path(rng, mode)),
             "patch" => Value::Patch(geometry::patch(rng, mode)),
+            "rationalpatch" => Value::RationalPatch(geometry::rational_patch(rng, mode)),
+            "nurbscurve3" => Value::NurbsCurve(geometry::nurbs(rng, mode, 3)),
+            "nurbssurface" => Value::NurbsSurface(geometry::nurbs_surface(rng, mode)),
             "surface" if is_large => Value::Surface(large::surface(rng)),
             "surface" => Value::Surface(geometry::surface(rng, mode)),
             "point" => self.point(),
@@ -181,6 +184,8 @@ impl<'a> Maker<'a> {
             "t" => parameter(self.rng, 1.0),
             "spline t" => parameter(self.rng, self.segments()),
             "nurbs t" => self.nurbs_parameter(),
+            "surface u" => self.surface_parameter(0),
+            "surface v" => self.surface_parameter(1),
             "weight" => geometry::weight(self.rng),
             "unit" => {
                 let same = self.rng.clone().unit();
@@ -214,9 +219,21 @@ impl<'a> Maker<'a> {
         let Some((_, Value::NurbsCurve(curve))) = self.result.arguments.first() else {
             panic!("a parameter needs a NURBS curve");
         };
-        let knots = &curve.knots;
         let first = if curve.closed { 0 } else { curve.degree };
-        let (from, to) = (knots[first], knots[curve.points.len()]);
+        let (from, to) = (curve.knots[first], curve.knots[curve.points.len()]);
+        self.knot_parameter(&curve.knots, [from, to])
+    }
+
+    /// The same for a direction of a NURBS surface.
+    fn surface_parameter(&mut self, direction: usize) -> f64 {
+        let Some((_, Value::NurbsSurface(surface))) = self.result.arguments.first() else {
+            panic!("a parameter needs a NURBS surface");
+        };
+        let (knots, degree) = (&surface.knots[direction], surface.degrees[direction]);
+        self.knot_parameter(knots, [knots[degree], knots[knots.len() - degree - 1]])
+    }
+
+    fn knot_parameter(&mut self, knots: &[f64], [from, to]: [f64; 2]) -> f64 {
         match self.rng.below(20) {
             0 => from,
             1 => to,
@@ -350,6 +367,7 @@ pub(crate) fn control_points(value: &Value) -> Vec<DVec3> {
         Value::Spline(spline) => spline.points.clone(),
         Value::Path(splines) => splines.iter().flat_map(|one| one.points.clone()).collect(),
         Value::Patch(surface) | Value::Surface(surface) => surface.vertices.clone(),
+        Value::RationalPatch(surface) | Value::NurbsSurface(surface) => surface.points.clone(),
         _ => Vec::new(),
     }
 }

@@ -54,6 +54,19 @@ pub struct SurfaceData {
     pub degrees: Vec<[usize; 2]>,
 }
 
+/// A NURBS surface as plain data; a rational patch has no knots.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NurbsSurfaceData {
+    /// The degrees in u and v.
+    pub degrees: [usize; 2],
+    /// The net of control points, u along the fast index.
+    pub points: Vec<DVec3>,
+    /// A weight for each point.
+    pub weights: Vec<f64>,
+    /// The knots in u and v.
+    pub knots: [Vec<f64>; 2],
+}
+
 /// An argument.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
@@ -87,6 +100,10 @@ pub enum Value {
     Path(Vec<SplineData>),
     /// A patch.
     Patch(SurfaceData),
+    /// A rational patch.
+    RationalPatch(NurbsSurfaceData),
+    /// A NURBS surface.
+    NurbsSurface(NurbsSurfaceData),
     /// A surface.
     Surface(SurfaceData),
     /// A text.
@@ -179,6 +196,7 @@ impl Value {
                 sizes.fold(0.0, f64::max)
             }
             Self::Patch(surface) | Self::Surface(surface) => largest(&surface.vertices),
+            Self::RationalPatch(surface) | Self::NurbsSurface(surface) => largest(&surface.points),
             _ => 0.0,
         }
     }

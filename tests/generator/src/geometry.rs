@@ -1,7 +1,7 @@
 //! Curves, splines, paths, patches and surfaces of each mode.
 
 use crate::adversarial::{self, Kind, ORDINARY, elevated_to, within_range};
-use crate::case::{Mode, RationalData, SplineData, SurfaceData};
+use crate::case::{Mode, NurbsSurfaceData, RationalData, SplineData, SurfaceData};
 use crate::random::{Rng, real};
 use glam::DVec3;
 
@@ -186,6 +186,19 @@ pub(crate) fn nurbs(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalData
         points.extend(curve(rng, mode, dimension, 8));
     }
     points.truncate(count);
+    let knots = knots(rng, degree, count, closed);
+    RationalData {
+        dimension,
+        degree,
+        weights: weights(rng, count),
+        points,
+        knots,
+        closed,
+    }
+}
+
+/// Knots of every multiplicity up to the degree.
+fn knots(rng: &mut Rng, degree: usize, count: usize, closed: bool) -> Vec<f64> {
     let inner = if closed {
         count + 1
     } else {
@@ -208,13 +221,30 @@ pub(crate) fn nurbs(rng: &mut Rng, mode: Mode, dimension: usize) -> RationalData
         all.extend(vec![last; degree]);
         knots = all;
     }
-    RationalData {
-        dimension,
-        degree,
-        weights: weights(rng, count),
+    knots
+}
+
+/// A patch with weights.
+pub(crate) fn rational_patch(rng: &mut Rng, mode: Mode) -> NurbsSurfaceData {
+    let (points, degrees) = net(rng, mode);
+    NurbsSurfaceData {
+        degrees,
+        weights: weights(rng, points.len()),
+        points,
+        knots: [Vec::new(), Vec::new()],
+    }
+}
+
+/// A NURBS surface of up to nine patches. The net is that of a patch, of which the degrees are only a part of the counts.
+pub(crate) fn nurbs_surface(rng: &mut Rng, mode: Mode) -> NurbsSurfaceData {
+    let (points, [m, n]) = net(rng, mode);
+    let degrees = [m, n].map(|most| most - rng.below(most.min(3)));
+    let knots = [0, 1].map(|k| knots(rng, degrees[k], [m, n][k] + 1, false));
+    NurbsSurfaceData {
+        degrees,
+        weights: weights(rng, points.len()),
         points,
         knots,
-        closed,
     }
 }
 

@@ -16,7 +16,7 @@ mod random;
 mod texts;
 
 pub use arguments::case;
-pub use case::{Case, Mode, RationalData, SplineData, SurfaceData, Value};
+pub use case::{Case, Mode, NurbsSurfaceData, RationalData, SplineData, SurfaceData, Value};
 pub use functions::{FUNCTIONS, Signature, find};
 pub use random::{Rng, real};
 

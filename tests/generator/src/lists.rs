@@ -15,6 +15,7 @@ impl Maker<'_> {
         Some(match kind {
             "control points" => Value::Points(any, geometry::curve(self.rng, self.mode, any, 24)),
             "four points" => Value::Points(any, self.points(any, 4)),
+            "space points" => Value::Points(3, self.points(3, 4)),
             "sixteen points" => Value::Points(3, self.points(3, 16)),
             "few points" => self.some_points(any, 2, 8),
             "many points" => self.some_points(any, 2, 24),

@@ -3,7 +3,7 @@
 //! Numbers have the fewest digits that give them back, so both languages see the same bits. JSON has neither infinities
 //! nor NaN, and no case has any.
 
-use crate::case::{Case, RationalData, SplineData, SurfaceData, Value};
+use crate::case::{Case, NurbsSurfaceData, RationalData, SplineData, SurfaceData, Value};
 use glam::DVec3;
 use std::fmt::Debug;
 
@@ -118,6 +118,33 @@ impl Language {
         }
     }
 
+    fn rational_patch(self, patch: &NurbsSurfaceData) -> String {
+        let (points, [m, n]) = (self.points(3, &patch.points), patch.degrees);
+        let weights = self.debug(&patch.weights);
+        match self {
+            Json => {
+                format!("{{\"points\":{points},\"weights\":{weights},\"degrees\":[{m},{n}]}}")
+            }
+            JavaScript => {
+                format!("new RationalPatch({points}, {weights}, {{ degreeU: {m}, degreeV: {n} }})")
+            }
+        }
+    }
+
+    fn nurbs_surface(self, surface: &NurbsSurfaceData) -> String {
+        let (points, [m, n]) = (self.points(3, &surface.points), surface.degrees);
+        let weights = self.debug(&surface.weights);
+        let [u, v] = [0, 1].map(|k| self.debug(&surface.knots[k]));
+        match self {
+            Json => format!(
+                "{{\"points\":{points},\"weights\":{weights},\"degrees\":[{m},{n}],\"knots\":[{u},{v}]}}"
+            ),
+            JavaScript => format!(
+                "new NurbsSurface({{ degreeU: {m}, degreeV: {n}, points: {points}, weights: {weights}, knotsU: {u}, knotsV: {v} }})"
+            ),
+        }
+    }
+
     fn surface(self, surface: &SurfaceData) -> String {
         let vertices = self.points(3, &surface.vertices);
         let indices = self.debug(&surface.indices);
@@ -144,7 +171,10 @@ impl Language {
 
 impl Value {
     fn is_object(&self) -> bool {
-        use Value::{Curve, NurbsCurve, Patch, Path, RationalCurve, Spline, Surface};
+        use Value::{
+            Curve, NurbsCurve, NurbsSurface, Patch, Path, RationalCurve, RationalPatch, Spline,
+            Surface,
+        };
         matches!(
             self,
             Curve(..)
@@ -153,6 +183,8 @@ impl Value {
                 | Spline(_)
                 | Path(_)
                 | Patch(_)
+                | RationalPatch(_)
+                | NurbsSurface(_)
                 | Surface(_)
         )
     }
@@ -187,6 +219,8 @@ impl Value {
                 }
             }
             (Self::Patch(patch), _) => language.patch(patch),
+            (Self::RationalPatch(patch), _) => language.rational_patch(patch),
+            (Self::NurbsSurface(surface), _) => language.nurbs_surface(surface),
             (Self::Surface(surface), _) => language.surface(surface),
             (Self::Text(text), Json) => quoted(text),
             (Self::Text(text), _) => format!("{text:?}"),

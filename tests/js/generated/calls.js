@@ -1,12 +1,16 @@
 // For each public function the call that a generated case means.
 import assert from "node:assert/strict";
 import { Curve, easing, InkStroke, Mesh, Patch, Path, Spline, Surface } from "casteljau";
-import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
+import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch } from "casteljau/nurbs";
 import * as THREE from "three";
 import { recorder, withPath2D } from "../reference.js";
 
 const curveOf = ({ points, dimension }) => new Curve(points, { dimension });
 const rationalOf = ({ points, weights, dimension }) => new RationalCurve(points, weights, { dimension });
+const rationalPatchOf = ({ points, weights, degrees: [degreeU, degreeV] }) =>
+  new RationalPatch(points, weights, { degreeU, degreeV });
+const nurbsSurfaceOf = ({ points, weights, degrees: [degreeU, degreeV], knots: [knotsU, knotsV] }) =>
+  new NurbsSurface({ degreeU, degreeV, points, weights, knotsU, knotsV });
 const splineOf = ({ points, degrees, closed, dimension }) => Spline.fromJSON({ points, degrees, closed, dimension });
 const pathOf = (splines) => new Path(splines.map(splineOf));
 const patchOf = ({ vertices, degrees: [[degreeU, degreeV]] }) => new Patch(vertices, { degreeU, degreeV });
@@ -18,11 +22,14 @@ export function argumentsOf(given) {
   for (const [name, value] of Object.entries(given)) a[name] = value ?? undefined;
   for (const name of ["curve", "other"])
     if (a[name]?.points && !a[name].degrees && !a[name].weights) a[name] = curveOf(a[name]);
+  if (a.curve?.knots) a.curve = new NurbsCurve(a.curve);
   for (const name of ["spline", "other"]) if (a[name]?.degrees) a[name] = splineOf(a[name]);
   if (given.other?.knots?.length) a.other = new NurbsCurve(given.other);
   else if (given.other?.weights) a.other = rationalOf(given.other);
   if (a.rationalcurve) a.rationalcurve = rationalOf(a.rationalcurve);
   if (a.nurbscurve) a.nurbscurve = new NurbsCurve(a.nurbscurve);
+  if (a.rationalpatch) a.rationalpatch = rationalPatchOf(a.rationalpatch);
+  if (a.nurbssurface) a.nurbssurface = nurbsSurfaceOf(a.nurbssurface);
   if (a.path) a.path = pathOf(a.path);
   if (Array.isArray(a.other)) a.other = pathOf(a.other);
   if (a.patch) a.patch = patchOf(a.patch);
@@ -172,6 +179,50 @@ const NURBS = {
   "NurbsCurve.toSpline": (a) => a.nurbscurve.toSpline({ tolerance: a.tolerance }),
   "NurbsCurve.trace": (a) => traced((target) => a.nurbscurve.trace(target, { tolerance: a.tolerance })),
   "NurbsCurve.toSVG": (a) => a.nurbscurve.toSVG({ tolerance: a.tolerance }),
+};
+
+const RATIONAL_PATCH = {
+  ...methods(
+    "RationalPatch",
+    `
+    toJSON; toString; degreeU; degreeV; controlPoints; weights; eval u v; partials u v; normal u v; curvature u v; isocurveAtU u;
+    isocurveAtV v; splitU u; splitV v; elevate; bounds
+  `,
+  ),
+  "RationalPatch.constructor": (a) => a.rationalpatch,
+  "RationalPatch.from": (a) => RationalPatch.from(a.patch),
+  "RationalPatch.fromJSON": (a) => RationalPatch.fromJSON(a.rationalpatch.toJSON()),
+  "RationalPatch.equals": (a) => a.rationalpatch.equals(a.rationalpatch, Math.abs(a.tolerance)),
+  "RationalPatch.transform": (a) => a.rationalpatch.transform(matrix(a)),
+  "RationalPatch.project": (a) => a.rationalpatch.transform(a.map),
+};
+
+const axisOf = (a) => ({ axis: a.points[1] });
+
+const NURBS_SURFACE = {
+  ...methods(
+    "NurbsSurface",
+    `
+    toJSON; toString; degreeU; degreeV; domain; controlPoints; weights; knotsU; knotsV; jointsU; jointsV; patches; eval u v;
+    partials u v; normal u v; curvature u v; insertKnotU u times; insertKnotV v times; elevateU; elevateV; splitU u; splitV v;
+    isocurveAtU u; isocurveAtV v; reverse; bounds; toSurface
+  `,
+  ),
+  "NurbsSurface.constructor": (a) => a.nurbssurface,
+  "NurbsSurface.fromJSON": (a) => NurbsSurface.fromJSON(a.nurbssurface.toJSON()),
+  "NurbsSurface.equals": (a) => a.nurbssurface.equals(a.nurbssurface.reverse(), a.tolerance),
+  "NurbsSurface.transform": (a) => a.nurbssurface.transform(matrix(a)),
+  "NurbsSurface.project": (a) => a.nurbssurface.transform(a.map),
+  "NurbsSurface.plane": (a) => NurbsSurface.plane(a.points[0], a.points[1], a.points[2]),
+  "NurbsSurface.cylinder": (a) => NurbsSurface.cylinder(a.points[0], a.radius, a.height, axisOf(a)),
+  "NurbsSurface.cone": (a) => NurbsSurface.cone(a.points[0], a.radius, a.height, axisOf(a)),
+  "NurbsSurface.sphere": (a) => NurbsSurface.sphere(a.points[0], a.radius, axisOf(a)),
+  "NurbsSurface.torus": (a) => NurbsSurface.torus(a.points[0], a.major, a.minor, axisOf(a)),
+  "NurbsSurface.ruled": (a) => NurbsSurface.ruled(a.curve, a.other),
+  "NurbsSurface.extrude": (a) => NurbsSurface.extrude(a.curve, a.vector),
+  "NurbsSurface.revolve": (a) =>
+    NurbsSurface.revolve(a.curve, { origin: a.origin, axis: a.axis, angle: 2 * Math.PI * (2 * a.angle - 1) }),
+  "NurbsSurface.loft": (a) => NurbsSurface.loft([a.curve, a.other, a.curve.reverse()], { degree: a.degree }),
 };
 
 const SPLINE = {
@@ -354,5 +405,5 @@ export const GROUPS = [
   { ...CURVE, ...RATIONAL },
   { ...NURBS, ...SPLINE },
   { ...PATH, ...INK, ...PATCH },
-  { ...SURFACE },
+  { ...SURFACE, ...RATIONAL_PATCH, ...NURBS_SURFACE },
 ];

@@ -9,6 +9,8 @@ const INFINITE = new Set([
   "Curve.curvature",
   "RationalCurve.curvature",
   "NurbsCurve.curvature",
+  "RationalPatch.curvature",
+  "NurbsSurface.curvature",
   "Curve.torsion",
   "Spline.curvature",
   "Spline.torsion",
@@ -68,6 +70,8 @@ const CHECKS = {
     const path = Path.fromSVG(text);
     if (precision === undefined && curve.degree <= 3) assert.ok(path.equals(new Path([curve])), text);
   },
+  "RationalPatch.fromJSON": (again, { rationalpatch }) => assert.ok(again.equals(rationalpatch)),
+  "NurbsSurface.fromJSON": (again, { nurbssurface }) => assert.ok(again.equals(nurbssurface)),
   "RationalCurve.fromJSON": (again, { rationalcurve }) => assert.ok(again.equals(rationalcurve)),
   "NurbsCurve.fromJSON": (again, { nurbscurve }) => assert.ok(again.equals(nurbscurve)),
   "Spline.fromJSON": (again, { spline }) => assert.ok(again.equals(spline)),

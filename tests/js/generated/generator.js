@@ -28,6 +28,8 @@ const SAME_CASES = {
   "Curve.toThree": "Curve.pointAtLength",
   "RationalCurve.toString": "RationalCurve.toJSON",
   "NurbsCurve.toString": "NurbsCurve.toJSON",
+  "RationalPatch.toString": "RationalPatch.toJSON",
+  "NurbsSurface.toString": "NurbsSurface.toJSON",
   "Spline.points": "Spline.controlPoints",
   "Spline.toString": "Spline.toJSON",
   "Spline.toThree": "Spline.pointAtLength",

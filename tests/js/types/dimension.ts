@@ -1,7 +1,7 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
 import { Curve, Path, Spline } from "casteljau";
 import * as core from "casteljau/core";
-import { NurbsCurve, RationalCurve } from "casteljau/nurbs";
+import { type Mesh, NurbsCurve, NurbsSurface, RationalCurve, type RationalPatch } from "casteljau/nurbs";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -81,6 +81,17 @@ export const rationalZ: number = helix.eval(0.5).z + RationalCurve.from(inSpace)
 export const planeSpline: { dimension: 2 } = arc.toSpline({ tolerance: 0.1 });
 // @ts-expect-error: no z in the plane
 arc.eval(0).z;
+// Surfaces with weights.
+const ball = NurbsSurface.sphere([0, 0, 0], 1);
+expectTrue<Same<ReturnType<typeof ball.isocurveAtU>, NurbsCurve<3>>>();
+export const patchesOfBall: RationalPatch[] = ball.patches();
+export const meshOfBall: Mesh = ball.toSurface().tessellate({ tolerance: 0.1 });
+export const vase: NurbsSurface = NurbsSurface.revolve(inSpace, { axis: [0, 0, 1], angle: 1 });
+// @ts-expect-error: a surface needs knots in both directions
+export const noKnots = new NurbsSurface({ degreeU: 1, degreeV: 1, points: [[0, 0, 0]] });
+// @ts-expect-error: a grid of a surface with weights has one method
+ball.toSurface().grid({ segments: 4, method: "bernstein" });
+
 // @ts-expect-error: a curve has no weights
 export const noWeights: RationalCurve<2> = inPlane;
 

@@ -6,7 +6,10 @@
     reason = "samples are written for readers; each uses some of the names"
 )]
 use casteljau::glam::{DAffine2, DAffine3, DMat4, DVec2, DVec3};
-use casteljau::{Curve, Easing, Mesh, NurbsCurve, Patch, Path, RationalCurve, Spline, Surface};
+use casteljau::{
+    Curve, Easing, Mesh, NurbsCurve, NurbsSurface, Patch, Path, RationalCurve, RationalPatch,
+    RationalSurface, Spline, Surface,
+};
 use std::cell::RefCell;
 
 thread_local! {

@@ -25,7 +25,10 @@ export function sampleHtml(code) {
   return `<pre tabindex="0"><code>${highlight(head + code, "js", marks)}</code></pre>`;
 }
 
-const RUST_NAMES = ["Curve", "RationalCurve", "NurbsCurve", "Spline", "Path", "Patch", "Surface", "Mesh", "Easing"];
+const RUST_NAMES = [
+  ...["Curve", "RationalCurve", "NurbsCurve", "Spline", "Path", "Patch", "RationalPatch", "NurbsSurface", "Surface"],
+  ...["RationalSurface", "Mesh", "Easing"],
+];
 
 /** A Rust sample with the line that imports what it uses. @param {string} code */
 export function rustSource(code) {

@@ -7,8 +7,11 @@ const PAGES = {
   InkStroke: "path/struct.InkStroke.html",
   Grid: "mesh/struct.Grid.html",
   NurbsCurve: "struct.NurbsCurve.html",
+  NurbsSurface: "struct.NurbsSurface.html",
   PathBuilder: "path/struct.PathBuilder.html",
   RationalCurve: "struct.RationalCurve.html",
+  RationalPatch: "struct.RationalPatch.html",
+  RationalSurface: "struct.RationalSurface.html",
   TessellationOptions: "mesh/struct.TessellationOptions.html",
 };
 

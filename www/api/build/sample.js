@@ -5,7 +5,7 @@
 export const NAMES = ["Curve", "Spline", "Path", "InkStroke", "Patch", "Surface", "Mesh", "easing", "init"];
 
 /** The same from `casteljau/nurbs`. */
-export const NURBS_NAMES = ["RationalCurve", "NurbsCurve"];
+export const NURBS_NAMES = ["RationalCurve", "NurbsCurve", "RationalPatch", "NurbsSurface", "RationalSurface"];
 
 /**
  * @typedef {{ name: string, kind: "point" | "points" | "number" | "choice", value: any, start: number, end: number, min?: number, max?: number, step?: number, options?: any[] }} Input

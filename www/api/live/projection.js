@@ -61,7 +61,8 @@ export class Projection {
       return shape.transform([x1 - e, y1 - f, x2 - e, y2 - f, e, f]).toSVG({ precision: 1 });
     }
     const flat = flattened(shape.controlPoints(), 3).flatMap((point) => this.#exactPlace(point));
-    return new shape.constructor(flat).toSVG({ precision: 1 });
+    // The projection is parallel, so that weights stay.
+    return new shape.constructor(flat, shape.weights?.()).toSVG({ precision: 1 });
   }
 
   /** @param {number[]} point */

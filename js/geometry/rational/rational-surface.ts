@@ -1,0 +1,391 @@
+import * as check from "../check.js";
+import { core, readResult, releaseMemory, unwrapCount, writeArguments } from "../../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../../wasm/transfer.js";
+import { patchData, rationalPatchData, rationalSurfaceData, requireJSON, surfaceData, typeOf } from "../brand.js";
+import { showInNode } from "../inspected.js";
+import { meshInto, readMesh, segmentsOf } from "../mesh.js";
+import { writePoint } from "../points.js";
+import { joinedOf } from "../surface/network.js";
+import { projectionNumbers } from "../surface-queries.js";
+import { checkedNetwork, networkJSON, networkOfJSON, networkOfNets } from "../surface-network.js";
+import { tessellation } from "../tessellation.js";
+import { readTopology } from "../topology.js";
+import { linesOf, wireframeArguments } from "../wireframe.js";
+import { checkedWeights, rationalCurveOf } from "./rational-curve.js";
+import { rationalPatchOf, transformed } from "./rational-patch.js";
+import type { PatchData, RationalSurfaceData } from "../brand.js";
+import type { MatrixLike, PointLike, PointsLike, TransformLike } from "../check.js";
+import type { GridOptions, Mesh } from "../mesh.js";
+import type { CorePatch } from "../patch/core-patch.js";
+import type { CoreSurface } from "../surface/core-surface.js";
+import type { SurfaceJSON } from "../surface-network.js";
+import type { TessellationOptions } from "../tessellation.js";
+import type { Topology } from "../topology.js";
+import type { WireframeOptions } from "../wireframe.js";
+import type { RationalCurve } from "./rational-curve.js";
+import type { RationalPatch } from "./rational-patch.js";
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
+/** What `RationalSurface.toJSON` returns; `RationalSurface.fromJSON` also reads other forms of points. */
+export interface RationalSurfaceJSON extends SurfaceJSON {
+  /** For each patch a weight for each of its vertex indices */
+  weights: ArrayLike<ArrayLike<number>>;
+}
+
+/** What a surface of rational patches is made of. */
+export interface RationalSurfaceOptions {
+  vertices: PointsLike;
+  /** For each patch its (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index */
+  patches: ArrayLike<ArrayLike<number>>;
+  /** For each patch a weight for each of its vertex indices, from 2^-500 to 2^500; all 1 by default */
+  weights?: ArrayLike<ArrayLike<number>>;
+}
+
+/**
+ * A network of rational Bézier patches that share control points: a `Surface` with a weight for each index of each patch.
+ *
+ *     const sphere = NurbsSurface.sphere([0, 0, 0], 1).toSurface();
+ *     const mesh = sphere.tessellate({ tolerance: 0.01 });
+ *
+ * Weights belong to patches: patches that share a vertex may have different weights there, as at the pole of a sphere, and a
+ * common factor of all weights of a patch changes nothing. Surfaces are immutable: every change returns a new one.
+ */
+export class RationalSurface {
+  #data: RationalSurfaceData;
+  /** For each patch the start of its indices, and at last their number */
+  #starts: Uint32Array;
+
+  /**
+   * The surface of patches of the same degrees, whose control points are given as indices into a list of vertices.
+   *
+   * @param data `vertices`, `patches` and `weights`
+   * @param options `degreeU`: 3 by default; `degreeV`: 3 by default
+   * @throws {RangeError} for an index without a vertex, a wrong count, a NaN or an infinity, and for a weight that is not above 0
+   */
+  constructor(data: RationalSurfaceOptions, options?: { degreeU?: number; degreeV?: number }) {
+    if (!isShown) show();
+    const checked = data as unknown;
+    this.#data = checked instanceof CheckedSurface ? checked.data : checkedData(data, options);
+    this.#starts = startsOf(this.#data.degrees);
+  }
+
+  /** A copy of the coordinates of the vertices. */
+  get vertices() {
+    return this.#data.vertices.slice();
+  }
+
+  /** For each patch a copy of the vertex indices of its control points. */
+  get patches() {
+    return this.#ofPatches(this.#data.indices);
+  }
+
+  /** The number of patches. */
+  get patchCount() {
+    return this.#data.degrees.length / 2;
+  }
+
+  /**
+   * @returns for each patch a copy of the weights of its vertex indices
+   */
+  weights(): Float64Array[] {
+    return this.#ofPatches(this.#data.weights);
+  }
+
+  #ofPatches<T extends Float64Array | Uint32Array>(all: T): T[] {
+    return Array.from({ length: this.patchCount }, (_, k) => all.slice(this.#starts[k], this.#starts[k + 1]) as T);
+  }
+
+  /**
+   * One patch.
+   *
+   * @param k the number of the patch, from 0
+   */
+  patch(k: number): RationalPatch {
+    check.whole(k, "patch", 0, this.patchCount - 1);
+    const { vertices, degrees, indices, weights } = this.#data;
+    const [from, to] = [this.#starts[k], this.#starts[k + 1]];
+    const numbers = new Float64Array(4 * (to - from));
+    indices.subarray(from, to).forEach((index, i) => numbers.set(vertices.subarray(3 * index, 3 * index + 3), 3 * i));
+    numbers.set(weights.subarray(from, to), 3 * (to - from));
+    return rationalPatchOf(numbers, degrees[2 * k], degrees[2 * k + 1]);
+  }
+
+  /**
+   * The surface with one vertex moved, together with all vertices that had the same position when the surface was
+   * created; see `Surface.movePoint`.
+   *
+   * @param index the number of the vertex, from 0
+   * @param to the new position
+   */
+  movePoint(index: number, to: PointLike): RationalSurface {
+    const { joined } = this.#data;
+    if (joined.length === 0) throw new RangeError("vertices: expected at least 1, got 0");
+    check.whole(index, "index", 0, joined.length - 1);
+    const vertices = this.vertices;
+    writePoint(vertices, 3 * index, to, 3, "to");
+    const moved = vertices.slice(3 * index, 3 * index + 3);
+    joined.forEach((first, k) => {
+      if (first === joined[index]) vertices.set(moved, 3 * k);
+    });
+    return surfaceOf({ ...this.#data, vertices });
+  }
+
+  /**
+   * The surface transformed by an affine map, with the same weights.
+   *
+   * @param matrix a matrix, or a text such as "translate(50 50) rotate(30)"
+   * @throws {RangeError} for an image with a coordinate beyond 2^500
+   */
+  transform(matrix: TransformLike): RationalSurface {
+    return surfaceOf({ ...this.#data, vertices: transformed(this.#data.vertices, matrix) });
+  }
+
+  /**
+   * The vertices and, for each patch, its vertex indices, degrees and weights. Vertices which have been moved to the same
+   * position are joined in the surface that `fromJSON` returns.
+   */
+  toJSON(): { vertices: number[][]; patches: number[][]; degrees: number[][]; weights: number[][] } {
+    const weights = this.weights().map((numbers) => [...numbers]);
+    return { ...networkJSON(this.#data, this.patches), weights };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   */
+  get casteljauType(): "rationalsurface" {
+    return "rationalsurface";
+  }
+
+  /**
+   * @internal
+   */
+  casteljauData(): RationalSurfaceData {
+    return this.#data;
+  }
+
+  /** Writes the surface, and then further numbers, to the arena. */
+  #write(further: ArrayLike<number> = []) {
+    const { vertices, degrees, indices, joined, weights } = this.#data;
+    const lists = [degrees, vertices, indices, joined, weights, further];
+    const counts = Float64Array.of(vertices.length / 3, degrees.length / 2, joined.length);
+    const length = lists.reduce((sum, list) => sum + list.length, 0);
+    const view = writeArguments(counts, length);
+    let at = counts.length;
+    for (const list of lists) {
+      view.set(list, at);
+      at += list.length;
+    }
+  }
+
+  /**
+   * How the patches are joined. Two edges are the same line if their control points are equal in the same order or reversed and
+   * the quotients of their weights are equal to 8 ulps; edges with the same points and other weights are open. An edge that is
+   * a point is collapsed, whatever its weights.
+   */
+  topology(): Topology {
+    this.#write();
+    return readTopology(readResult(0, core().rationalsurface_topology()));
+  }
+
+  /**
+   * A mesh without cracks and T-junctions; see `Surface.tessellate`, whose promises hold.
+   *
+   *     const mesh = NurbsSurface.torus([0, 0, 0], 2, 1).toSurface().tessellate({ tolerance: 0.01 });
+   *
+   * @throws {RangeError} as there, and with `tolerance` or `pixels` for a patch whose largest weight is more than 2²⁰ times its
+   *   smallest one
+   */
+  tessellate(options: TessellationOptions): Mesh {
+    const { args, extra, into, ...kind } = tessellation(options);
+    this.#write(extra);
+    unwrapCount(core().rationalsurface_tessellate(...args));
+    return readMesh(into, kind);
+  }
+
+  /**
+   * A mesh of one grid of samples per patch; see `Surface.grid`. Normals are exact, also at collapsed edges.
+   *
+   * @param options `segments`: cells of every patch along u and v; `quads`: whether the mesh has quads, too; `into`: an earlier mesh
+   */
+  grid(options: Omit<GridOptions, "method">): Mesh {
+    const { segments, quads, into } = check.options(options, ["segments", "quads", "into"]);
+    const { u, v } = segmentsOf(segments);
+    const earlier = meshInto(into);
+    const withQuads = check.optionalBoolean(quads, "quads");
+    this.#write();
+    unwrapCount(core().rationalsurface_grid(u, v, withQuads));
+    return readMesh(earlier);
+  }
+
+  /**
+   * The isocurves that divide every patch into `lines` strips in each direction (4 by default), edges included; see
+   * `Surface.isocurves`.
+   *
+   * @param options `lines`: how many strips, 4 by default
+   * @throws {RangeError} for 0 lines and above 1 GiB
+   */
+  isocurves(options?: { lines?: number }): RationalCurve<3>[] {
+    const lines = linesOf(options);
+    this.#write();
+    const numbers = readResult(0, core().rationalsurface_isocurves(lines));
+    releaseMemory();
+    const curves: RationalCurve<3>[] = [];
+    for (let at = 0; at < numbers.length; ) {
+      const weights = at + 1 + 3 * numbers[at];
+      const end = weights + numbers[at];
+      const points = new CheckedPoints(numbers.slice(at + 1, weights), 3);
+      curves.push(rationalCurveOf(points, numbers.slice(weights, end)) as RationalCurve<3>);
+      at = end;
+    }
+    return curves;
+  }
+
+  /**
+   * A mesh of the isocurves: tubes, or ribbons that lie in the surface; see `Surface.wireframe`.
+   *
+   * @throws {TypeError} for neither radius nor width, and for both
+   * @throws {RangeError} for a radius or a width below the precision of f32, and above 1 GiB
+   */
+  wireframe(options: WireframeOptions): Mesh {
+    const { args, into } = wireframeArguments(options);
+    this.#write();
+    unwrapCount(core().rationalsurface_wireframe(...args));
+    return readMesh(into, { separatePatches: false });
+  }
+
+  /**
+   * Draws the projected isocurves of all patches on a canvas context or a Path2D; see `Surface.trace`. Curves whose weights
+   * differ are replaced by cubics within the tolerance.
+   *
+   * @param target a canvas context or a Path2D
+   * @param options `matrix`: maps the surface's coordinates to pixels, 16 numbers column-major; `lines`: the number of strips per
+   *   patch in each direction, 4 by default; `tolerance`: in pixels, 0.1 by default
+   */
+  trace(
+    target: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D,
+    options: { matrix: MatrixLike; lines?: number; tolerance?: number },
+  ) {
+    const sink = check.drawingTarget(target);
+    const { matrix, tolerance, ...others } = check.options(options, ["matrix", "lines", "tolerance"]);
+    const m = projectionNumbers(matrix as MatrixLike);
+    const lines = linesOf(others);
+    const tolerancePx = check.optionalTolerance(tolerance);
+    this.#write(m);
+    unwrapCount(core().rationalsurface_trace(sink, lines, tolerancePx));
+  }
+
+  /**
+   * A surface with the weights 1, or a rational surface itself.
+   *
+   * @param surface of any entry point
+   */
+  static from(surface: CoreSurface | RationalSurface): RationalSurface {
+    if (typeOf(surface) === "rationalsurface") return surfaceOf(rationalSurfaceData(surface, "surface"));
+    const network = surfaceData(surface, "surface");
+    return surfaceOf({ ...network, weights: new Float64Array(network.indices.length).fill(1) });
+  }
+
+  /**
+   * The surface of patches, which may differ in their degrees; patches without weights have the weights 1. Control points at the
+   * same position become one vertex. The order of the patches is kept.
+   *
+   * @param patches patches of any degrees
+   */
+  static fromPatches(patches: readonly (RationalPatch | CorePatch)[]): RationalSurface {
+    if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
+    return surfaceOfPatches(Array.from(patches, patchWithWeights)); // also finds holes
+  }
+
+  /**
+   * The surface that `toJSON` described.
+   *
+   * @param json what `toJSON` returned
+   */
+  static fromJSON(json: RationalSurfaceJSON): RationalSurface {
+    const network = networkOfJSON(json, joinedOf);
+    requireJSON(json, "vertices, patches and weights", ({ weights }) => weights !== undefined);
+    return surfaceOf({ ...network, weights: weightsOf(json.weights, network.degrees) });
+  }
+}
+
+/** Outside of the class, so that it does not refer to itself; see `markClassNames` in xtask/bundle.js. */
+function show() {
+  isShown = showInNode(RationalSurface.prototype, "RationalSurface", (surface) => ({
+    patches: surface.patchCount,
+    vertices: surface.casteljauData().vertices.length / 3,
+  }));
+}
+
+/** Data that is already checked: the constructor accepts it from inside the package. */
+class CheckedSurface {
+  data: RationalSurfaceData;
+
+  constructor(data: RationalSurfaceData) {
+    this.data = data;
+  }
+}
+
+// Outside of the class, see ../curve/core-curve.js.
+function surfaceOf(data: RationalSurfaceData): RationalSurface {
+  return new RationalSurface(new CheckedSurface(data) as any);
+}
+
+type WeightedPatch = PatchData & { weights: Float64Array };
+
+/**
+ * The surface of patches: control points at the same position become one vertex.
+ *
+ * @internal
+ */
+export function surfaceOfPatches(patches: WeightedPatch[]): RationalSurface {
+  const weights = new Float64Array(patches.reduce((sum, patch) => sum + patch.weights.length, 0));
+  let at = 0;
+  for (const patch of patches) {
+    weights.set(patch.weights, at);
+    at += patch.weights.length;
+  }
+  return surfaceOf({ ...networkOfNets(patches, joinedOf), weights });
+}
+
+function patchWithWeights(patch: unknown, k: number): WeightedPatch {
+  const name = `patches[${k}]`;
+  if (typeOf(patch) === "rationalpatch") return rationalPatchData(patch, name);
+  const data = patchData(patch, name);
+  return { ...data, weights: new Float64Array(data.flat.length / 3).fill(1) };
+}
+
+function startsOf(degrees: number[]): Uint32Array {
+  const starts = new Uint32Array(degrees.length / 2 + 1);
+  for (let k = 0; 2 * k < degrees.length; k++) {
+    starts[k + 1] = starts[k] + (degrees[2 * k] + 1) * (degrees[2 * k + 1] + 1);
+  }
+  return starts;
+}
+
+function checkedData(
+  data: RationalSurfaceOptions,
+  options: { degreeU?: number; degreeV?: number } | undefined,
+): RationalSurfaceData {
+  const network = checkedNetwork(data, options, joinedOf);
+  if (data.weights !== undefined) return { ...network, weights: weightsOf(data.weights, network.degrees) };
+  return { ...network, weights: new Float64Array(network.indices.length).fill(1) };
+}
+
+/** The weights of all patches, checked. */
+function weightsOf(lists: unknown, degrees: number[]): Float64Array {
+  if (!Array.isArray(lists)) throw new TypeError(`weights: expected an array, got ${check.describe(lists)}`);
+  const patches = degrees.length / 2;
+  if (lists.length !== patches) {
+    throw new RangeError(`weights: expected ${patches} lists, one for each patch, got ${lists.length}`);
+  }
+  const starts = startsOf(degrees);
+  const all = new Float64Array(starts[patches]);
+  for (let k = 0; k < patches; k++) {
+    all.set(checkedWeights(lists[k], starts[k + 1] - starts[k], `weights[${k}]`), starts[k]);
+  }
+  return all;
+}
