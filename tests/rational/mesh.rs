@@ -4,11 +4,11 @@ use super::surface::random_patch;
 use super::within;
 use crate::support::nets::{triangles, vectors};
 use crate::support::{Rng, cases};
-use casteljau::glam::{DMat4, DVec2, DVec3};
-use casteljau::mesh::{Grid, TessellationOptions, View, Weld};
-use casteljau::{Mesh, NurbsCurve, NurbsSurface, RationalPatch, RationalSurface, Surface};
+use casteljau::glam::{DMat4, DVec2, DVec3, DVec4};
+use casteljau::mesh::{TessellationOptions, View, Weld};
+use casteljau::{Mesh, NurbsCurve, NurbsSurface, RationalPatch, RationalSurface};
 use std::collections::HashMap;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// A body: its surface, the Euler characteristic, the number of boundary loops, and for a point near it the vector from the
 /// nearest point of the whole implicit surface, whose direction is that of the normal or opposite to it.
@@ -187,6 +187,15 @@ fn denominator(patch: &RationalPatch, u: f64, v: f64) -> f64 {
 /// The largest distance between a point of a triangle and the point of the patch that linear interpolation of homogeneous
 /// coordinates maps to it: it bounds the distance of the mesh from the surface, and of the surface from the mesh.
 fn deviation(surface: &RationalSurface, mesh: &Mesh<f64>) -> f64 {
+    largest_of(surface, mesh, distance)
+}
+
+/// The largest value of a function of a point of the surface and the corresponding point of a triangle.
+fn largest_of(
+    surface: &RationalSurface,
+    mesh: &Mesh<f64>,
+    distance: impl Fn(DVec3, DVec3) -> f64,
+) -> f64 {
     let patches: Vec<RationalPatch> = surface.patches().collect();
     let points: Vec<DVec3> = vectors(&mesh.positions).collect();
     let uv = |k: usize| DVec2::new(f64::from(mesh.uvs[2 * k]), f64::from(mesh.uvs[2 * k + 1]));
@@ -289,4 +298,47 @@ fn random_patches_keep_the_tolerance() {
             assert!(distance(normal, patch.normal(u, v)) < 1e-8, "{case}");
         }
     }
+}
+
+#[test]
+fn pixels_on_the_screen() {
+    let mut rng = Rng(12);
+    let surface = NurbsSurface::torus(CENTER, 2.0, 0.5, axis()).expect("valid");
+    let surface = surface.to_surface().expect("valid");
+    let viewport = DVec2::new(640.0, 480.0);
+    let mut counts = Vec::new();
+    for pixels in [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0] {
+        let eye = CENTER + DVec3::new(rng.signed(), rng.signed(), rng.signed()).normalize() * 6.0;
+        let back = (eye - CENTER).normalize();
+        let right = DVec3::Z.cross(back).normalize();
+        let row = |axis: DVec3, zoom: f64| (axis * zoom).extend(-axis.dot(eye) * zoom);
+        let (x, y) = (row(right, 1.5), row(back.cross(right), 2.0));
+        let view_projection = DMat4::from_rows(x, y, DVec4::W, row(-back, 1.0));
+        let on_screen = |p: DVec3| {
+            let q = view_projection * p.extend(1.0);
+            DVec2::new(q.x, q.y) / q.w * viewport / 2.0
+        };
+        let options = TessellationOptions::pixels(View {
+            pixels,
+            view_projection,
+            viewport,
+        });
+        let mesh = surface
+            .tessellate_f64(&options.weld(Weld::None))
+            .expect("valid");
+        let off = largest_of(&surface, &mesh, |p, q| {
+            let ends = [on_screen(p), on_screen(q)];
+            let is_seen = ends.iter().all(|at| at.abs().cmple(viewport / 2.0).all());
+            let pixels = (ends[0] - ends[1]).length();
+            if is_seen { pixels } else { 0.0 }
+        });
+        assert!(off <= pixels, "{off} of {pixels}");
+        assert!(off > pixels / 40.0, "{off} of {pixels}");
+        let mesh = surface
+            .tessellate_f64(&options.weld(Weld::Position))
+            .expect("valid");
+        assert_eq!(edges(&mesh), (0, 0));
+        counts.push(mesh.triangle_count());
+    }
+    assert!(counts[0] > 10 * counts[7]);
 }

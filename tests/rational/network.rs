@@ -7,10 +7,9 @@ use casteljau::glam::{DAffine3, DVec3};
 use casteljau::mesh::WireframeOptions;
 use casteljau::surface::PatchEdge;
 use casteljau::{
-    Grid, NurbsCurve, NurbsSurface, Patch, RationalPatch, RationalSurface, Surface,
-    TessellationOptions,
+    Grid, NurbsCurve, NurbsSurface, RationalPatch, RationalSurface, Surface, TessellationOptions,
 };
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 const CENTER: DVec3 = DVec3::new(0.3, -0.2, 0.5);
 
@@ -412,4 +411,64 @@ fn text_keeps_every_bit() {
         "line 9: expected the end of the text, got \"1\""
     );
     assert!(Surface::parse(&format!("{start}w 1 1\nw 1 1")).is_err());
+}
+
+/// Every method on input at the limits: nothing panics, takes long or gives NaN.
+#[test]
+fn degenerate_surfaces_give_defined_results() {
+    let mut rng = Rng(24);
+    for case in 0..cases(60, 600) {
+        let (m, n) = match case % 6 {
+            0 => (1, 1),
+            1 => (12, 1),
+            _ => (1 + rng.below(3), 1 + rng.below(3)),
+        };
+        let count = (m + 1) * (n + 1);
+        let size = [1.0, 1e-300, 1e-8, 1e30, 1e100, 1e150][rng.below(6)];
+        let shape = rng.below(5);
+        let from = if rng.chance(0.3) { random_point(&mut rng) * size } else { DVec3::ZERO };
+        let along = random_point(&mut rng);
+        let vertices: Vec<DVec3> = (0..count)
+            .map(|k| match shape {
+                0 => from,                                                    // a point
+                1 => from + along * size * rng.unit(),                        // a curve
+                2 if k < m + 1 => from,                                       // a pole
+                3 => from + random_point(&mut rng) * size * DVec3::new(1.0, 1.0, 0.0), // a plane
+                _ => from + random_point(&mut rng) * size,
+            })
+            .collect();
+        let spread = [0.0, 1.0, 10.0, 499.0][rng.below(4)];
+        let weights: Vec<f64> = (0..count).map(|_| (rng.signed() * spread).exp2()).collect();
+        let indices = (0..u32::try_from(count).expect("small")).collect();
+        let surface = valid(RationalSurface::new(vertices, indices, weights, m, n));
+        let is_number = |x: f64| assert!(!x.is_nan(), "case {case}");
+        let mesh = |mesh: Result<casteljau::Mesh<f64>, _>| {
+            if let Ok(mesh) = mesh {
+                mesh.positions.iter().chain(&mesh.normals).for_each(|&x| is_number(x));
+            }
+        };
+        let bounds = surface.bounds().expect("a patch");
+        let extent = (bounds.max - bounds.min).max_element();
+        mesh(surface.tessellate_f64(&TessellationOptions::segments(3)));
+        mesh(surface.tessellate_f64(&TessellationOptions::tolerance(extent / 30.0)));
+        if let Ok(grid) = surface.grid(Grid::from(3), false) {
+            grid.normals.iter().for_each(|&x| is_number(f64::from(x)));
+        }
+        is_number(surface.area());
+        is_number(surface.volume().unwrap_or_default());
+        let p = random_point(&mut rng) * size;
+        let near = valid(surface.nearest(p)).expect("a patch");
+        is_number(near.distance);
+        if let Ok(hits) = surface.intersect_ray(p, DVec3::X) {
+            hits.iter().for_each(|hit| is_number(hit.distance));
+        }
+        assert!(surface.isocurves(2).is_ok());
+        let _ = surface.wireframe(&WireframeOptions::new());
+        assert_eq!(RationalSurface::parse(&surface.to_text()), Ok(surface));
+    }
+    let empty = valid(RationalSurface::new(vec![], vec![], vec![], 3, 3));
+    assert_eq!((empty.bounds(), empty.area(), empty.volume()), (None, 0.0, None));
+    assert_eq!(valid(empty.nearest(DVec3::ZERO)), None);
+    let mesh = valid(empty.tessellate(&TessellationOptions::tolerance(0.1)));
+    assert_eq!(mesh.vertex_count(), 0);
 }

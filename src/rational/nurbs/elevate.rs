@@ -136,7 +136,7 @@ impl<P: Point> Blossom<P> {
         let mut sum = Homogeneous::default();
         for left_out in 1..=p + 1 {
             let arguments = (1..=p + 1).filter(|&i| i != left_out).map(|i| knots[i]);
-            sum = sum + self.at(span, arguments) * (1.0 / as_f64(p + 1));
+            sum += self.at(span, arguments) * (1.0 / as_f64(p + 1));
         }
         WeightedPoint {
             point: sum.point(),
