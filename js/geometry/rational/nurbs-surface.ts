@@ -500,7 +500,7 @@ export class NurbsSurface {
    * The normals point outwards for a positive height.
    *
    * @param center of the base
-   * @param radius at min 0
+   * @param radius at least 0
    * @param height along the axis
    * @param options `axis`: a direction of any length above 0, by default [0, 0, 1]
    * @throws {RangeError} for a negative radius and an axis of length 0
@@ -513,7 +513,7 @@ export class NurbsSurface {
    * The side of a cone: u runs once around the axis, v from the base to the tip at the height.
    *
    * @param center of the base
-   * @param radius of the base, at min 0
+   * @param radius of the base, at least 0
    * @param height along the axis
    * @param options `axis`: a direction of any length above 0, by default [0, 0, 1]
    * @throws {RangeError} as `cylinder`
@@ -527,7 +527,7 @@ export class NurbsSurface {
    * The normals point outwards.
    *
    * @param center a point
-   * @param radius at min 0
+   * @param radius at least 0
    * @param options `axis`: a direction of any length above 0, by default [0, 0, 1]
    * @throws {RangeError} as `cylinder`
    */
@@ -541,7 +541,7 @@ export class NurbsSurface {
    *
    * @param center a point
    * @param majorRadius the distance of the middle of the tube from the axis, above the minor radius
-   * @param minorRadius the radius of the tube, at min 0
+   * @param minorRadius the radius of the tube, at least 0
    * @param options `axis`: a direction of any length above 0, by default [0, 0, 1]
    * @throws {RangeError} as `cylinder`, and for a major radius that is not above the minor radius
    */
@@ -623,7 +623,7 @@ export class NurbsSurface {
     const { degree = Math.min(3, Math.max(1, sections.length - 1)) } = check.options(options, ["degree"]);
     check.whole(degree, "degree", 1, 64);
     if (sections.length <= degree) {
-      throw new RangeError(`curves: expected at min ${degree + 1} curves (degree ${degree}), got ${sections.length}`);
+      throw new RangeError(`curves: expected at least ${degree + 1} curves (degree ${degree}), got ${sections.length}`);
     }
     writeCurves(sections);
     return readSurface(core().nurbssurface_loft(sections.length, degree));
@@ -712,7 +712,7 @@ function checkedKnots(list: unknown, degree: number, direction: string) {
   const min = 2 * (degree + 1);
   if (knots.length < min) {
     throw new RangeError(
-      `knots${direction}: expected at min 2·(degree${direction} + 1) = ${min} knots (${RHINO}), got ${knots.length}`,
+      `knots${direction}: expected at least 2·(degree${direction} + 1) = ${min} knots (${RHINO}), got ${knots.length}`,
     );
   }
   return { knots, degree, count: knots.length - degree - 1 };
