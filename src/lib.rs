@@ -53,8 +53,8 @@
 //! - `easing`: CSS timing functions ([`Easing`]).
 //! - `io`: SVG path data ([`Path::from_svg`]); with `surfaces` also their text forms, and meshes as OBJ, STL and GLB.
 //! - `nurbs`: curves with weights ([`RationalCurve`], [`NurbsCurve`]).
-//! - `surfaces`: patches, surfaces, also with weights ([`RationalPatch`], [`NurbsSurface`]), meshes and the teapot. It
-//!   includes `nurbs`.
+//! - `surfaces`: patches, surfaces, also with weights ([`RationalPatch`], [`NurbsSurface`], [`RationalSurface`]), meshes and
+//!   the teapot. It includes `nurbs`.
 //! - `fast`: control points are stored inline, and plane curves have code of their own: faster, and more code. The
 //!   results are the same. The npm package does without it.
 //!

@@ -33,6 +33,7 @@ const FILES = [
   "length",
   "nearest",
   "nurbs",
+  "nurbs-surface",
   "offset",
   "path",
   "regions",

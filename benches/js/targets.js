@@ -21,6 +21,8 @@ export const TARGETS = {
   "nurbs-eval-verb": { minRatio: 5 },
   "nurbs-length-verb": { minRatio: 5 },
   "nurbs-nearest-verb": { minRatio: 5 },
+  "nurbs-sphere-verb": { minRatio: 10 },
+  "nurbs-torus-verb": { minRatio: 10 },
   "fit-paper": { minRatio: 10 },
 
   "again-point-at-length": { max: 2_000 }, // ns

@@ -16,22 +16,35 @@ const LISTING_ROW = 16;
 /** Larger indices are replaced by this one: it is out of range, too. */
 const MAX_INDEX = 0xffffffff;
 
-/** The state of the parser. */
 /**
  * A text that is being read, and what has been read of it.
  *
  * @internal
  */
-export type Parser = { reader: Reader; vertices: number[]; indices: number[]; degrees: number[] };
+export type Parser = {
+  reader: Reader;
+  vertices: number[];
+  indices: number[];
+  degrees: number[];
+  /** Reads what follows the net of a patch */
+  readMore?: ReadMore;
+};
+
+type ReadMore = (reader: Reader, degreeU: number, degreeV: number) => void;
 
 /**
  * @internal
  * @param joinedOf returns for each vertex the index of the first one with the same position
+ * @param readMore reads what follows the net of a patch in the format of `surfaceText`
  * @throws {RangeError} with the line number
  */
-export function parseSurface(text: string, joinedOf: (vertices: Float64Array) => Float64Array): Network {
+export function parseSurface(
+  text: string,
+  joinedOf: (vertices: Float64Array) => Float64Array,
+  readMore?: ReadMore,
+): Network {
   const reader = new Reader(text);
-  const parser: Parser = { reader, vertices: [], indices: [], degrees: [] };
+  const parser: Parser = { reader, vertices: [], indices: [], degrees: [], readMore };
   const words = reader.next(1);
   if (words === 1 && reader.word(0) === "surface") readIndexed(parser);
   else if (text.includes("{") && wholeOf(reader.word(0) ?? "") === undefined) readArrays(text, parser);
@@ -57,6 +70,7 @@ function readIndexed(parser: Parser) {
       reader.words(degreeU + 1, "vertex numbers");
       readIndices(parser, 0, count);
     }
+    parser.readMore?.(reader, degreeU, degreeV);
   }
   checkEnd(reader);
 }
@@ -185,8 +199,12 @@ function vertexRange(first: number, count: number): string {
  * See `Surface.toText`.
  *
  * @internal
+ * @param addMore adds rows that follow the net of patch k
  */
-export function surfaceText({ vertices, degrees, indices }: Network): string {
+export function surfaceText(
+  { vertices, degrees, indices }: Network,
+  addMore?: (rows: string[], k: number) => void,
+): string {
   const rows = ["surface", `vertices ${vertices.length / 3}`];
   for (let i = 0; i < vertices.length; i += 3)
     rows.push(`${formatNumber(vertices, i)} ${formatNumber(vertices, i + 1)} ${formatNumber(vertices, i + 2)}`);
@@ -197,6 +215,7 @@ export function surfaceText({ vertices, degrees, indices }: Network): string {
       rows.push(indices.subarray(at, at + degrees[k] + 1).join(" "));
       at += degrees[k] + 1;
     }
+    addMore?.(rows, k / 2);
   }
   return `${rows.join("\n")}\n`;
 }

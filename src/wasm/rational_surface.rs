@@ -6,7 +6,9 @@ use super::arena::Arena;
 use super::canvas::CanvasSink;
 use super::decode_surface;
 use super::mesh::{keep, keep_mesh, options, write_topology};
+use super::surface::write_points;
 use super::{optional, wireframe};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
 use crate::mesh::grid::Grid;
 use crate::rational::RationalSurface;
@@ -94,4 +96,52 @@ pub fn rationalsurface_trace(target: &JsValue, lines: usize, tolerance: f64) -> 
         surface.trace_projected(&mut sink, &matrix, lines, optional(tolerance))
     };
     arena::encode_result(read.and_then(draw).map(|()| 0))
+}
+
+/// As `surface_bounds`.
+#[wasm_bindgen]
+pub fn rationalsurface_bounds() -> isize {
+    arena::answer(|a| {
+        let bounds = surface(a)?.0.bounds();
+        Ok(bounds.map_or(0, |Bounds { min, max }| a.write(0, &[min, max])))
+    })
+}
+
+/// Writes the area.
+#[wasm_bindgen]
+pub fn rationalsurface_area() -> isize {
+    arena::answer(|a| {
+        let area = surface(a)?.0.area();
+        Ok(a.write_numbers(0, &[area]))
+    })
+}
+
+/// Writes the volume; nothing if the surface does not enclose one.
+#[wasm_bindgen]
+pub fn rationalsurface_volume() -> isize {
+    arena::answer(|a| {
+        let volume = surface(a)?.0.volume();
+        Ok(volume.map_or(0, |volume| a.write_numbers(0, &[volume])))
+    })
+}
+
+/// As `surface_nearest`.
+#[wasm_bindgen]
+pub fn rationalsurface_nearest() -> isize {
+    arena::answer(|a| {
+        let (surface, end) = surface(a)?;
+        let nearest = surface.nearest(a.point_in_space(end, 3))?;
+        Ok(write_points(a, nearest.as_slice()))
+    })
+}
+
+/// As `surface_ray`.
+#[wasm_bindgen]
+pub fn rationalsurface_ray() -> isize {
+    arena::answer(|a| {
+        let (surface, end) = surface(a)?;
+        let [origin, direction] = [end, end + 3].map(|at| a.point_in_space(at, 3));
+        let hits = surface.intersect_ray(origin, direction)?;
+        Ok(write_points(a, &hits))
+    })
 }

@@ -155,7 +155,7 @@ pub fn surface_ray() -> isize {
 }
 
 /// Writes seven numbers for each surface point: patch, u, v, the point, the distance.
-fn write_points(a: &mut Arena, surface_points: &[SurfacePoint]) -> usize {
+pub(super) fn write_points(a: &mut Arena, surface_points: &[SurfacePoint]) -> usize {
     surface_points.iter().fold(0, |at, location| {
         let SurfacePoint {
             patch,

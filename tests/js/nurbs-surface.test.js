@@ -350,3 +350,45 @@ test("surfaces with weights: grids, isocurves and wireframes", () => {
   surface.trace(untyped(target), { matrix: [10, 0, 0, 10, 0, 0], lines: 1 });
   assert.ok(target.calls.length > 12);
 });
+
+test("surfaces with weights: measures, nearest points and rays", () => {
+  const [ball, ring, side] = [sphere, torus, cylinder].map((each) => each.toSurface());
+  near([ball.area(), ball.volume() ?? NaN], [16 * Math.PI, (32 * Math.PI) / 3], 1e-8);
+  near([ring.area(), ring.volume() ?? NaN], [12 * Math.PI ** 2, 6 * Math.PI ** 2], 1e-8);
+  near(side.area(), 20 * Math.PI, 1e-8);
+  assert.equal(side.volume(), null);
+  near(Object.values(ring.bounds() ?? {}).flatMap(numbers), [-4, -4, -1, 4, 4, 1], 1e-14);
+  const found = ball.nearest([3, 4, 0]);
+  near([found?.distance ?? NaN, ...numbers(found?.point ?? {})], [3, 1.2, 1.6, 0], 1e-8);
+  const hits = ring.intersectRay([-9, 0, 0], [2, 0, 0]);
+  near(
+    hits.map(({ distance }) => distance),
+    [5, 7, 11, 13],
+    1e-12,
+  );
+  const { patch, u, v, point } = hits[0];
+  near(numbers(ring.patch(patch).eval(u, v)), numbers(point), 1e-12);
+  const empty = new RationalSurface({ vertices: [], patches: [] });
+  assert.deepEqual([empty.bounds(), empty.area(), empty.nearest([0, 0, 0])], [null, 0, null]);
+});
+
+test("surfaces with weights: text", () => {
+  const square = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.5];
+  const data = { vertices: square, patches: [[0, 1, 2, 3]], weights: [[1, 1, 2, 0.5]] };
+  const surface = new RationalSurface(data, { degreeU: 1, degreeV: 1 });
+  const text = surface.toText();
+  assert.ok(text.endsWith("1 1\n0 1\n2 3\nw 1 1\nw 2 0.5\n"));
+  for (const each of [surface, sphere.toSurface(), RationalSurface.from(complete.Surface.teapot())])
+    assert.deepEqual(RationalSurface.parse(each.toText()).toJSON(), each.toJSON());
+  const teapot = complete.Surface.teapot().toText();
+  assert.equal(RationalSurface.parse(teapot).toText(), teapot);
+  refusedAll(RangeError, [
+    [
+      () => RationalSurface.parse(text.replace("w 2 0.5", "w 2 0")),
+      /^line 12: expected a number above 0, from 2\^-500 to 2\^500, got "0"$/,
+    ],
+    [() => RationalSurface.parse(text.replace("w 2 0.5", "w 2")), /^line 12: expected 3 words: w and weights, got 2$/],
+    [() => RationalSurface.parse(text.replace("w 2 0.5", "v 2 0.5")), /^line 12: expected "w", got "v"$/],
+    [() => complete.Surface.parse(text), /^line 11: expected the end of the text, got "w"$/],
+  ]);
+});

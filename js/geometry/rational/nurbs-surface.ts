@@ -709,10 +709,10 @@ const RHINO = "rhino3dm leaves out the first and the last knot";
 /** The knots of a direction, and the number of control points for them. Their order is checked by the core. */
 function checkedKnots(list: unknown, degree: number, direction: string) {
   const knots = check.numbers(list, `knots${direction}`);
-  const least = 2 * (degree + 1);
-  if (knots.length < least) {
+  const min = 2 * (degree + 1);
+  if (knots.length < min) {
     throw new RangeError(
-      `knots${direction}: expected at least 2·(degree${direction} + 1) = ${least} knots (${RHINO}), got ${knots.length}`,
+      `knots${direction}: expected at least 2·(degree${direction} + 1) = ${min} knots (${RHINO}), got ${knots.length}`,
     );
   }
   return { knots, degree, count: knots.length - degree - 1 };

@@ -1,12 +1,13 @@
 import * as check from "../check.js";
 import { core, readResult, releaseMemory, unwrapCount, writeArguments } from "../../wasm/surfaces-transfer.js";
+import { parseRationalSurface, rationalSurfaceText } from "../../io/rational-surface-text.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 import { patchData, rationalPatchData, rationalSurfaceData, requireJSON, surfaceData, typeOf } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { meshInto, readMesh, segmentsOf } from "../mesh.js";
-import { writePoint } from "../points.js";
+import { boxAt, writePoint } from "../points.js";
 import { joinedOf } from "../surface/network.js";
-import { projectionNumbers } from "../surface-queries.js";
+import { coordinatesOf, projectionNumbers, readPoints } from "../surface-queries.js";
 import { checkedNetwork, networkJSON, networkOfJSON, networkOfNets } from "../surface-network.js";
 import { tessellation } from "../tessellation.js";
 import { readTopology } from "../topology.js";
@@ -17,6 +18,8 @@ import type { PatchData, RationalSurfaceData } from "../brand.js";
 import type { MatrixLike, PointLike, PointsLike, TransformLike } from "../check.js";
 import type { GridOptions, Mesh } from "../mesh.js";
 import type { CorePatch } from "../patch/core-patch.js";
+import type { Bounds } from "../points.js";
+import type { SurfacePoint } from "../surface-queries.js";
 import type { CoreSurface } from "../surface/core-surface.js";
 import type { SurfaceJSON } from "../surface-network.js";
 import type { TessellationOptions } from "../tessellation.js";
@@ -152,6 +155,15 @@ export class RationalSurface {
   }
 
   /**
+   * The surface as text in the format of `Surface.toText`, from which `parse` creates an equal surface. The net of a patch whose
+   * weights are not all 1 is followed by rows of the letter w and the weights of a row of the net.
+   */
+  toText(...surplus: never[]): string {
+    check.noSurplus(surplus, "toText", 0);
+    return rationalSurfaceText(this.#data);
+  }
+
+  /**
    * See `brand.js`.
    *
    * @internal
@@ -189,6 +201,56 @@ export class RationalSurface {
   topology(): Topology {
     this.#write();
     return readTopology(readResult(0, core().rationalsurface_topology()));
+  }
+
+  /** The smallest box that contains the surface, exact up to rounding; null without patches. */
+  bounds(...surplus: never[]): Bounds<3> | null {
+    check.noSurplus(surplus, "bounds", 0);
+    this.#write();
+    const numbers = readResult(0, core().rationalsurface_bounds());
+    return numbers.length ? boxAt(numbers, 3) : null;
+  }
+
+  /** The total area of all patches; regions that a patch covers twice count twice. */
+  area(...surplus: never[]): number {
+    check.noSurplus(surplus, "area", 0);
+    this.#write();
+    return readResult(0, core().rationalsurface_area())[0];
+  }
+
+  /**
+   * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
+   * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
+   */
+  volume(...surplus: never[]): number | null {
+    check.noSurplus(surplus, "volume", 0);
+    this.#write();
+    return readResult(0, core().rationalsurface_volume())[0] ?? null;
+  }
+
+  /**
+   * The point of the surface that is nearest to p; null without patches. See `Surface.nearest`.
+   *
+   * @param p the point, in the unit of the points
+   */
+  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+    const [coordinates] = coordinatesOf([p, "p"]);
+    check.noSurplus(surplus, "nearest", 1);
+    this.#write(coordinates);
+    return readPoints(readResult(0, core().rationalsurface_nearest()))[0] ?? null;
+  }
+
+  /**
+   * All intersections with a ray, sorted by distance; see `Surface.intersectRay`.
+   *
+   * @param origin the start of the ray
+   * @param direction the direction of the ray, of any length above 0
+   * @throws {RangeError} for a direction of length 0, and if the search in a patch takes too many steps
+   */
+  intersectRay(origin: PointLike, direction: PointLike): SurfacePoint[] {
+    const [start, along] = coordinatesOf([origin, "origin"], [direction, "direction"]);
+    this.#write([...start, ...along]);
+    return readPoints(readResult(0, core().rationalsurface_ray()));
   }
 
   /**
@@ -298,6 +360,17 @@ export class RationalSurface {
   static fromPatches(patches: readonly (RationalPatch | CorePatch)[]): RationalSurface {
     if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
     return surfaceOfPatches(Array.from(patches, patchWithWeights)); // also finds holes
+  }
+
+  /**
+   * Parses the text of `toText`, or one that `Surface.parse` reads; weights are 1 where there are none.
+   *
+   * @param text the text
+   * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
+   */
+  static parse(text: string): RationalSurface {
+    if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.describe(text)}`);
+    return surfaceOf(parseRationalSurface(text, joinedOf));
   }
 
   /**

@@ -200,15 +200,24 @@ const RATIONAL_PATCH = {
 
 const axisOf = (a) => ({ axis: a.points[1] });
 
+/** The parameters of the domain that are nearest to u and v. */
+const inside = ({ nurbssurface: { domain }, u, v }) => [
+  Math.min(Math.max(u, domain.u[0]), domain.u[1]),
+  Math.min(Math.max(v, domain.v[0]), domain.v[1]),
+];
+
 const NURBS_SURFACE = {
   ...methods(
     "NurbsSurface",
     `
     toJSON; toString; degreeU; degreeV; domain; controlPoints; weights; knotsU; knotsV; jointsU; jointsV; patches; eval u v;
-    partials u v; normal u v; curvature u v; insertKnotU u times; insertKnotV v times; elevateU; elevateV; splitU u; splitV v;
+    insertKnotU u times; insertKnotV v times; elevateU; elevateV; splitU u; splitV v;
     isocurveAtU u; isocurveAtV v; reverse; bounds; toSurface
   `,
   ),
+  "NurbsSurface.partials": (a) => a.nurbssurface.partials(...inside(a)),
+  "NurbsSurface.normal": (a) => a.nurbssurface.normal(...inside(a)),
+  "NurbsSurface.curvature": (a) => a.nurbssurface.curvature(...inside(a)),
   "NurbsSurface.constructor": (a) => a.nurbssurface,
   "NurbsSurface.fromJSON": (a) => NurbsSurface.fromJSON(a.nurbssurface.toJSON()),
   "NurbsSurface.equals": (a) => a.nurbssurface.equals(a.nurbssurface.reverse(), a.tolerance),
