@@ -3,13 +3,13 @@ import { capture } from "./capture.js";
 
 type Point2 = [number, number];
 
-export interface GesturePort {
+export interface GestureOptions {
   /** Where an event is, in the plane */
   place: (event: MouseEvent) => Point2;
   /** Whether there is anywhere to move to */
-  enlarged: () => boolean;
+  isEnlarged: () => boolean;
   /** Enlarge, and bring what was at one place to another */
-  look: (factor: number, from: Point2, to: Point2) => void;
+  zoomAt: (factor: number, from: Point2, to: Point2) => void;
 }
 
 /** Enlargement of one notch of a wheel, which is 100 pixels on most. */
@@ -20,9 +20,9 @@ const UNITS = [1, 16, 400];
 /**
  * @param overlay only what begins on itself counts, not what begins on its children
  */
-export function listenToGestures(overlay: HTMLElement, port: GesturePort) {
+export function listenToGestures(overlay: HTMLElement, options: GestureOptions) {
   const pointers: Map<number, MouseEvent> = new Map();
-  overlay.addEventListener("wheel", (event) => turned(event, port), { passive: false });
+  overlay.addEventListener("wheel", (event) => turned(event, options), { passive: false });
   overlay.addEventListener("pointerdown", (event) => {
     if (event.target !== overlay || event.button !== 0) return;
     pointers.set(event.pointerId, event);
@@ -32,20 +32,20 @@ export function listenToGestures(overlay: HTMLElement, port: GesturePort) {
     const before = span([...pointers.values()]);
     pointers.set(event.pointerId, event);
     const after = span([...pointers.values()]);
-    if (pointers.size === 1 && !port.enlarged()) return;
-    port.look(
+    if (pointers.size === 1 && !options.isEnlarged()) return;
+    options.zoomAt(
       before.width > 0 && after.width > 0 ? after.width / before.width : 1,
-      port.place(before.centre),
-      port.place(after.centre),
+      options.place(before.centre),
+      options.place(after.centre),
     );
   };
 }
 
-function turned(event: WheelEvent, port: GesturePort) {
+function turned(event: WheelEvent, options: GestureOptions) {
   if (!event.ctrlKey) return;
   event.preventDefault(); // else the page is enlarged
-  const place = port.place(event);
-  port.look(WHEEL ** (-event.deltaY * UNITS[event.deltaMode]), place, place);
+  const place = options.place(event);
+  options.zoomAt(WHEEL ** (-event.deltaY * UNITS[event.deltaMode]), place, place);
 }
 
 /**
