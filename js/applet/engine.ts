@@ -21,7 +21,7 @@ import type { Nature } from "../ui/handles.js";
 import type { State } from "./state.js";
 import type { Box } from "../editor/plane.js";
 import type { KeyPort } from "./keys.js";
-import type { DragPort } from "../ui/drag.js";
+import type { DragOptions } from "../ui/drag.js";
 import type { ControlPort } from "./controls.js";
 
 export type Point2 = [number, number];
@@ -68,7 +68,7 @@ export class Engine {
     this.#editor.subscribe((event) => event === "state" && this.#schedule());
     this.#view = createView(canvas, box);
     this.#handles = new Handles(this.#view.overlay, box);
-    this.#drags = new Drags(this.#view.overlay, this.#dragPort());
+    this.#drags = new Drags(this.#view.overlay, this.#dragOptions());
     this.#controls = createControls(this.#view.controls, this.#controlPort());
     this.#voice = new Voice(this.#view);
     this.#theme = readTheme(this.#view.probe);
@@ -81,7 +81,7 @@ export class Engine {
   }
 
   set(state: State) {
-    this.#editor.show(state);
+    this.#editor.replaceState(state);
   }
 
   /** A change of which points there are: fingers let go first. What is refused changes nothing. */
@@ -167,7 +167,7 @@ export class Engine {
     return clamped(this.state.box, states.pointsOf(this.state)[index]);
   }
 
-  #toBox({ clientX, clientY }: MouseEvent): Point2 {
+  #toViewBox({ clientX, clientY }: MouseEvent): Point2 {
     const { left, top, width, height } = this.#view.overlay.getBoundingClientRect();
     const { box } = this.state;
     return [((clientX - left) / width) * box.width, ((clientY - top) / height) * box.height];
@@ -214,7 +214,7 @@ export class Engine {
   }
 
   #appendByPointer(event: MouseEvent) {
-    this.#append(clamped(this.state.box, this.#toBox(event)));
+    this.#append(clamped(this.state.box, this.#toViewBox(event)));
     this.#render(); // so that the new point's handle is there to be focused
     this.#handles.focus(this.#handles.count - 1);
   }
@@ -252,20 +252,20 @@ export class Engine {
     };
   }
 
-  #dragPort(): DragPort {
+  #dragOptions(): DragOptions {
     return {
       placeOf: (index) => this.#placeOf(index),
-      toBox: (event) => this.#toBox(event),
-      boxOf: (index) => this.#handles.boxOf(index),
+      toViewBox: (event) => this.#toViewBox(event),
+      elementOf: (index) => this.#handles.boxOf(index),
       count: () => this.#handles.count,
       grabbed: (index) => this.#handles.focus(index),
       schedule: () => this.#schedule(),
       move: (index, to) => this.#move(index, to),
-      begun: () => {
+      started: () => {
         this.#editor.commit();
         this.#before = this.state;
       },
-      restored: () => {
+      cancelled: () => {
         const { state } = this;
         this.#editor.revert();
         this.set({ ...state, spline: this.#before.spline });

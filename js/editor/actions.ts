@@ -69,7 +69,7 @@ export const ACTIONS = {
   reset: {
     label: () => translated("Reset"),
     done: () => translated("As at first"),
-    run: (editor) => editor.dispatch(() => editor.origin, { origin: "user" }),
+    run: (editor) => editor.dispatch(() => editor.initialState, { origin: "user" }),
   },
 } satisfies Record<string, Action>;
 

@@ -20,7 +20,7 @@ export class Editor<State extends object> {
   #state: State;
   #history;
   /** The first state that a user has seen; null until something changes. */
-  #origin: State | null = null;
+  #initialState: State | null = null;
   /** Whether the user has changed something. */
   #isTouched = false;
   #listeners = new Set<(event: EditorEvent) => void>();
@@ -39,8 +39,8 @@ export class Editor<State extends object> {
   }
 
   /** The state that `reset` returns to. */
-  get origin(): State {
-    return this.#origin ?? this.#state;
+  get initialState(): State {
+    return this.#initialState ?? this.#state;
   }
 
   get canUndo() {
@@ -53,7 +53,7 @@ export class Editor<State extends object> {
 
   /** Whether a step is not complete. */
   get isOpen() {
-    return this.#history.open;
+    return this.#history.isOpen;
   }
 
   /** @returns ends it */
@@ -62,8 +62,8 @@ export class Editor<State extends object> {
     return () => this.#listeners.delete(listener);
   }
 
-  /** Shows another state: no step. */
-  show(state: State) {
+  /** Shows another state, which makes no step. */
+  replaceState(state: State) {
     if (state === this.#state) return;
     this.#state = state;
     this.#notify("state");
@@ -76,25 +76,25 @@ export class Editor<State extends object> {
     const next = change(before);
     if (origin === "user") this.#isTouched = true;
     if (this.#isTouched || !initial) {
-      this.#origin ??= before;
-      this.#history.touch(before);
-    } else this.#origin = null;
-    this.show(next);
+      this.#initialState ??= before;
+      this.#history.begin(before);
+    } else this.#initialState = null;
+    this.replaceState(next);
     if (origin === "user") this.#notify("input");
-    if (origin === "page") this.#history.close(next);
+    if (origin === "page") this.#history.commit(next);
     else if (!merge) this.commit();
   }
 
-  /** What the user was doing is complete. */
+  /** Completes the open step. */
   commit() {
-    if (this.#history.close(this.#state)) this.#notify("change");
+    if (this.#history.commit(this.#state)) this.#notify("change");
   }
 
-  /** What the user was doing has not been done; the kept properties stay as they are. */
+  /** Rolls back the open step; the kept properties stay as they are. */
   revert() {
-    const before = this.#history.abandon(this.#state);
+    const before = this.#history.rollback(this.#state);
     if (!before) return;
-    this.show(before);
+    this.replaceState(before);
     this.#notify("input");
   }
 
@@ -110,16 +110,16 @@ export class Editor<State extends object> {
   #step(stateAfter: () => State, origin: Dispatch["origin"]) {
     this.commit();
     const before = this.#state;
-    this.#origin ??= before;
-    this.show(stateAfter());
+    this.#initialState ??= before;
+    this.replaceState(stateAfter());
     if (origin === "page" || this.#state === before) return;
     this.#notify("input");
     this.#notify("change");
   }
 
-  /** Everything as it was when the user came. */
+  /** Returns to the initial state, as a step. */
   reset() {
-    this.dispatch(() => this.origin, { origin: "page" });
+    this.dispatch(() => this.initialState, { origin: "page" });
   }
 
   #notify(event: EditorEvent) {

@@ -1,4 +1,4 @@
-// Undo and redo of immutable states: one step for each action, however many small changes it consists of.
+// Undo and redo of immutable states. A step may consist of many changes.
 
 /** The greatest number of steps that can be undone. */
 const MAX_STEPS = 200;
@@ -10,7 +10,7 @@ export class History<State extends object> {
   #kept: readonly (keyof State)[];
   #past: State[] = [];
   #future: State[] = [];
-  /** The state before the action that is going on. */
+  /** The state before the open step. */
   #open: State | null = null;
 
   constructor(transient: readonly (keyof State)[] = [], kept: readonly (keyof State)[] = []) {
@@ -26,22 +26,22 @@ export class History<State extends object> {
     return this.#future.length > 0;
   }
 
-  /** Whether an action is going on. */
-  get open() {
+  /** Whether a step is open. */
+  get isOpen() {
     return this.#open !== null;
   }
 
-  /** Before a change: it and further changes belong to one step until `close`. */
-  touch(state: State) {
+  /** Before a change: it and further changes belong to one step until `commit`. */
+  begin(state: State) {
     this.#open ??= state;
   }
 
   /**
-   * The step is complete.
+   * Completes the open step.
    *
-   * @returns whether an action was going on
+   * @returns whether a step was open
    */
-  close(state: State): boolean {
+  commit(state: State): boolean {
     const before = this.#open;
     this.#open = null;
     if (!before) return false;
@@ -54,12 +54,12 @@ export class History<State extends object> {
   }
 
   /**
-   * Forgets the action that is going on.
+   * Forgets the open step.
    *
    * @param state the present one
-   * @returns the state before the action; null without one
+   * @returns the state before the step; null if none is open
    */
-  abandon(state: State): State | null {
+  rollback(state: State): State | null {
     const before = this.#open;
     this.#open = null;
     return before && this.#withKept(before, state);
@@ -70,12 +70,12 @@ export class History<State extends object> {
    * @returns the state before the last step; the same state if there is no step
    */
   undo(state: State): State {
-    this.close(state);
+    this.commit(state);
     return this.#step(this.#past, this.#future, state);
   }
 
   redo(state: State): State {
-    this.close(state);
+    this.commit(state);
     return this.#step(this.#future, this.#past, state);
   }
 

@@ -7,7 +7,7 @@ import type { Box } from "./plane.js";
 const MARGIN_RATIO = 0.06;
 /** About three draws in four put a C1 handle outside: the chance that 64 draws all fail is 1e-8. */
 const MAX_DRAWS = 64;
-/** Of so many random places the one with most room is taken: points that lie on each other teach nothing. */
+/** Best-candidate sampling: of so many random places the one farthest from the other points is taken. */
 const CANDIDATES = 5;
 /** Columns and rows of the candidates for a new point. */
 const GRID = { columns: 12, rows: 9 };

@@ -1,9 +1,9 @@
-// Where a dragged point clicks into place.
+// Where a dragged point snaps.
 import { chainOf } from "./commands.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";
 
-/** As near as this, in CSS pixels, a point is taken to be meant. */
+/** Snap distance. */
 const SNAP_PX = 5;
 const STEP = Math.PI / 12;
 

@@ -84,9 +84,9 @@ export const LAYER_NAMES = [
   "names",
 ] as const;
 
-/** What the core goes up to. */
+/** The largest degree of the core. */
 export const MAX_DEGREE = 64;
-/** More handles than these would help nobody. */
+/** The largest number of control points, each of which has a handle. */
 export const MAX_POINTS = 500;
 /** Points farther away than this cannot be seen from anywhere near the picture. */
 const FARTHEST = 1e6;

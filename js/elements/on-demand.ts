@@ -15,7 +15,7 @@ const LOADERS: Record<Name, () => Promise<unknown>> = {
   "bezier-surface": once(() => import("./define/surface.js"), "BezierSurface"),
 };
 const NAMES = Object.keys(LOADERS) as Name[];
-/** Form fields are loaded wherever they are: a form may be sent before anyone has scrolled to them. */
+/** Form fields are loaded wherever they are: a form may be sent before they are seen. */
 const FIELD = "bezier-easing";
 
 /** Root margin for lazy loading. */

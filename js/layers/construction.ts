@@ -66,7 +66,7 @@ export const construction = {
   },
 };
 
-/** The control polygon of a curve whose points are nobody's handles. */
+/** The Bézier polygon of a curve of another basis, whose control points have no handles. */
 function drawOwnPolygon(context: DrawContext, flat: Float64Array, colour: string) {
   through(context, flat);
   pen.stroke(context, colour, pen.POLYGON_WIDTH);

@@ -6,7 +6,7 @@ import type { Figure } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
 
 const DISTANCE = 24;
-/** More would say nothing. */
+/** With more joints, their labels overlap. */
 const MAX_JOINTS = 12;
 
 export const continuityLabels = {

@@ -112,7 +112,7 @@ export function drawFigure(
   return messages;
 }
 
-/** What the core refuses (a size at which its numbers end) is left out, and told. */
+/** A layer that the core refuses, because its numbers overflow, is left out; its message says so. */
 function drawLayer(
   { name = "", title, derive, draw, describe }: Layer,
   context: DrawContext,

@@ -1,12 +1,12 @@
-// Looks at a part of the plane: points go from the plane to the picture in double precision, and what lies far outside
-// is cut off, so that no closeness shows facets or trembles (canvases keep no more than seven digits).
+// The part of the plane that is seen: points are transformed to the picture in double precision, and what lies far outside
+// is cut off, because canvases keep seven digits: enlarged curves would have corners and tremble.
 
 import { traceSeen } from "./trace.js";
 
 export type Point2 = [number, number];
 
-/** What a lens needs to know of a state; the view has the box's proportions. */
-export type Looks = {
+/** The picture and the part of the plane in it, which has the same proportions. */
+export type VisiblePart = {
   box: { width: number; height: number };
   view: { x: number; y: number; width: number; height: number };
 };
@@ -25,10 +25,10 @@ export class Lens {
   /** Where the path is on the picture. */
   #x = 0;
   #y = 0;
-  /** Whether the canvas is elsewhere. */
+  /** Whether the next segment needs a moveTo. */
   #lifted = true;
 
-  constructor(ctx: CanvasRenderingContext2D, { box, view }: Looks) {
+  constructor(ctx: CanvasRenderingContext2D, { box, view }: VisiblePart) {
     this.#ctx = ctx;
     this.#box = box;
     this.scale = box.width / view.width;

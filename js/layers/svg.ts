@@ -7,7 +7,7 @@ import type { Theme } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
 import type { DrawnState } from "../editor/state.js";
 
-export interface SvgWishes {
+export interface SvgOptions {
   /** Colours, by default those of a light page */
   theme?: Partial<Theme>;
   /** What the picture is, for who cannot see it */
@@ -22,7 +22,7 @@ export interface SvgWishes {
 export function svgFigure(
   state: DrawnState,
   figure: Figure,
-  { theme, label = "Bézier curve", opaque = false, layers }: SvgWishes = {},
+  { theme, label = "Bézier curve", opaque = false, layers }: SvgOptions = {},
 ): string {
   const colours = { ...lightTheme(), ...theme } as Theme;
   const recorder = new Recorder();

@@ -3,7 +3,7 @@
 /** The pause after the last change: a drag is announced once. */
 const PAUSE_MS = 500;
 
-/** Announces what has changed, once nothing has changed for a while. */
+/** A live region whose text changes after a pause. */
 export class Announcer {
   #live;
   #news;

@@ -4,7 +4,7 @@ import { html, nothing } from "lit";
 /**
  * @param names what the words are called, where not by themselves
  */
-export function choice(
+export function select(
   label: unknown,
   words: readonly string[],
   selected: string,
@@ -32,7 +32,7 @@ export function slider(
     <span class="value" aria-hidden="true">${shown.replace("-", "−")}</span></label>`;
 }
 
-export function box(label: string, checked: boolean, act: (on: boolean) => void) {
+export function checkbox(label: string, checked: boolean, act: (on: boolean) => void) {
   const changed = (event: Event) => act((event.target as HTMLInputElement).checked);
   return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
 }

@@ -5,13 +5,13 @@ import { capture } from "./capture.js";
 export type Point2 = [number, number];
 
 /** What dragging needs to know and may do. */
-export interface DragPort {
+export interface DragOptions {
   /** Where a handle stands, in the view box */
   placeOf: (index: number) => Point2;
   /** A pointer's place in the view box */
-  toBox: (event: PointerEvent) => Point2;
+  toViewBox: (event: PointerEvent) => Point2;
   /** A handle's element */
-  boxOf: (index: number) => HTMLElement;
+  elementOf: (index: number) => HTMLElement;
   /** How many handles there are */
   count: () => number;
   grabbed: (index: number) => void;
@@ -19,10 +19,10 @@ export interface DragPort {
   schedule: () => void;
   /** Where it came from, and the move, which knows the keys that are held */
   move: (index: number, to: Point2, drag: { from: Point2; event?: PointerEvent }) => void;
-  /** The first pointer has come down: what is now may have to be restored */
-  begun: () => void;
+  /** The first pointer has come down: its drag may be cancelled */
+  started: () => void;
   /** Esc, or the only pointer was taken away: back to what was at the beginning */
-  restored: () => void;
+  cancelled: () => void;
   /** The last pointer has gone up; the points that have been moved */
   ended: (moved: number[]) => void;
 }
@@ -47,10 +47,10 @@ export class Drags {
   #moved: Set<number> = new Set();
   /** The last press that has not moved anything. */
   #lastPress: { x: number; y: number; index: number } | null = null;
-  #port;
+  #options;
 
-  constructor(overlay: HTMLElement, port: DragPort) {
-    this.#port = port;
+  constructor(overlay: HTMLElement, options: DragOptions) {
+    this.#options = options;
     overlay.addEventListener("pointerdown", (event) => this.#down(event));
     overlay.addEventListener("mousedown", (event) => event.preventDefault()); // focus stays where `grabbed` puts it
   }
@@ -68,7 +68,7 @@ export class Drags {
     const waiting = [...this.#drags.values()].filter(({ to }) => to);
     for (const drag of waiting) {
       this.#moved.add(drag.index);
-      this.#port.move(drag.index, drag.to ?? drag.from, drag);
+      this.#options.move(drag.index, drag.to ?? drag.from, drag);
       drag.to = null;
     }
     return waiting.length > 0;
@@ -78,7 +78,7 @@ export class Drags {
   end() {
     if (!this.active) return;
     this.#release();
-    this.#port.ended([...this.#moved]);
+    this.#options.ended([...this.#moved]);
   }
 
   /**
@@ -89,7 +89,7 @@ export class Drags {
   cancel(): boolean {
     if (!this.active) return false;
     this.#release();
-    this.#port.restored();
+    this.#options.cancelled();
     return true;
   }
 
@@ -103,31 +103,31 @@ export class Drags {
     const index = this.#choose(this.#stackUnder(event), event);
     if (index === undefined) return;
     if (!this.active) this.#begin();
-    const from = this.#port.placeOf(index);
-    const [x, y] = this.#port.toBox(event);
+    const from = this.#options.placeOf(index);
+    const [x, y] = this.#options.toViewBox(event);
     const stop = capture(
       event,
       {
         move: (now) => this.#move(now),
         end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
       },
-      this.#port.boxOf(index),
+      this.#options.elementOf(index),
     );
     this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null, stop });
-    this.#port.grabbed(index);
+    this.#options.grabbed(index);
   }
 
   #begin() {
     this.#moved.clear();
-    this.#port.begun();
+    this.#options.started();
   }
 
   /** The free handles whose boxes contain the pointer, the nearest first. */
   #stackUnder({ clientX, clientY }: PointerEvent): number[] {
     const taken = new Set([...this.#drags.values()].map(({ index }) => index));
     const found: { index: number; distance: number }[] = [];
-    for (let index = 0; index < this.#port.count(); index++) {
-      const { left, top, width, height } = this.#port.boxOf(index).getBoundingClientRect();
+    for (let index = 0; index < this.#options.count(); index++) {
+      const { left, top, width, height } = this.#options.elementOf(index).getBoundingClientRect();
       const [dx, dy] = [clientX - left - width / 2, clientY - top - height / 2];
       const inside = Math.abs(dx) <= width / 2 && Math.abs(dy) <= height / 2;
       if (inside && !taken.has(index)) found.push({ index, distance: Math.hypot(dx, dy) });
@@ -146,17 +146,17 @@ export class Drags {
   #move(event: PointerEvent) {
     const drag = this.#drags.get(event.pointerId);
     if (!drag) return;
-    const [x, y] = this.#port.toBox(event);
+    const [x, y] = this.#options.toViewBox(event);
     drag.to = [x - drag.grip[0], y - drag.grip[1]];
     drag.event = event;
     if (!isNear(this.#lastPress, event)) this.#lastPress = null;
-    this.#port.schedule();
+    this.#options.schedule();
   }
 
   #up(event: PointerEvent) {
     this.apply();
     this.#drags.delete(event.pointerId);
-    if (!this.active) this.#port.ended([...this.#moved]);
+    if (!this.active) this.#options.ended([...this.#moved]);
   }
 
   #lost(event: PointerEvent) {
@@ -164,8 +164,8 @@ export class Drags {
     if (!drag) return;
     if (this.#drags.size === 1) return void this.cancel();
     this.#drags.delete(event.pointerId);
-    this.#port.move(drag.index, drag.from, { from: drag.from }); // others are still moving
-    this.#port.schedule();
+    this.#options.move(drag.index, drag.from, { from: drag.from }); // others are still moving
+    this.#options.schedule();
   }
 }
 

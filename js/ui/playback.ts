@@ -2,7 +2,7 @@
 
 /** From one end to the other. */
 const WAY_MS = 4000;
-/** Who wants less motion sees single pictures, so far from each other. */
+/** The step of t, and its duration, under `prefers-reduced-motion`. */
 const STEP = 0.1;
 const STEP_MS = 800;
 

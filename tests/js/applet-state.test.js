@@ -128,25 +128,25 @@ test("undo and redo: a gesture is one step, what passes is none, a new step ends
   /** @type {History<any>} */
   const history = new History(["view", "segment"], ["view"]);
   const states = Array.from({ length: 5 }, (_, i) => ({ ...firstState(), t: i / 10 }));
-  history.touch(states[0]);
-  history.touch(states[1]);
-  assert.ok(history.close(states[2]));
-  assert.equal(history.close(states[2]), false);
-  history.touch(states[2]);
-  history.close({ ...states[2], segment: 1, view: { x: 0, y: 0, width: 1, height: 1 } });
+  history.begin(states[0]);
+  history.begin(states[1]);
+  assert.ok(history.commit(states[2]));
+  assert.equal(history.commit(states[2]), false);
+  history.begin(states[2]);
+  history.commit({ ...states[2], segment: 1, view: { x: 0, y: 0, width: 1, height: 1 } });
   const looking = { ...states[2], view: { x: 5, y: 5, width: 67, height: 48 } };
   const back = history.undo(looking);
   assert.deepEqual([back.t, back.view.x, history.canUndo], [0, 5, false], "where one looks stays");
   assert.equal(history.undo(back), back);
   assert.equal(history.redo(back).t, 0.2);
   history.undo(states[2]);
-  history.touch(states[0]);
-  history.close(states[3]);
+  history.begin(states[0]);
+  history.commit(states[3]);
   assert.equal(history.canRedo, false);
-  history.touch(states[3]);
-  const before = history.abandon(looking);
+  history.begin(states[3]);
+  const before = history.rollback(looking);
   assert.deepEqual([before.t, before.view.x], [states[3].t, 5], "here, too");
-  assert.equal(history.close(states[4]), false);
+  assert.equal(history.commit(states[4]), false);
 });
 
 test("enlarging keeps the place it is about, and the proportions", () => {

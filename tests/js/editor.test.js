@@ -52,7 +52,7 @@ test("editor: a drag is one step until it is committed; Escape takes it back", (
 test("editor: Escape leaves the kept properties as they have become", () => {
   const { editor } = observed();
   editor.dispatch(to(1), drag);
-  editor.show({ ...editor.state, view: 4 });
+  editor.replaceState({ ...editor.state, view: 4 });
   editor.revert();
   assert.deepEqual(editor.state, { x: 0, view: 4 });
 });
@@ -109,7 +109,7 @@ test("editor: transient properties make no step and stay; the same state tells n
   editor.undo();
   assert.deepEqual(editor.state, { x: 0, view: 3 });
   events.length = 0;
-  editor.show(editor.state);
+  editor.replaceState(editor.state);
   end();
   editor.dispatch(to(7), page);
   assert.deepEqual(events, []);

@@ -90,15 +90,15 @@ function draggable(/** @type {[number, number][]} */ ...points) {
       void calls.push([name, ...rest]);
   const drags = new Drags(overlay, {
     placeOf: (index) => points[index],
-    toBox: ({ clientX, clientY }) => [clientX, clientY],
-    boxOf: (index) => /** @type {any} */ (boxes[index]),
+    toViewBox: ({ clientX, clientY }) => [clientX, clientY],
+    elementOf: (index) => /** @type {any} */ (boxes[index]),
     count: () => points.length,
     move: (index, to) => void calls.push(["move", index, ...to]),
     ...{
       grabbed: note("grabbed"),
       schedule() {},
-      begun: note("begun"),
-      restored: note("restored"),
+      started: note("started"),
+      cancelled: note("cancelled"),
       ended: note("ended"),
     },
   });
@@ -116,7 +116,7 @@ test("drags: many moves of a pointer are one move a frame, and the grip stays", 
   assert.deepEqual([drags.apply(), drags.apply()], [true, false]);
   send(0, "pointermove", 1, 90, 64);
   send(0, "pointerup", 1);
-  assert.deepEqual(calls, [["begun"], ["grabbed", 0], ["move", 0, 72, 60], ["move", 0, 83, 70], ["ended", [0]]]);
+  assert.deepEqual(calls, [["started"], ["grabbed", 0], ["move", 0, 72, 60], ["move", 0, 83, 70], ["ended", [0]]]);
 });
 
 test("drags: of two overlapping handles the nearer is taken, by a second press the other", () => {
@@ -142,7 +142,7 @@ test("drags: a pointer that is taken away gives its point back; the last one res
     ["move", 0, 50, 50],
   ]);
   send(1, "pointercancel", 2);
-  assert.deepEqual([calls.at(-1), drags.active], [["restored"], false]);
+  assert.deepEqual([calls.at(-1), drags.active], [["cancelled"], false]);
 });
 
 test("arrow keys: ten steps with Shift, a tenth with Alt, none with Ctrl", () => {

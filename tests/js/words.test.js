@@ -9,7 +9,7 @@ const folder = new URL("../../js/", import.meta.url);
 const WORDS = [
   [/\bMOST_\w+/g, "MAX_…"],
   [/\bLEAST_\w+/g, "MIN_…"],
-  [/\b(Hands|Acting|acts)\b/g, "AppletView, AppletActions, actions"],
+  [/\b(Hands|Acting|acts)\b/g, "AppletController, actions"],
   [/\b(Desk|Turning|Lease|Fineness)\b/g, "FileController, AutoRotation, ContextSlot, DetailSettings"],
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
   [
@@ -27,10 +27,23 @@ const codeOf = (source) =>
     found.replace(/[^\n]/g, " "),
   );
 
+/** The sources, without what is generated. */
+async function sources() {
+  const names = await readdir(folder, { recursive: true });
+  return names.filter((name) => name.endsWith(".ts") && !name.startsWith("glue"));
+}
+
+test("types are imported by `import type`, where the lint of import cycles sees them", async () => {
+  const found = [];
+  for (const name of await sources()) {
+    const code = await readFile(new URL(name, folder), "utf8");
+    for (const [inline] of code.matchAll(/(?<!=> |await )\bimport\("[^"]*"\)/g)) found.push(`${name}: ${inline}`);
+  }
+  assert.deepEqual(found, []);
+});
+
 test("identifiers are standard terms", async () => {
-  const names = (await readdir(folder, { recursive: true })).filter(
-    (name) => name.endsWith(".ts") && !name.startsWith("glue"),
-  );
+  const names = await sources();
   assert.ok(names.length > 200);
   const found = [];
   for (const name of names) {

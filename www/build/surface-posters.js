@@ -47,7 +47,7 @@ export function surfacePoster(attributes) {
   return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
 }
 
-/** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").Sight} sight */
+/** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} sight */
 function pathOf(curve, sight) {
   const points = curve.controlPoints();
   const places = Array.from(

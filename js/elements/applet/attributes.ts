@@ -65,7 +65,7 @@ export class AppletAttributes implements ReactiveController {
     }
     if (names.includes("joints")) state = withJoints(state, state.joints);
     for (const name of names) this.#known.set(name, FIELDS[name].write(state));
-    this.#editor.show(state);
+    this.#editor.replaceState(state);
   }
 
   /** What has changed otherwise than by an attribute is written into it. */

@@ -166,18 +166,18 @@ export class AppletController {
     const { overlay } = picture;
     this.#drags = new Drags(overlay, {
       count: () => (this.host.readonly ? 0 : picture.handleCount),
-      boxOf: (index) => picture.handleElement(index),
+      elementOf: (index) => picture.handleElement(index),
       placeOf: (index) => picture.handlePlace(index),
-      toBox: (event) => picture.planePoint(event),
+      toViewBox: (event) => picture.planePoint(event),
       schedule: () => void this.schedule(),
-      begun: () => this.editor.commit(),
+      started: () => this.editor.commit(),
       grabbed: (index) => {
         picture.focusHandle(index);
         const target = picture.handleTarget(index);
         if (target.kind === "point") this.#select(index);
       },
       move: (index, to, drag) => this.#move(index, to, drag),
-      restored: () => this.editor.revert(),
+      cancelled: () => this.editor.revert(),
       ended: (moved) => this.#moved(moved),
     });
     onDoubleTap(overlay, (event) => {
@@ -195,8 +195,8 @@ export class AppletController {
     overlay.addEventListener("pointerleave", () => this.#point(null));
     listenToGestures(overlay, {
       place: (event) => picture.planePoint(event),
-      enlarged: () => !states.isHome(this.editor.state),
-      look: (factor, from, to) => this.#zoomAt(factor, from, to),
+      isEnlarged: () => !states.isHome(this.editor.state),
+      zoomAt: (factor, from, to) => this.#zoomAt(factor, from, to),
     });
     this.announcer = new Announcer(root.querySelector("[role=status]") as HTMLElement, () => this.#describe());
     this.#describe();
@@ -291,7 +291,7 @@ export class AppletController {
   #zoomAt(factor: number, from: Point2, to: Point2) {
     const state = states.zoomed(this.editor.state, factor, from);
     const { view } = state;
-    this.editor.show({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
+    this.editor.replaceState({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
   }
 
   // Keys
@@ -382,7 +382,7 @@ export class AppletController {
     const pieces = figure.weights ? figure.rational : figure.pieces;
     if (pieces[state.segment]?.indices.includes(index)) return;
     const segment = pieces.findIndex(({ indices }) => indices.includes(index));
-    if (segment >= 0) this.editor.show({ ...state, segment });
+    if (segment >= 0) this.editor.replaceState({ ...state, segment });
   }
 
   /** Moves the focus to a point, also to one that has just been added. */
@@ -483,11 +483,11 @@ export class AppletController {
   /** Enlarges about the middle of the picture. */
   zoom(factor: number) {
     const { x, y, width, height } = this.editor.state.view;
-    this.editor.show(states.zoomed(this.editor.state, factor, [x + width / 2, y + height / 2]));
+    this.editor.replaceState(states.zoomed(this.editor.state, factor, [x + width / 2, y + height / 2]));
   }
 
   zoomToFit() {
-    this.editor.show(states.withHome(this.editor.state));
+    this.editor.replaceState(states.withHome(this.editor.state));
   }
 
   toggleTapping() {
@@ -513,7 +513,7 @@ export class AppletController {
     const { state } = this.editor;
     const [min, max] = states.rangeOfT(state);
     const t = Math.min(Math.max(state.t + by, min), max);
-    this.editor.show({ ...state, t });
+    this.editor.replaceState({ ...state, t });
     this.model.fire("input");
     return t === (by > 0 ? max : min);
   }

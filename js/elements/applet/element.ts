@@ -9,7 +9,7 @@ import { FIELDS, jsonOf, stateOf } from "../../editor/schema.js";
 import { allPointsToggled, firstState, weightsOf } from "../../editor/state.js";
 import { missing } from "../loading.js";
 import { loadDrawing, loadRational } from "./loading.js";
-import { reportOf } from "./report.js";
+import { publicFigure } from "./report.js";
 import type { PropertyDeclaration } from "lit";
 import type { AppletController } from "./controller.js";
 import type { Language } from "../../editor/code.js";
@@ -111,7 +111,7 @@ export class BezierApplet extends LitElement {
   }
 
   set t(t) {
-    if (!writeAttribute(this, "t", t)) this.model.editor.show(FIELDS.t.put(this.model.state, t));
+    if (!writeAttribute(this, "t", t)) this.model.editor.replaceState(FIELDS.t.put(this.model.state, t));
   }
 
   /** Everything that is shown, as plain data. */
@@ -130,7 +130,7 @@ export class BezierApplet extends LitElement {
 
   /** What is shown, as companions read it. */
   get figure() {
-    return reportOf(this.model.state, this.model.figure);
+    return publicFigure(this.model.state, this.model.figure);
   }
 
   undo() {

@@ -125,6 +125,6 @@ export class AppletModel {
   }
 
   #renew() {
-    this.editor.show({ ...this.editor.state });
+    this.editor.replaceState({ ...this.editor.state });
   }
 }

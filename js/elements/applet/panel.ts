@@ -1,6 +1,6 @@
 // The controls below the picture: native form controls, in groups; what is used less is folded.
 import { html, nothing } from "lit";
-import { box, button, choice, icon, slider } from "../../ui/controls.js";
+import { button, checkbox, select, icon, slider } from "../../ui/controls.js";
 import { actionOf } from "../../editor/actions.js";
 import { modesOf } from "../../editor/commands.js";
 import { jointsOf } from "../../editor/joints.js";
@@ -36,7 +36,7 @@ function joints(controller: AppletController) {
   return html`<ul class="joints" part="joints">${facts.map(
     (each, k) => html`<li>
     <span class="verdict" data-verdict=${each.verdict}>${each.verdict}</span>
-    ${modes[k] ? choice(translatedParts("At {0} hold", html`<b>${each.at}</b>`), MODES, modes[k], MODE_NAMES, (mode) => controller.holdJoint(k + 1, mode), host.readonly) : html`<span>${translatedParts("At {0}", html`<b>${each.at}</b>`)}</span>`}
+    ${modes[k] ? select(translatedParts("At {0} hold", html`<b>${each.at}</b>`), MODES, modes[k], MODE_NAMES, (mode) => controller.holdJoint(k + 1, mode), host.readonly) : html`<span>${translatedParts("At {0}", html`<b>${each.at}</b>`)}</span>`}
     <span class="fact">${jointWords(each)}</span></li>`,
   )}</ul>`;
 }
@@ -52,7 +52,7 @@ function parameter(controller: AppletController, hasZoom: boolean) {
   return html`<div class="t">
     <button type="button" class="icon" aria-label=${called} title=${called} @click=${() => controller.togglePlayer()}>${playing ? icon("M8 5v14M16 5v14") : icon("M7 4l13 8-13 8z", true)}</button>
     ${slider(html`<i>t</i>`, "t", state.t, { min, max, step: 0.01 }, (t, done) => controller.put("t", t, done))}
-    ${count > 1 ? choice(translated("segment"), segments, String(Math.min(state.segment, count - 1)), names, (k) => controller.put("segment", Number(k))) : nothing}
+    ${count > 1 ? select(translated("segment"), segments, String(Math.min(state.segment, count - 1)), names, (k) => controller.put("segment", Number(k))) : nothing}
     ${hasZoom ? tools(controller) : nothing}
   </div>`;
 }
@@ -80,9 +80,9 @@ function kind(controller: AppletController) {
   const degrees = ["1", "2", "3", "4", "5", "6", "n"];
   const degree = String(state.degree);
   return html`<fieldset ?disabled=${controller.host.readonly}><legend class="away">${translated("Curve")}</legend>
-    ${choice(translated("Basis"), BASES, state.basis, BASIS_NAMES, (basis) => controller.put("basis", basis))}
-    ${state.basis === "bezier" || state.basis === "b-spline" ? choice(translated("Degree"), degrees.includes(degree) ? degrees : [degree, ...degrees], degree, { n: translated("n: one curve") }, (n) => controller.put("degree", n === "n" ? n : Number(n))) : nothing}
-    ${choice(translated("Names"), LABELS, state.labels, { P0: "P0 P1 …", P1: "P1 P2 …", b0: "b₀ b₁ …", p0: "p0 p1 …", none: translated("none") }, (labels) => controller.put("labels", labels))}
+    ${select(translated("Basis"), BASES, state.basis, BASIS_NAMES, (basis) => controller.put("basis", basis))}
+    ${state.basis === "bezier" || state.basis === "b-spline" ? select(translated("Degree"), degrees.includes(degree) ? degrees : [degree, ...degrees], degree, { n: translated("n: one curve") }, (n) => controller.put("degree", n === "n" ? n : Number(n))) : nothing}
+    ${select(translated("Names"), LABELS, state.labels, { P0: "P0 P1 …", P1: "P1 P2 …", b0: "b₀ b₁ …", p0: "p0 p1 …", none: translated("none") }, (labels) => controller.put("labels", labels))}
     ${state.basis === "matrix" ? matrix(controller) : nothing}
   </fieldset>`;
 }
@@ -116,7 +116,7 @@ function layers(controller: AppletController) {
   const { state } = controller.model;
   const titles = Object.fromEntries(switchable(controller.layers).map(({ name, title }) => [name, title()]));
   const layer = (name: (typeof LAYER_NAMES)[number]) =>
-    box(titles[name], state.layers.has(name), (on) => void controller.change((now) => withLayer(now, name, on)));
+    checkbox(titles[name], state.layers.has(name), (on) => void controller.change((now) => withLayer(now, name, on)));
   const measures = Object.entries(MEASURES).filter(
     ([layerName]) => titles[layerName] && state.layers.has(layerName as any),
   );

@@ -5,7 +5,7 @@ import { treeOf } from "../../layers/halving.js";
 import type { State } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";
 
-export function reportOf(state: State, figure: Figure) {
+export function publicFigure(state: State, figure: Figure) {
   const { pieces, rational, weights, spline, names, kinds, degree, matrix } = figure;
   return {
     points: figure.points.map(([x, y]) => [x, y] as [number, number]),

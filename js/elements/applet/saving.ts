@@ -1,6 +1,6 @@
 // The part of the panel that saves the figure, opens one, and shows code.
 import { html } from "lit";
-import { button, choice } from "../../ui/controls.js";
+import { button, select } from "../../ui/controls.js";
 import { translated } from "../../editor/translations.js";
 import type { AppletController } from "./controller.js";
 import type { Language } from "../../editor/code.js";
@@ -20,7 +20,7 @@ export function exportPanel(controller: AppletController) {
     <div class="row" role="group" aria-label=${translated("Save as")}>${button("SVG", () => controller.saveSVG())} ${button("PNG", () => void controller.savePNG())} ${button("JSON", () => controller.saveJSON())}
       ${readonly ? "" : html`<label class="file">${translated("Open a file")}<input type="file" accept=".svg,.json,.txt,image/svg+xml,application/json,text/plain" @change=${onChange}></label>`}</div>
     ${readonly ? "" : html`<p class="note">${translated("Points, an SVG path or saved JSON can also be dropped or pasted here.")}</p>`}
-    <div class="row">${choice(translated("Code"), ["js", "rust", "canvas"], language, { js: "JavaScript", rust: "Rust", canvas: translated("canvas calls") }, (word) => controller.chooseLanguage(word as Language))} ${button(translated("Copy"), () => void controller.copyCode())}</div>
+    <div class="row">${select(translated("Code"), ["js", "rust", "canvas"], language, { js: "JavaScript", rust: "Rust", canvas: translated("canvas calls") }, (word) => controller.chooseLanguage(word as Language))} ${button(translated("Copy"), () => void controller.copyCode())}</div>
     <pre tabindex="0" role="region" aria-label=${translated("Code")}>${code}</pre>
   </div></details>`;
 }

@@ -12,7 +12,7 @@ export type Frame = { centre: Vector; radius: number; up: "z" | "y" };
 /**
  * What drawing needs: the matrices, the size of a world unit at the middle in clip units, the directions of the picture.
  */
-export type Sight = {
+export type CameraMatrices = {
   view: Matrix;
   projection: Matrix;
   viewProjection: Matrix;
@@ -88,7 +88,7 @@ export function sightOf(
   { centre, radius, up }: Frame,
   width: number,
   height: number,
-): Sight {
+): CameraMatrices {
   const min = fittedSide(width, height);
   const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
   const distance = radius / (SLOPE * FILLED);
@@ -121,7 +121,7 @@ export function sightOf(
 
 /** Where a point appears, in the picture's units from its upper left corner; null behind the eye. */
 export function placeOf(
-  sight: Sight,
+  sight: CameraMatrices,
   point: ArrayLike<number>,
   at: number,
   width: number,
@@ -133,7 +133,7 @@ export function placeOf(
 
 /** The way in space that moves a point by (dx, dy) in the picture, in the plane through it that faces the eye. */
 export function shiftOf(
-  sight: Sight,
+  sight: CameraMatrices,
   point: ArrayLike<number>,
   dx: number,
   dy: number,
@@ -148,7 +148,7 @@ export function shiftOf(
 
 /** The ray from the eye through a place of the picture. */
 export function rayThrough(
-  sight: Sight,
+  sight: CameraMatrices,
   x: number,
   y: number,
   width: number,
@@ -161,7 +161,7 @@ export function rayThrough(
 }
 
 /** From the surface's coordinates to the picture's: what a canvas in two dimensions draws with. */
-export function pixelMatrix(sight: Sight, width: number, height: number): Matrix {
+export function pixelMatrix(sight: CameraMatrices, width: number, height: number): Matrix {
   const toPixels = [width / 2, 0, 0, 0, 0, -height / 2, 0, 0, 0, 0, 1, 0, width / 2, height / 2, 0, 1];
   return multiply(toPixels, sight.viewProjection);
 }

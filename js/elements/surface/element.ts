@@ -10,7 +10,7 @@ import { acceptDrops } from "../../ui/files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { loadDrawing } from "./loading.js";
-import { startTurn } from "./start-queue.js";
+import { whenIdle } from "./start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { AutoRotation } from "./auto-rotation.js";
@@ -147,22 +147,22 @@ export class BezierSurface extends SurfaceAttributes {
 
   /** The user changes something, which is one undo step when it is done. */
   #edit(change: () => void, type: "input" | "change" = "change") {
-    this.#history.touch(this.#undoState());
+    this.#history.begin(this.#undoState());
     change();
-    if (type === "change") this.#history.close(this.#undoState());
+    if (type === "change") this.#history.commit(this.#undoState());
     this.requestUpdate();
     this.#fire(type);
   }
 
   #cancelEdit() {
-    const before = this.#history.abandon(this.#undoState());
+    const before = this.#history.rollback(this.#undoState());
     if (before) this.#restore(before);
     this.#fire("change");
   }
 
   #stepByUser(step: "undo" | "redo") {
-    const { open, canUndo, canRedo } = this.#history;
-    if (!(step === "undo" ? canUndo || open : canRedo)) return;
+    const { isOpen, canUndo, canRedo } = this.#history;
+    if (!(step === "undo" ? canUndo || isOpen : canRedo)) return;
     this.#handles?.endDrags();
     this[step]();
     this.#fire("change");
@@ -214,7 +214,7 @@ export class BezierSurface extends SurfaceAttributes {
   #keep(kept: boolean) {
     this.#kept = kept;
     if (kept) return;
-    this.#stage?.rest();
+    this.#stage?.suspend();
     this.#setDrawn(false);
   }
 
@@ -237,7 +237,7 @@ export class BezierSurface extends SurfaceAttributes {
   async #start() {
     const watches = this.#watches;
     const drawing = await loadDrawing().catch(() => null);
-    await startTurn();
+    await whenIdle();
     if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
     if (!this.#kept) return; // it was scrolled past

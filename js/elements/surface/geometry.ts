@@ -8,7 +8,7 @@ import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MAX_GPU_DEGREE } from "./shaders.js";
 import type { Mesh, Surface } from "../../surfaces.js";
 import type { Settings } from "./settings.js";
-import type { Frame, Sight } from "./camera.js";
+import type { Frame, CameraMatrices } from "./camera.js";
 import type { Piece } from "./pieces.js";
 
 /** What is to be seen. */
@@ -53,7 +53,7 @@ export class Geometry {
    * @param width in CSS pixels
    * @param moving the camera moves: the mesh of the last view stays until it rests, which keeps frames short
    */
-  seen({ viewProjection }: Sight, width: number, height: number, moving = false) {
+  seen({ viewProjection }: CameraMatrices, width: number, height: number, moving = false) {
     const numbers = [...viewProjection, width, height];
     this.outdated = !numbers.every((x, i) => x === this.#seen[i]);
     if (!this.outdated || (moving && this.#sight)) return;

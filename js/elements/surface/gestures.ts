@@ -2,8 +2,9 @@
 
 import { cssZoom } from "../../ui/canvas-size.js";
 import { arrowDirection } from "../../ui/keys.js";
-import { capture } from "../../ui/capture.js";
+import { PressedPointers } from "../../ui/pressed-pointers.js";
 import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
+import type { Span } from "../../ui/pressed-pointers.js";
 import type { View } from "./camera.js";
 
 export interface GesturePort {
@@ -22,12 +23,13 @@ const ZOOM_PER_WHEEL_PIXEL = 1.0015;
 const LINE_PX = 16;
 const PAN_PER_KEY = 0.05;
 
-export type Point2 = { x: number; y: number };
-
 export class Gestures {
   #canvas;
   #port;
-  #pointers: Map<number, Point2> = new Map();
+  #pointers = new PressedPointers({
+    move: (before, after, event) => this.#moved(before, after, event),
+    end: (event, released) => this.#up(event, released),
+  });
   #travelled = 0;
 
   constructor(canvas: HTMLCanvasElement, port: GesturePort) {
@@ -50,31 +52,22 @@ export class Gestures {
 
   #down(event: PointerEvent) {
     if (event.button > 1) return;
-    if (this.#pointers.size === 0) this.#travelled = 0;
-    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    capture(event, {
-      move: (moved) => this.#moved(moved),
-      end: (ended, released) => this.#up(ended, released),
-    });
+    if (this.#pointers.count === 0) this.#travelled = 0;
+    this.#pointers.add(event);
   }
 
-  #moved(event: PointerEvent) {
-    const before = this.#pointers.get(event.pointerId);
-    if (!before) return;
-    const now = { x: event.clientX, y: event.clientY };
-    const [dx, dy] = [now.x - before.x, now.y - before.y];
-    this.#travelled += Math.hypot(dx, dy);
-    const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
-    this.#pointers.set(event.pointerId, now);
+  #moved(before: Span, after: Span, event: PointerEvent) {
+    const { count } = this.#pointers;
+    const [dx, dy] = [after.clientX - before.clientX, after.clientY - before.clientY];
+    this.#travelled += count * Math.hypot(dx, dy);
     if (this.#travelled < CLICK_PX) return;
-    if (others.length > 0) this.#pinch(before, now, others[0]);
+    if (count > 1) this.#pinch(before, after);
     else if (event.shiftKey || event.buttons & 4) this.#pan(dx, dy);
     else this.#orbit(dx, dy);
   }
 
   #up(event: PointerEvent, released: boolean) {
-    this.#pointers.delete(event.pointerId);
-    if (this.#pointers.size > 0) return;
+    if (this.#pointers.count > 0) return;
     if (this.#travelled >= CLICK_PX) return this.#port.move({}, true);
     if (!released) return;
     const box = this.#canvas.getBoundingClientRect();
@@ -93,12 +86,11 @@ export class Gestures {
     this.#port.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
   }
 
-  /** Two fingers: their distance is the zoom, their middle the shift. */
-  #pinch(before: Point2, now: Point2, other: Point2) {
-    const distance = (place: Point2) => Math.max(1, Math.hypot(place.x - other.x, place.y - other.y));
+  /** Two fingers: their distance is the zoom, their centre the shift. */
+  #pinch(before: Span, after: Span) {
     const { zoom } = this.#port.view();
-    this.#port.move({ zoom: (zoom * distance(now)) / distance(before) }, false);
-    this.#pan((now.x - before.x) / 2, (now.y - before.y) / 2);
+    this.#port.move({ zoom: (zoom * Math.max(1, after.width)) / Math.max(1, before.width) }, false);
+    this.#pan(after.clientX - before.clientX, after.clientY - before.clientY);
   }
 
   /**

@@ -4,7 +4,7 @@ import { Batch } from "./buffers.js";
 import { PatchTexture } from "./patch-texture.js";
 import { SOURCES } from "./shaders.js";
 import type { ProgramInfo } from "twgl.js";
-import type { Sight } from "./camera.js";
+import type { CameraMatrices } from "./camera.js";
 import type { Geometry, Scene } from "./geometry.js";
 import type { Theme } from "./theme.js";
 
@@ -15,7 +15,7 @@ const ZERO_RATIO = 2e-6;
 export type Picture = {
   scene: Scene;
   geometry: Geometry;
-  sight: Sight;
+  sight: CameraMatrices;
   theme: Theme;
   width: number;
   height: number;

@@ -4,17 +4,17 @@ import { cssZoom } from "../../ui/canvas-size.js";
 import { capture } from "../../ui/capture.js";
 import { placeOf, shiftOf } from "./camera.js";
 import { patchesOf } from "./patches.js";
-import type { Sight } from "./camera.js";
+import type { CameraMatrices } from "./camera.js";
 import type { Scene } from "./geometry.js";
 
 export interface HandlePort {
   moved: (vertex: number, to: number[], done: boolean) => void;
   /** The pointer was taken away, or Escape was pressed: back to what was before */
   cancelled: () => void;
-  sight: () => { sight: Sight; width: number; height: number } | null;
+  sight: () => { sight: CameraMatrices; width: number; height: number } | null;
 }
 
-/** A net with more points is shown without handles: nobody can tell them apart. */
+/** A net with more points is shown without handles, which would overlap. */
 const MAX_HANDLES = 100;
 const [STEP_PX, WIDE_STEP_PX, FINE_STEP_PX] = [4, 20, 1];
 
@@ -81,7 +81,7 @@ export class Handles {
   }
 
   /** Puts every handle where its point is seen; outside the picture only the focused one stays, at its edge. */
-  place(sight: Sight, width: number, height: number) {
+  place(sight: CameraMatrices, width: number, height: number) {
     this.#buttons.forEach((button, i) => {
       const at = placeOf(sight, this.#points, 3 * i, width, height);
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;

@@ -3,7 +3,7 @@ import { placeOf } from "./camera.js";
 import { arrowsAt } from "./arrows.js";
 import { patchesOf } from "./patches.js";
 import type { Patch } from "../../surfaces.js";
-import type { Sight } from "./camera.js";
+import type { CameraMatrices } from "./camera.js";
 import type { Scene } from "./geometry.js";
 
 export type Label = {
@@ -65,7 +65,7 @@ export class Labels {
   }
 
   /** Puts the names where their points are seen. */
-  place(sight: Sight, width: number, height: number) {
+  place(sight: CameraMatrices, width: number, height: number) {
     const axes = this.#labels.map(({ role, at, from }, k) => {
       const end = placeOf(sight, at, 0, width, height);
       const text = this.#texts[k];

@@ -1,7 +1,7 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
 import { hasPart } from "../attribute-text.js";
-import { box, button, choice, slider } from "../../ui/controls.js";
+import { button, checkbox, select, slider } from "../../ui/controls.js";
 import {
   AXES,
   EVALUATIONS,
@@ -17,7 +17,7 @@ import {
 } from "./settings.js";
 import {
   EVALUATION_NAMES,
-  figures,
+  twoDigits,
   DETAIL_NAMES,
   HEIGHT_NAMES,
   LAYER_NAMES,
@@ -87,7 +87,7 @@ export function panel(port: PanelPort) {
   </div>`;
 }
 
-function select(
+function setting(
   name: string,
   label: string,
   words: readonly string[],
@@ -95,7 +95,7 @@ function select(
   names: Record<string, string>,
   { set }: PanelPort,
 ) {
-  return choice(label, words, selected, names, (word) => set(name, word, "change"));
+  return select(label, words, selected, names, (word) => set(name, word, "change"));
 }
 
 /** A slider that sets a property. */
@@ -110,11 +110,11 @@ function propertySlider(
 }
 
 function shadingControl(port: PanelPort) {
-  return select("shading", translated("Shading"), SHADINGS, port.settings.shading, SHADING_NAMES, port);
+  return setting("shading", translated("Shading"), SHADINGS, port.settings.shading, SHADING_NAMES, port);
 }
 
 function shapeControl(port: PanelPort) {
-  return select("model", translated("Shape"), MODELS, port.settings.model, MODEL_NAMES, port);
+  return setting("model", translated("Shape"), MODELS, port.settings.model, MODEL_NAMES, port);
 }
 
 function ownControls(port: PanelPort) {
@@ -127,10 +127,10 @@ function modelControls(port: PanelPort) {
   const { model, parts } = settings;
   const has = (part: string) => hasPart(port.groups, "model", part);
   const part = (each: Part) =>
-    box(PART_NAMES[each], parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
+    checkbox(PART_NAMES[each], parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
   return html`<fieldset><legend>${translated("Model")}</legend>
-    ${model === "teapot" && has("height") ? select("height", translated("Height"), HEIGHTS, settings.height, HEIGHT_NAMES, port) : nothing}
-    ${has("up") ? select("up", translated("Upright"), AXES, settings.up, { z: "z", y: "y" }, port) : nothing}
+    ${model === "teapot" && has("height") ? setting("height", translated("Height"), HEIGHTS, settings.height, HEIGHT_NAMES, port) : nothing}
+    ${has("up") ? setting("up", translated("Upright"), AXES, settings.up, { z: "z", y: "y" }, port) : nothing}
     ${model === "teapot" && has("parts") ? PARTS.map(part) : nothing}
   </fieldset>`;
 }
@@ -141,8 +141,8 @@ function decades(name: string, label: string, value: number, min: number, max: n
     set(name, Number((10 ** Number((event.target as HTMLInputElement).value)).toPrecision(2)), type);
   const position = Math.log10(value).toFixed(2);
   return html`<label class="line"><span>${label}</span>
-    <input type="range" name=${name} min=${Math.log10(min).toFixed(2)} max=${Math.log10(max).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${figures(value)} @input=${to("input")} @change=${to("change")}>
-    <span class="value" aria-hidden="true">${figures(value)}</span></label>`;
+    <input type="range" name=${name} min=${Math.log10(min).toFixed(2)} max=${Math.log10(max).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${twoDigits(value)} @input=${to("input")} @change=${to("change")}>
+    <span class="value" aria-hidden="true">${twoDigits(value)}</span></label>`;
 }
 
 function meshControls(port: PanelPort) {
@@ -152,12 +152,12 @@ function meshControls(port: PanelPort) {
   const [kind] = Object.keys(detail);
   const kinds = DETAIL_KINDS.filter((each) => each === kind || has(each));
   return html`<fieldset><legend>${translated("Mesh")}</legend>
-    ${kinds.length > 1 ? choice(translated("Fineness"), kinds, kind, DETAIL_NAMES, (kind) => port.setDetail(kind as Parameters<typeof port.setDetail>[0])) : nothing}
+    ${kinds.length > 1 ? select(translated("Fineness"), kinds, kind, DETAIL_NAMES, (kind) => port.setDetail(kind as Parameters<typeof port.setDetail>[0])) : nothing}
     ${"segments" in detail ? propertySlider("segments", translated("Segments"), settings.segments, { min: 1, max: MAX_SEGMENTS, step: 1 }, port) : nothing}
     ${"tolerance" in detail ? decades("tolerance", translated("Tolerance"), detail.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
     ${"pixels" in detail ? decades("pixels", translated("Pixels"), detail.pixels, 0.1, 30, port) : nothing}
     ${"flatness" in detail ? decades("flatness", translated("Flatness"), detail.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
-    ${"segments" in detail && has("evaluation") ? select("evaluation", translated("Computed"), EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
+    ${"segments" in detail && has("evaluation") ? setting("evaluation", translated("Computed"), EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
 }
 
@@ -168,7 +168,7 @@ function layerControls(port: PanelPort) {
   } = port;
   const has = (part: string) => hasPart(port.groups, "show", part);
   const layer = (each: Layer) =>
-    box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
+    checkbox(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>${translated("Show")}</legend>${LAYERS.filter(has).map(layer)}
     ${has("lines") && ["isocurves", "tubes", "ribbons"].some((each) => layers.has(each as any)) ? propertySlider("lines", translated("Strips"), lines, { min: 1, max: MAX_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }

@@ -70,7 +70,7 @@ export function cracksOf(surface: Surface, pieces: Piece[]): Cracks {
   return { triangles: Float32Array.from(found.triangles), lines: Float32Array.from(found.lines), widest: found.widest };
 }
 
-/** Looks for corners amid a side, and amid its halves. */
+/** Looks for corners between the ends of a side, and then on its halves. */
 function search(
   patch: Patch,
   corners: Set<number>,

@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { figures, upperBound } from "./words.js";
+import { twoDigits, upperBound } from "./words.js";
 import { translated, translatedParts } from "../../editor/translations.js";
 import type { Facts, Recursion } from "./geometry.js";
 
@@ -41,7 +41,7 @@ export function readout(facts: Facts | null, language: string) {
 
 function recursionWords({ pieces, depth, cracks, widest }: Recursion, bold: Writer) {
   const found = cracks
-    ? translatedParts("{0} cracks, up to {1}", bold(cracks), bold(figures(widest), ROUNDED))
+    ? translatedParts("{0} cracks, up to {1}", bold(cracks), bold(twoDigits(widest), ROUNDED))
     : translatedParts("{0} cracks", bold(0));
   return html`<span>${translatedParts("{0} pieces, {1} deep", bold(pieces), bold(depth))}</span>
     <span class="cracks">${found}</span>`;

@@ -7,14 +7,14 @@ import { GlView } from "./gl-view.js";
 import { ContextSlot } from "./context-slot.js";
 import { followColours } from "../../ui/theme.js";
 import { readTheme } from "./theme.js";
-import type { Sight, View } from "./camera.js";
+import type { CameraMatrices, View } from "./camera.js";
 import type { Facts, Scene } from "./geometry.js";
 import type { Theme } from "./theme.js";
 
 /** What the stage reports to the element. */
 export interface StagePort {
   /** After each frame; the size in CSS pixels */
-  drawn: (facts: Facts, sight: Sight, width: number, height: number) => void;
+  drawn: (facts: Facts, sight: CameraMatrices, width: number, height: number) => void;
   /** The core cannot make this mesh */
   refused: (message: string) => void;
   stateChanged: (state: "webgl" | "flat" | "lost") => void;
@@ -109,8 +109,8 @@ export class Stage {
     this.schedule();
   }
 
-  /** Gives the graphics card back while nobody looks: a browser lends few of them at a time. */
-  rest() {
+  /** Releases the WebGL context while the element is far from the visible page: browsers limit their number. */
+  suspend() {
     if (!(this.#view instanceof GlView) || this.#lost) return;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;

@@ -6,7 +6,7 @@ const MAX_WAIT_MS = 200;
 let last = Promise.resolve();
 
 /** Resolves when all elements that asked before have had their turn and the page is idle. */
-export function startTurn() {
+export function whenIdle() {
   last = last.then(idle);
   return last;
 }

@@ -8,7 +8,7 @@ const PLUS = path("M12 5v14M5 12h14");
 const MINUS = path("M5 12h14");
 const HOUSE = path("M4 11l8-7 8 7M6.5 9.5V20h11V9.5");
 
-/** The buttons over the picture, for whoever has neither wheel nor two fingers. */
+/** The buttons over the picture, which do what the wheel and two fingers do. */
 export function tools({
   turning,
   toggle,

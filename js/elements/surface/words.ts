@@ -71,8 +71,8 @@ export const instructions = () =>
     "Drag to rotate, with Shift to move the picture; zoom with two fingers. Keys: the arrow keys rotate, with Shift they move the picture; plus and minus zoom; 0 restores the first view; Ctrl+Z undoes, Ctrl+Y redoes.",
   );
 
-/** Two figures that count. */
-export function figures(x: number) {
+/** A number with two significant digits. */
+export function twoDigits(x: number) {
   return x === 0 ? "0" : x < 1e-4 || x >= 1e6 ? x.toExponential(1) : String(Number(x.toPrecision(2)));
 }
 
@@ -80,5 +80,5 @@ export function figures(x: number) {
 export function upperBound(x: number) {
   const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
   const rounded = Number(x.toPrecision(2));
-  return figures(x === 0 || rounded >= x ? rounded : rounded + unit);
+  return twoDigits(x === 0 || rounded >= x ? rounded : rounded + unit);
 }

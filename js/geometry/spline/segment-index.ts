@@ -39,7 +39,7 @@ export class SegmentIndex {
   /**
    * The coordinates of the control points of segment k, not copied.
    *
-   * @param k the number of the patch, from 0
+   * @param k the number of the segment, from 0
    */
   pointsOf(k: number): Float64Array {
     return this.pointsFrom(k, k + 1);
@@ -48,8 +48,8 @@ export class SegmentIndex {
   /**
    * The coordinates of the control points of the segments from one index to the one before another, not copied.
    *
-   * @param from the location of the start
-   * @param to the new position
+   * @param from the first segment
+   * @param to the segment after the last one
    */
   pointsFrom(from: number, to: number): Float64Array {
     return this.flat.subarray(this.starts[from], this.ends[to - 1]);

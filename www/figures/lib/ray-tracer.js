@@ -3,13 +3,13 @@ import { rayThrough } from "#js/elements/surface/camera.js";
 
 /**
  * @import { Patch } from "casteljau/surfaces"
- * @import { Sight } from "#js/elements/surface/camera.js"
+ * @import { CameraMatrices } from "#js/elements/surface/camera.js"
  */
 
 /** @typedef {readonly number[]} Vector three numbers */
 /** @typedef {{ patch: Patch, u: number, v: number, distance: number, point: Vector }} Hit */
 /** @typedef {{ patch: Patch, min: Vector, max: Vector }} BoundedPatch */
-/** @typedef {{ sight: Sight, width: number, height: number, radius: number, front: Vector, back: Vector, hasShadows: boolean }} View colours from 0 to 1; radius of the surface */
+/** @typedef {{ sight: CameraMatrices, width: number, height: number, radius: number, front: Vector, back: Vector, hasShadows: boolean }} View colours from 0 to 1; radius of the surface */
 
 /** Sides of the blocks of pixels in each pass: each pass halves them. */
 const BLOCK_SIZES = [8, 4, 2, 1];
@@ -153,9 +153,9 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 /** @param {Vector} a @returns {Vector} */
 const normalized = (a) => a.map((c) => c / Math.hypot(...a));
 
-/** @param {Vector} a @param {Sight} sight @returns {Vector} */
+/** @param {Vector} a @param {CameraMatrices} sight @returns {Vector} */
 const toEye = (a, { right, upward, forward }) => [dot(a, right), dot(a, upward), -dot(a, forward)];
 
-/** @param {Vector} a @param {Sight} sight @returns {Vector} */
+/** @param {Vector} a @param {CameraMatrices} sight @returns {Vector} */
 const toWorld = (a, { right, upward, forward }) =>
   right.map((_, k) => a[0] * right[k] + a[1] * upward[k] - a[2] * forward[k]);
