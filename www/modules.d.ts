@@ -19,3 +19,9 @@ declare module "subset-font" {
     options: { targetFormat: "woff2" },
   ): Promise<Uint8Array>;
 }
+
+// Libraries that /conformance/ asks.
+
+declare module "bezier-js";
+declare module "paper/dist/paper-core.js";
+declare module "verb-nurbs";

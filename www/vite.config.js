@@ -11,6 +11,7 @@ import { referenceSamples } from "./api/build/vite-samples.js";
 import { mathFontLicense } from "./build/math-font.js";
 import { eleventyPages } from "./build/pages.js";
 import { rustDocs } from "./build/rust-docs.js";
+import { libraryLicenses, verbWithoutEval } from "./conformance/packages.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
@@ -110,13 +111,15 @@ export default defineConfig(({ command }) => ({
     eleventyPages(plainPages),
     referenceSamples,
     mathFontLicense,
+    libraryLicenses,
+    verbWithoutEval,
     classicScript,
     oneModule,
     homeModule,
     pageSideEffects,
     rustDocs(),
   ],
-  worker: { format: "es" }, // the core is awaited when it is imported
+  worker: { format: "es", plugins: () => [verbWithoutEval] }, // the core is awaited when it is imported
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

@@ -86,6 +86,7 @@ testTasks([
       { weight: 0.5 },
       { weight: 0.74 },
       { weight: 0.5, points: conic(1, [67, 50 - 38 * Math.sqrt(3)]).points }, // a circle, with legs of 60°
+      { weight: 0.71, points: conic(1, [67, 50 - 38 * Math.sqrt(3)]).points },
       { weight: 1, points: conic(1, [67, 50]).points }, // a segment
     ],
     { weight: 0.7 },
@@ -122,7 +123,7 @@ testTasks([
       { points: LEVEL.with(2, [460, 240]) },
       { points: LEVEL.with(0, [90, 90]) }, // an end has moved
       { points: LEVEL.with(1, [200, 395]).with(2, [400, 405]) }, // too flat
-      { points: [...LEVEL.slice(0, 3), [590, 300]] },
+      { points: LEVEL.with(2, [460, 700]).with(3, [590, 410]) }, // low, but the other end has moved
     ],
     { points: LEVEL.with(2, [460, 700]) },
   ],
@@ -140,7 +141,13 @@ testTasks([
   [
     "offset-cusp",
     offset(40),
-    [offset(-75), offset(ABOVE), offset(BELOW - 4), offset(BELOW, ARCH.with(1, [250, 60]))],
+    [
+      offset(-75),
+      offset(ABOVE),
+      offset(BELOW - 4),
+      offset(BELOW, ARCH.with(1, [250, 60])),
+      offset(173, pointsOf("80,400 250,150 420,150 590,400")),
+    ],
     offset(BELOW),
   ],
   [
@@ -155,9 +162,16 @@ testTasks([
     [
       { chosen: new Set(["100", "010", "001"]) },
       { chosen: new Set(["100", "010", "001", "111", "110"]) },
-      { chosen: new Set(["100", "010", "001"]), centers: CENTERS.with(2, [60, 80]) }, // C far away
+      {
+        chosen: new Set(["100", "010", "001"]),
+        centers: CENTERS.with(2, [60, 80]),
+        faces: faces("100", "010", "001", "110"),
+      }, // C far away
     ],
-    { chosen: new Set(["111", "001", "010", "100"]) },
+    {
+      chosen: new Set(["111", "001", "010", "100"]),
+      faces: faces("100", "010", "001", "110", "101", "011", "111"),
+    },
   ],
 ]);
 

@@ -1,5 +1,6 @@
 // The tasks of the chapter on curves: not done at the start, done when it is done, and their own answers count.
 import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve } from "casteljau";
 import { applet, load, testTasks } from "./task-cases.js";
@@ -47,7 +48,7 @@ testTasks([
     [
       points("80,430 335,160 590,430"), // 270 px
       points("80,430 335,790 590,430"), // below the line
-      points("80,250 335,250 590,250"), // the ends have moved
+      points("80,360 335,0 590,360"), // the ends have moved
     ],
     points("80,430 200,71 590,430"),
   ],
@@ -200,6 +201,23 @@ test("task enough-pieces", async () => {
   const pieces = leaves(new Curve([60, 300, 60, 20, 620, 20, 600, 300]).subdivide(Number(element.tolerance)));
   const error = Math.max(...pieces.map(({ curve }) => curve.hausdorff(new Curve([curve.eval(0), curve.eval(1)]))));
   assert.equal(tree(pieces.length, error), true);
+});
+
+test("every task of the chapter that is checked has a test", async () => {
+  const sections = new URL("../../www/curves/sections/", import.meta.url);
+  const text = readdirSync(sections)
+    .map((name) => readFileSync(new URL(name, sections), "utf8"))
+    .join("\n");
+  const used = Array.from(text.matchAll(/^::: task ([\w-]+)/gm), ([, name]) => name);
+  const tests = ["curves-tasks", "curves-measuring-tasks"]
+    .map((name) => readFileSync(new URL(`${name}.test.js`, import.meta.url), "utf8"))
+    .join("\n");
+  assert.ok(used.length >= 29, `${used.length}`);
+  for (const name of used) {
+    const { check, predict, answer } = await load(name);
+    assert.ok(check || predict || answer, name);
+    if (check) assert.match(tests, new RegExp(`^ *\\[?"${name}",|"task ${name}"`, "m"), name);
+  }
 });
 
 test("the predicted answers hold: shapes whose first and last leg cross, equal weights, the radius at the top", async () => {

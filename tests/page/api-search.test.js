@@ -2,11 +2,15 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { mathText } from "../../www/build/math-text.js";
+import { ABSENT, TERMS as OTHER_TERMS } from "../../www/build/search-terms.js";
 import { searchIndex } from "../../www/parts/search-index.js";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";
 
-const find = searchIndex(JSON.parse(readFileSync(`${root}site/search.json`, "utf8")));
+/** @type {import("../../www/build/search-documents.js").SearchDocument[]} */
+const documents = JSON.parse(readFileSync(`${root}site/search.json`, "utf8"));
+const find = searchIndex(documents);
 
 /** What one of the first three results must be. @type {[string, RegExp][]} */
 const TERMS = [
@@ -41,6 +45,83 @@ const TERMS = [
   ["bezier-surface", /^(api\/elements\/#bezier-surface|elements\/)/],
 ];
 
+/** Other words than ours, and terms of theory: what the first result must be. @type {[string, RegExp][]} */
+const FIRST = [
+  ["kappa", /^curves\/#(circles|derivatives)$/],
+  ["0.5523", /^curves\/#circles$/],
+  ["lathe", /^recipes\/#stl-for-printing$/],
+  ["triangulate", /^surfaces\/#tessellation$/],
+  ["getPointAtLength", /^api\/path\/#pointAtLength$/],
+  ["smooth corner", /^(curves\/#joining|api\/path\/#roundCorners)$/],
+  ["nib", /^(ink\/|recipes\/#brush-stroke|api\/inkstroke\/#constructor)$/],
+  ["polyline", /^curves\/#(parameter|recursive-rendering)$/],
+  ["centroid", /^api\/path\/#moments$/],
+  ["ease-in-out", /^(easing\/|curves\/#uses)$/],
+  ["parallel curve", /^curves\/#offsets$/],
+  ["curvature", /^curves\/#derivatives$/],
+  ["cusp", /^curves\/#(derivatives|offsets)$/],
+  ["arc length", /^curves\/#arc-length$/],
+  ["offset curve", /^curves\/#offsets$/],
+  ["intersections", /^curves\/#intersections$/],
+  ["split", /^(curves|surfaces)\/#splitting$/],
+];
+
+for (const [text, expected] of FIRST) {
+  test(`“${text}” is found first`, () => {
+    const addresses = find(text).map(({ address }) => address);
+    assert.match(addresses[0] ?? "nothing", expected, addresses.join(" "));
+  });
+}
+
+test("both kinds of a thing are among the first results", () => {
+  for (const [text, ...expected] of [
+    ["smooth corner", "curves/#joining", "api/path/#roundCorners"],
+    ["kappa", "curves/#derivatives", "curves/#circles"],
+    ["thickness", "api/path/#stroke", "recipes/#brush-stroke"],
+  ]) {
+    const addresses = find(text).map(({ address }) => address);
+    for (const address of expected)
+      assert.ok(addresses.slice(0, 3).includes(address), `${text}: ${addresses.join(" ")}`);
+  }
+});
+
+test("what is not available is said, with what to do instead", () => {
+  for (const text of ["triangulate", "morph", "text outlines", "potrace", "subdivision surface"]) {
+    const found = find(text)
+      .slice(0, 3)
+      .find(({ title }) => title.endsWith("not available"));
+    assert.ok(found, `${text}: ${find(text).map(({ title }) => title)}`);
+  }
+  for (const text of ["tessellate", "fit", "path"]) assert.doesNotMatch(find(text)[0].title, /not available/);
+});
+
+test("the words and answers of the search belong to places that exist", () => {
+  const addresses = new Set(documents.map(({ address }) => address));
+  for (const address of [...Object.keys(OTHER_TERMS), ...ABSENT.map(({ address }) => address)])
+    assert.ok(addresses.has(address), address);
+});
+
+test("excerpts keep formulas", () => {
+  const textOf = (/** @type {string} */ address) => documents.find((each) => each.address === address)?.text ?? "";
+  assert.match(textOf("curves/#parameter"), /At t = 0 the point is at one end .* written B\(t\)\./);
+  assert.match(textOf("curves/#quadratic"), /Go the fraction t of the way from A to B:/);
+  for (const { address, text } of documents.filter(({ address }) => /^(curves|surfaces)\/#/.test(address)))
+    assert.doesNotMatch(text, /[<>]m|\(\)| ,|undefined/, address);
+  for (const [formula, text] of [
+    [
+      "<math><mrow><mi>h</mi><mo>=</mo><mfrac><mn>4</mn><mn>3</mn></mfrac><mo>−</mo><mi>x</mi></mrow></math>",
+      "h = 4/3 − x",
+    ],
+    ["<math><mrow><mo>−</mo><msubsup><mi>B</mi><mi>i</mi><mi>n</mi></msubsup></mrow></math>", "−B_i^n"],
+    [
+      '<math><msup><mi>t</mi><mn>12</mn></msup><mspace width="1em"/><msub><mi>P</mi><mn>01</mn></msub></math>',
+      "t¹² P₀₁",
+    ],
+    ["<math><msqrt><mi>a</mi><mo>+</mo><mi>b</mi></msqrt></math>", "√(a + b)"],
+  ])
+    assert.equal(mathText(formula), text);
+});
+
 for (const [text, expected] of TERMS) {
   test(`“${text}” is found`, () => {
     const addresses = find(text).map(({ address }) => address);
@@ -69,7 +150,7 @@ test("the key / opens the search, in any folder; Enter goes to the first result"
   await page.locator("[data-search]:enabled").waitFor();
   await page.keyboard.press("/");
   const field = page.getByRole("searchbox");
-  await field.fill("winding number");
+  await field.fill("windingNumber");
   await page.getByRole("dialog").getByRole("link").first().waitFor();
   assert.match((await page.getByRole("dialog").getByRole("status").textContent()) ?? "", /^\d+ results?$/);
   await field.press("Enter");

@@ -67,6 +67,7 @@ test("sliders and a field solve the tasks about curvature, length, offset and ci
     await task.getByText(words).waitFor();
     assert.equal(await task.getAttribute("data-state"), "open", name);
     await input.fill(right);
+    await input.blur(); // a typed number counts when the field is left
     await page.locator(`lesson-task[name="${name}"][data-state="done"]`).waitFor();
   }
 });

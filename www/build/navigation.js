@@ -35,6 +35,7 @@ export const NAVIGATION = [
       { path: "elements/", name: "Elements", about: "these figures on your pages" },
       { path: "migration/", name: "Migration", about: "from bezier-js, paper.js and others" },
       { path: "benchmarks/", name: "Benchmarks", about: "times and sizes compared" },
+      { path: "conformance/", name: "Conformance", about: "right and wrong answers compared" },
     ],
   },
 ];

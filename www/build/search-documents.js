@@ -1,8 +1,10 @@
 // What the search knows: every page, every section of a chapter and every entry of the API reference.
+import { mathText } from "./math-text.js";
+import { ABSENT, TERMS } from "./search-terms.js";
 
 /**
- * @typedef {{ id: number, address: string, title: string, page: string, text: string, peers: string }} SearchDocument
- *   address: relative to the first page; peers: what other libraries call an entry
+ * @typedef {{ id: number, address: string, title: string, page: string, text: string, peers: string, terms: string }} SearchDocument
+ *   address: relative to the first page; peers: what other libraries call an entry; terms: other words for it, with commas between
  */
 
 /** How much text of a section is searched. */
@@ -16,7 +18,10 @@ export function searchDocuments(pages) {
   const documents = pages
     .filter(({ content }) => content.includes("data-search="))
     .flatMap(({ url, content }) => documentsOf(url.slice(1), content.slice(content.indexOf('id="main"'))));
-  return documents.map((document, id) => ({ id, ...document }));
+  const absent = ABSENT.map((answer) => ({ ...answer, page: answer.title, peers: "" }));
+  return [...documents.map((document) => ({ ...document, terms: TERMS[document.address] ?? "" })), ...absent].map(
+    (document, id) => ({ id, ...document }),
+  );
 }
 
 /** @param {string} address @param {string} html */
@@ -43,10 +48,13 @@ function sectionOf(address, page, html) {
   return { address: `${address}#${id}`, title, page, text: plain(text).slice(0, MAX_TEXT), peers };
 }
 
-/** The text of HTML, without formulas, code blocks and pictures. @param {string} html */
+/** The text of HTML, without displayed formulas, code blocks and pictures. @param {string} html */
 const plain = (html) =>
   html
-    .replace(/<(svg|math|pre|style|script|table)\b.*?<\/\1>/gs, " ")
+    .replace(/<math display="block".*?<\/math>/gs, " ")
+    .replace(/<math\b.*?<\/math>/gs, mathText)
+    .replace(/<(svg|pre|style|script|table)\b.*?<\/\1>/gs, " ")
+    .replace(/<\/?(a|b|code|em|i|kbd|span|strong|sub|sup)\b[^>]*>/g, "")
     .replace(/<[^>]*>/g, " ")
     .replace(/&lt;/g, "<")
     .replace(/&gt;/g, ">")

@@ -1,6 +1,5 @@
 // A circle made of cubic arcs: the length of the handles, and the distance from the true circle.
 import { html, svg } from "lit";
-import { live } from "lit/directives/live.js";
 import { Figure } from "./lib/figure.js";
 import { arcOf, radialErrors, standardHandle } from "./lib/circle.js";
 import { decimal } from "./lib/numbers.js";
@@ -46,10 +45,9 @@ export class FigCircle extends Figure {
     `;
   }
 
-  /** A typed length, brought into the range; what is no number leaves it. @param {HTMLInputElement} input @param {{ min: number, max: number }} range */
-  #setLength(input, { min, max }) {
-    if (Number.isFinite(input.valueAsNumber)) this.length = Math.min(Math.max(input.valueAsNumber, min), max);
-    this.requestUpdate();
+  /** A length that is typed: what is not in the range changes nothing. @param {HTMLInputElement} input @param {{ min: number, max: number }} range */
+  #type({ valueAsNumber }, { min, max }) {
+    if (valueAsNumber >= min && valueAsNumber <= max) this.length = valueAsNumber;
   }
 
   /** @param {number[]} errors */
@@ -84,7 +82,9 @@ export class FigCircle extends Figure {
         <p class="facts">Greatest distance from the circle: <b>${decimal(100 * Math.max(...errors.map(Math.abs)), 4)} %</b> of the radius.</p>
         <div class="controls">
           ${slider({ name: html`<i>h</i>`, value: this.length, ...range, text: decimal(this.length, 4), change: (length) => (this.length = length) })}
-          <label><span><i>h</i>, exactly</span><input type="number" min=${range.min} max=${range.max} step=${range.step} .value=${live(decimal(this.length, 4))} @change=${(/** @type {Event} */ event) => this.#setLength(/** @type {HTMLInputElement} */ (event.target), range)} /></label>
+          <label><span><i>h</i>, exactly</span><input type="number" min=${range.min} max=${range.max} step=${range.step} .value=${String(this.length)}
+            @input=${(/** @type {Event} */ event) => this.#type(/** @type {HTMLInputElement} */ (event.target), range)}
+            @change=${(/** @type {Event} */ event) => Object.assign(/** @type {HTMLInputElement} */ (event.target), { value: String(this.length) })} /></label>
           ${choice({
             name: "Arcs",
             options: [2, 3, 4, 6, 8].map((n) => /** @type {[number, number]} */ ([n, n])),

@@ -123,6 +123,7 @@ export class FigFaces extends Figure {
           <button @click=${() => this.select(([a, b]) => a || b)}>A ∪ B</button>
           <button @click=${() => this.select(([a, b]) => a && b)}>A ∩ B</button>
           <button @click=${() => this.select(([a, b]) => a && !b)}>A − B</button>
+          <button @click=${() => this.select(([a, b]) => a !== b)}>A ⊕ B</button>
           <button @click=${() => this.select(() => false)}>Clear</button>
         </div></div>
       </div>

@@ -130,7 +130,7 @@ export class LessonTask extends HTMLElement {
 
   /** Numbers to be typed. @param {Answer} answer */
   #askNumbers({ values, hints, because }) {
-    const input = /** @type {HTMLInputElement} */ (
+    const input = /** @type {any} */ (
       element("input", { type: "text", inputMode: values.length > 1 ? "text" : "decimal", autocomplete: "off" })
     );
     const name = values.length > 1 ? `Your answer, ${values.length} numbers` : "Your answer";

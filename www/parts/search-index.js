@@ -1,4 +1,4 @@
-// The index of the search: words of titles, texts and of what peers call an entry.
+// The index of the search: words of titles, texts, of what peers call an entry, and of other words for it.
 import MiniSearch from "minisearch";
 
 /** @typedef {import("../build/search-documents.js").SearchDocument} SearchDocument */
@@ -23,6 +23,21 @@ function words(text) {
 }
 
 /**
+ * The weight of a section: what is named by the whole text comes first, of that the chapters, which explain the term; then what has the words in
+ * this order.
+ *
+ * @param {SearchDocument} document
+ * @param {string} phrase
+ */
+function weightOf({ address, title, text, peers, terms }, phrase) {
+  if (terms.split(", ").some((term) => normalized(term) === phrase)) return CHAPTER.test(address) ? 60 : 20;
+  if (CHAPTER.test(address) && normalized(title).includes(phrase)) return 10;
+  return normalized(`${title} ${text} ${peers}`).includes(phrase) ? 3 : 1;
+}
+
+const CHAPTER = /^(curves|surfaces)\/#/;
+
+/**
  * A function that finds the best sections for a text as it is typed.
  *
  * @param {SearchDocument[]} documents
@@ -30,8 +45,8 @@ function words(text) {
  */
 export function searchIndex(documents) {
   const index = new MiniSearch({
-    fields: ["title", "page", "text", "peers"],
-    storeFields: ["address", "title", "page", "text", "peers"],
+    fields: ["title", "page", "text", "peers", "terms"],
+    storeFields: ["address", "title", "page", "text", "peers", "terms"],
     tokenize: words,
     processTerm: normalized,
   });
@@ -39,16 +54,12 @@ export function searchIndex(documents) {
   return (text) => {
     const phrase = normalized(text.trim());
     const options = {
-      boost: { title: 5, peers: 2 },
+      boost: { title: 5, peers: 2, terms: 4 },
       weights: { fuzzy: 0.1, prefix: 0.4 },
       prefix: true,
       fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 2 : term.length > 3),
-      // A section that has the words in this order is more likely to be meant.
-      boostDocument: (
-        /** @type {number} */ _id,
-        /** @type {string} */ _term,
-        /** @type {any} */ { title, text, peers },
-      ) => (normalized(`${title} ${text} ${peers}`).includes(phrase) ? 3 : 1),
+      boostDocument: (/** @type {number} */ _id, /** @type {string} */ _term, /** @type {any} */ document) =>
+        weightOf(document, phrase),
     };
     const all = index.search(text, { ...options, combineWith: "AND" });
     const found = all.length > 0 ? all : index.search(text, options);
