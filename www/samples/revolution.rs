@@ -9,7 +9,9 @@ pub(crate) fn sample(out: &mut String) {
     let net: Vec<DVec3> = profile.map(row).concat();
     let rim = Surface::teapot(&TeapotOptions::default()).patch(0).unwrap();
     let pairs = net.iter().zip(rim.control_points());
-    let largest = pairs.map(|(&p, &q)| (p - q).abs().max_element()).fold(0.0, f64::max);
+    let largest = pairs
+        .map(|(&p, &q)| (p - q).abs().max_element())
+        .fold(0.0, f64::max);
     writeln!(out, "difference from the teapot's points: {largest:.6}");
     let patch = Patch::new(&net, 3, 3).unwrap();
     for u in [0.0, 0.25, 0.5] {
