@@ -4,7 +4,6 @@
 use super::arena;
 use super::arena::Arena;
 use super::{intersect, rational, spline};
-use crate::curve::Nearest;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::rational::NurbsCurve;
@@ -193,31 +192,12 @@ pub fn nurbs_extrema(dimension: usize, axis: usize) -> isize {
     })
 }
 
-/// Writes the length.
-#[wasm_bindgen]
-pub fn nurbs_length(dimension: usize) -> isize {
-    arena::answer(|a| {
-        let length = curve(a, dimension)?.0.length();
-        Ok(a.write_numbers(0, &[length]))
-    })
-}
-
 /// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn nurbs_time_at_length(dimension: usize, s: f64) -> isize {
     arena::answer(|a| {
         let t = curve(a, dimension)?.0.time_at_length(s);
         Ok(a.write_numbers(0, &[t]))
-    })
-}
-
-/// Arguments: a point after the curve. Writes t, the distance and the nearest point.
-#[wasm_bindgen]
-pub fn nurbs_nearest(dimension: usize) -> isize {
-    arena::answer(|a| {
-        let (curve, end) = curve(a, dimension)?;
-        let Nearest { t, point, distance } = curve.nearest(a.point_in_space(end, dimension))?;
-        Ok(a.write_numbers(0, &[t, distance, point.x, point.y, point.z]))
     })
 }
 

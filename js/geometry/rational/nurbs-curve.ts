@@ -9,7 +9,6 @@ import { checkTolerance, traceOn } from "../../io/svg-write.js";
 import { affine } from "../affine.js";
 import { pointAndDirections } from "../arc-length.js";
 import { nurbsData, packedPath, requireJSON } from "../brand.js";
-import { readNearest } from "../curve-queries.js";
 import { showInNode } from "../inspected.js";
 import { subpathsOf } from "../path/packed-shape.js";
 import { boxAt, dimensionOf, flatten, nested, pointList, requireList, samePoints, writePoint } from "../points.js";
@@ -263,23 +262,31 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     check.require2D(method, "curve", this.dimension);
   }
 
-  /** The segment that contains t, the parameter on it, and the difference of t along it; the end belongs to the last segment. */
-  #locate(t: number) {
-    check.finite(t, "t");
-    const segments = this.#readSegments();
-    let [k, after] = [0, segments.length];
+  /** The index of the segment that contains t; the end belongs to the last segment. */
+  #segmentAt(t: number): number {
+    if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
+    let k = 0;
+    let after = this.#readSegments().length;
+    const joints = this.#joints;
     while (after - k > 1) {
       const middle = (k + after) >> 1;
-      if (this.#joints[middle] <= t) k = middle;
+      if (joints[middle] <= t) k = middle;
       else after = middle;
     }
-    const [from, to] = [this.#joints[k], this.#joints[k + 1]];
-    return { segment: segments[k], s: t === to ? 1 : (t - from) / (to - from), length: to - from };
+    return k;
+  }
+
+  /** The parameter on segment k at t. */
+  #parameterOn(k: number, t: number): number {
+    const from = this.#joints[k];
+    const to = this.#joints[k + 1];
+    return t === to ? 1 : (t - from) / (to - from);
   }
 
   /** What a segment gives at t. */
   #at<R>(t: number, query: (segment: RationalCurve<D>, s: number) => R): R {
-    const { segment, s } = this.#locate(t);
+    const k = this.#segmentAt(t);
+    const [segment, s] = [this.#readSegments()[k], this.#parameterOn(k, t)];
     if (!(s >= 0 && s <= 1) && !(segment._denominatorAt(s) > 0)) {
       throw new RangeError(`t: expected a parameter at which the denominator of the curve is above 0, got ${t}`);
     }
@@ -293,7 +300,10 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} outside of the domain where the denominator is not above 0
    */
   eval(t: number): Point<D> {
-    return this.#at(t, (segment, s) => segment.eval(s));
+    const k = this.#segmentAt(t);
+    const s = this.#parameterOn(k, t);
+    if (s >= 0 && s <= 1) return this.#readSegments()[k].eval(s);
+    return this.#at(t, (segment, outside) => segment.eval(outside));
   }
 
   /**
@@ -332,9 +342,15 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} as `eval`
    */
   derivativeAt(t: number, k = 1): Point<D> {
-    const { length } = this.#locate(t);
-    const derivative = { ...this.#at(t, (segment, s) => segment.derivativeAt(s, k)) } as Record<string, number>;
-    for (const axis of Object.keys(derivative)) for (let i = 0; i < k; i++) derivative[axis] /= length;
+    const at = this.#segmentAt(t);
+    check.whole(k, "k", 0, 64);
+    const derivative = this.#at(t, (segment, s) => segment._derivativeAt(s, k)) as { x: number; y: number; z?: number };
+    const length = this.#joints[at + 1] - this.#joints[at];
+    for (let i = 0; i < k; i++) {
+      derivative.x /= length;
+      derivative.y /= length;
+      if (derivative.z !== undefined) derivative.z /= length;
+    }
     return derivative as Point<D>;
   }
 
@@ -501,7 +517,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * The arc length, with a relative error below 10⁻¹² for weights whose ratios are at most 2²⁰.
+   * The arc length, with a relative error below 10⁻¹² for weights whose ratios are at most 2²⁰ (up to degree 3, 2¹⁰⁰).
    *
    * At most 4096 intervals are integrated for each segment.
    *
@@ -509,7 +525,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   length(...surplus: never[]): number {
     check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
-    return readResult(0, core().nurbs_length(this._write()))[0];
+    return this.#readSegments().reduce((sum, segment) => sum + segment.length(), 0);
   }
 
   /**
@@ -554,8 +570,23 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     const coordinates = new Float64Array(this.dimension);
     writePoint(coordinates, 0, p, this.dimension, "p");
     check.noSurplus(surplus, "nearest", 1);
-    unwrapCount(core().nurbs_nearest(this._write(coordinates)));
-    return readNearest(this.dimension);
+    const [segments, joints] = [this.#readSegments(), this.#joints];
+    // The nearest start of a segment gives an upper bound; segments whose box is farther away are skipped.
+    let max = Infinity;
+    for (const segment of segments) max = Math.min(max, squareFromBox(segment.casteljauData().flat, coordinates, 1));
+    let best: Nearest<D> | undefined;
+    for (let k = 0; k < segments.length; k++) {
+      const { flat, weights } = segments[k].casteljauData();
+      if (squareFromBox(flat, coordinates, weights.length) * BOX_ROUNDING > max) continue;
+      const found = segments[k]._nearest(coordinates);
+      if (best && !(found.distance < best.distance)) continue;
+      max = Math.min(max, found.distance * found.distance);
+      const from = joints[k];
+      const to = joints[k + 1];
+      found.t = found.t === 1 ? to : from + found.t * (to - from);
+      best = found;
+    }
+    return best as Nearest<D>; // the segment with the nearest start is not skipped
   }
 
   /**
@@ -771,6 +802,26 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     requireJSON(json, "degree, points, weights, knots and closed", ({ points }) => points !== undefined);
     return nurbsFrom({ ...json });
   }
+}
+
+/** Squared distances are compared after two roundings each; a box may therefore seem this much too far away. */
+const BOX_ROUNDING = 1 - 16 * Number.EPSILON;
+
+/** The squared distance of a point from the box of the first `count` points of a list. */
+function squareFromBox(flat: Float64Array, point: Float64Array, count: number): number {
+  const d = point.length;
+  let square = 0;
+  for (let axis = 0; axis < d; axis++) {
+    let min = flat[axis];
+    let max = min;
+    for (let at = axis + d; at < count * d; at += d) {
+      min = Math.min(min, flat[at]);
+      max = Math.max(max, flat[at]);
+    }
+    const beyond = Math.max(min - point[axis], point[axis] - max, 0);
+    square += beyond * beyond;
+  }
+  return square;
 }
 
 const EXPECTED = "a Curve, a RationalCurve, a NurbsCurve, a Spline or a Path";

@@ -71,6 +71,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   #dimension: D;
   /** See `homogeneous`. */
   #polynomials: Homogeneous | undefined;
+  /** See `homogeneousPoints`. */
+  #cubic: Float64Array | undefined;
 
   /**
    * The curve of the given control points and weights.
@@ -180,7 +182,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     const [flat, weights] = [this.#flat, this.#weights];
     const view = writeArguments(flat, weights.length + further.length);
     for (let i = 0; i < weights.length; i++) view[flat.length + i] = weights[i];
-    view.set(further, flat.length + weights.length);
+    const end = flat.length + weights.length;
+    for (let i = 0; i < further.length; i++) view[end + i] = further[i];
     return weights.length;
   }
 
@@ -244,11 +247,32 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     if (t === 0) return pointAt(this.#flat, 0, this.#dimension);
     if (t === 1) return pointAt(this.#flat, this.#flat.length - this.#dimension, this.#dimension);
+    if (this.#weights.length <= 4) return this.#cubicAt(t);
     const { numerator, denominator } = this.#homogeneous;
     const { x, y, z } = numerator.eval(t);
     const w = denominator ? denominator.eval(t).x : z;
     if (!(w > 0)) throw notDefinedAt(t, "t");
     return (denominator ? { x: x / w, y: y / w, z: z / w } : { x: x / w, y: y / w }) as Point<D>;
+  }
+
+  /** The point at t of a curve of degree 1 to 3: `RationalCurve::eval` in JavaScript, which takes less time than calls of the core. */
+  #cubicAt(t: number): Point<D> {
+    this.#cubic ??= homogeneousPoints(this.#flat, this.#weights, this.#dimension);
+    const h = this.#cubic;
+    const n = this.#weights.length - 1;
+    const s = 1 - t;
+    const tt = t * t;
+    const ss = s * s;
+    const a = n === 3 ? ss * s : n === 2 ? ss : s;
+    const b = n === 3 ? 3 * ss * t : n === 2 ? 2 * s * t : t;
+    const c = n === 3 ? 3 * s * tt : n === 2 ? tt : 0;
+    const d = n === 3 ? tt * t : 0;
+    const w = h[0] * a + h[1] * b + h[2] * c + h[3] * d;
+    if (!(w > 0)) throw notDefinedAt(t, "t");
+    const x = (h[4] * a + h[5] * b + h[6] * c + h[7] * d) / w;
+    const y = (h[8] * a + h[9] * b + h[10] * c + h[11] * d) / w;
+    if (this.#dimension === 2) return { x, y } as Point<D>;
+    return { x, y, z: (h[12] * a + h[13] * b + h[14] * c + h[15] * d) / w } as Point<D>;
   }
 
   /**
@@ -310,8 +334,43 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   derivativeAt(t: number, k = 1): Point<D> {
     this.#requireParameter(t);
     check.whole(k, "k", 0, 64);
+    return this._derivativeAt(t, k);
+  }
+
+  /**
+   * @internal
+   */
+  _derivativeAt(t: number, k: number): Point<D> {
+    const derivative = k === 1 && this.#weights.length === 4 ? this.#derivativeOfCubic(t) : undefined;
+    if (derivative) return derivative;
     unwrapCount(core().rational_derivative_at(this.#dimension, this._write(), t, k));
     return this._readPoint();
+  }
+
+  /**
+   * The derivative of a cubic; undefined if it is not small enough for the core to return it unchanged.
+   *
+   * With the origin at B(t), it is the derivative of wB divided by w.
+   */
+  #derivativeOfCubic(t: number): Point<D> | undefined {
+    const [d, p, weights] = [this.#dimension as number, this.#flat, this.#weights];
+    const origin: { x: number; y: number; z?: number } = this.eval(t);
+    const s = 1 - t;
+    const [a, b, c] = [s * s, 2 * s * t, t * t];
+    const scale = 1 / (weights[0] + weights[1] + weights[2] + weights[3]);
+    const [t0, t1, t2, t3] = [weights[0] * scale, weights[1] * scale, weights[2] * scale, weights[3] * scale];
+    const w = t0 * (a * s) + t1 * (3 * a * t) + t2 * (3 * s * c) + t3 * (c * t);
+    const rate = (at: number, from: number) => {
+      const q0 = (p[at] - from) * t0;
+      const q1 = (p[at + d] - from) * t1;
+      const q2 = (p[at + 2 * d] - from) * t2;
+      const q3 = (p[at + 3 * d] - from) * t3;
+      return (3 * ((q1 - q0) * a + (q2 - q1) * b + (q3 - q2) * c)) / w;
+    };
+    const [x, y] = [rate(0, origin.x), rate(1, origin.y)];
+    const z = d === 3 ? rate(2, origin.z as number) : 0;
+    const isSmall = Math.abs(x) + Math.abs(y) + Math.abs(z) <= check.MAX_COORDINATE;
+    return isSmall ? ((d === 3 ? { x, y, z } : { x, y }) as Point<D>) : undefined;
   }
 
   /**
@@ -489,7 +548,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
-   * The arc length ∫ |B′(t)| dt with a relative error below 10⁻¹² for weights whose ratios are at most 2²⁰.
+   * The arc length ∫ |B′(t)| dt with a relative error below 10⁻¹² for weights whose ratios are at most 2²⁰ (up to degree 3, 2¹⁰⁰).
    *
    * At most 4096 intervals are integrated.
    *
@@ -548,8 +607,16 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     const coordinates = new Float64Array(d);
     writePoint(coordinates, 0, p, d, "p");
     check.noSurplus(surplus, "nearest", 1);
-    unwrapCount(core().rational_nearest(d, this._write(coordinates)));
-    return readNearest(d);
+    return this._nearest(coordinates);
+  }
+
+  /**
+   * @internal
+   * @param coordinates of the point
+   */
+  _nearest(coordinates: Float64Array): Nearest<D> {
+    unwrapCount(core().rational_nearest(this.#dimension, this._write(coordinates)));
+    return readNearest(this.#dimension);
   }
 
   /**
@@ -761,11 +828,27 @@ function notDefinedAt(t: number, name: string) {
 type Homogeneous = { numerator: CoreCurve<3>; denominator: CoreCurve<2> | null };
 
 /**
+ * The weights, the products of the weights and the coordinates x, the same of y and of z, as those of a cubic: zeros follow those
+ * of a lower degree. All are divided by a power of two near the largest weight.
+ */
+function homogeneousPoints(flat: Float64Array, weights: Float64Array, dimension: number): Float64Array {
+  const numbers = new Float64Array(4 * (dimension + 1));
+  const scale = scaleOf(weights);
+  for (const [i, weight] of weights.entries()) {
+    numbers[i] = weight * scale;
+    for (let k = 0; k < dimension; k++) numbers[4 * (k + 1) + i] = flat[i * dimension + k] * (weight * scale);
+  }
+  return numbers;
+}
+
+const scaleOf = (weights: Float64Array) => 2 ** -Math.floor(Math.log2(Math.max(...weights)));
+
+/**
  * The polynomials of a rational curve, as curves: in the plane one in space, with w as the third coordinate; in space wP, and w as
  * the first coordinate of a plane curve. Both are divided by a power of two near the largest weight.
  */
 function homogeneous(flat: Float64Array, weights: Float64Array, dimension: number): Homogeneous {
-  const scale = 2 ** -Math.floor(Math.log2(Math.max(...weights)));
+  const scale = scaleOf(weights);
   const [numerator, denominator] = [new Float64Array(3 * weights.length), new Float64Array(2 * weights.length)];
   for (const [i, weight] of weights.entries()) {
     const w = weight * scale;
