@@ -231,6 +231,10 @@ test("NURBS surfaces: what is refused", () => {
     [() => sphere.insertKnotV(2), /^v: expected .*got 2$/],
     [() => sphere.isocurveAtU(-1), /^u: expected .*got -1$/],
     [
+      () => new NurbsSurface({ ...good, weights: [1, 3, 1, 1, 3, 1], knotsU: [0, 0, 0, 2, 2, 2] }).eval(18, 0),
+      /^u, v: expected parameters at which the denominator is above 0, got 18, 0$/,
+    ],
+    [
       () => new RationalPatch(ROWS, [1, 3, 1, 1, 3, 1]).eval(9, 0),
       /^u, v: expected parameters at which the denominator is above 0, got 9, 0$/,
     ],

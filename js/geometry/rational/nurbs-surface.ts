@@ -8,7 +8,7 @@ import { nurbsOf } from "./nurbs-curve.js";
 import { alike, nurbsDataOf, nurbsOfNumbers, writeNurbs } from "./nurbs-data.js";
 import { projective } from "./projective.js";
 import { checkedWeights } from "./rational-curve.js";
-import { rationalPatchOf, transformed } from "./rational-patch.js";
+import { noPointAt, rationalPatchOf, transformed } from "./rational-patch.js";
 import { surfaceOfPatches } from "./rational-surface.js";
 import type { NurbsData, NurbsSurfaceData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
@@ -259,7 +259,9 @@ export class NurbsSurface {
     const { patches, jointsU, jointsV } = this.#readParts();
     const [column, s, width] = located(jointsU, u);
     const [row, t, height] = located(jointsV, v);
-    return { patch: patches[row * (jointsU.length - 1) + column], s, t, width, height };
+    const patch = patches[row * (jointsU.length - 1) + column];
+    if (!patch._hasPointAt(s, t)) throw noPointAt(u, v);
+    return { patch, s, t, width, height };
   }
 
   /**

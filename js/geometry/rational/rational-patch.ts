@@ -159,11 +159,18 @@ export class RationalPatch {
   #at(u: number, v: number): [number, number, number, number] {
     check.finite(u, "u");
     check.finite(v, "v");
-    const isInside = u >= 0 && u <= 1 && v >= 0 && v <= 1;
-    if (!isInside && Number.isNaN(readResult(0, core().rationalpatch_eval(...this.#write(), u, v))[0])) {
-      throw new RangeError(`u, v: expected parameters at which the denominator is above 0, got ${u}, ${v}`);
-    }
+    if (!this._hasPointAt(u, v)) throw noPointAt(u, v);
     return [...this.#write(), u, v];
+  }
+
+  /**
+   * Whether the denominator is above 0, as it is in [0, 1].
+   *
+   * @internal
+   */
+  _hasPointAt(u: number, v: number): boolean {
+    if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return true;
+    return !Number.isNaN(readResult(0, core().rationalpatch_eval(...this.#write(), u, v))[0]);
   }
 
   /**
@@ -351,6 +358,13 @@ export function rationalPatchOf(numbers: Float64Array, degreeU: number, degreeV:
   const at = (numbers.length / 4) * 3;
   const points = new CheckedPoints(numbers.slice(0, at), 3);
   return rationalPatchFrom(points as any, numbers.slice(at), { degreeU, degreeV });
+}
+
+/**
+ * @internal
+ */
+export function noPointAt(u: number, v: number): RangeError {
+  return new RangeError(`u, v: expected parameters at which the denominator is above 0, got ${u}, ${v}`);
 }
 
 /**

@@ -50,9 +50,10 @@ impl NurbsSurface {
     /// # Errors
     /// As there.
     pub fn split_u(&self, u: f64) -> Result<(Self, Self), Error> {
-        let part = |k: usize| self.along_u(|row| Ok(<[_; 2]>::from(row.split(u)?)[k].clone()));
-        let both = || Ok((part(0)?, part(1)?));
-        both().map_err(|error| with_name(error, "u"))
+        let before = self.along_u(|row| Ok(row.split(u)?.0));
+        let after = self.along_u(|row| Ok(row.split(u)?.1));
+        let both = before.and_then(|before| Ok((before, after?)));
+        both.map_err(|error| with_name(error, "u"))
     }
 
     /// Splits the surface at v into two surfaces; see [`split_u`](Self::split_u).
@@ -60,10 +61,10 @@ impl NurbsSurface {
     /// # Errors
     /// As there.
     pub fn split_v(&self, v: f64) -> Result<(Self, Self), Error> {
-        let part =
-            |k: usize| self.along_v(|column| Ok(<[_; 2]>::from(column.split(v)?)[k].clone()));
-        let both = || Ok((part(0)?, part(1)?));
-        both().map_err(|error| with_name(error, "v"))
+        let before = self.along_v(|column| Ok(column.split(v)?.0));
+        let after = self.along_v(|column| Ok(column.split(v)?.1));
+        let both = before.and_then(|before| Ok((before, after?)));
+        both.map_err(|error| with_name(error, "v"))
     }
 
     /// The curve u = constant, with the degree and the knots in v.
