@@ -6,7 +6,7 @@ import { boxOf, openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS =
-  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot wireframe rays ray-tracing files other-representations".split(
+  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot revolution wireframe rays ray-tracing files other-representations".split(
     " ",
   );
 /** Browsers lend about sixteen. */
