@@ -100,6 +100,12 @@ declare module "verb-nurbs" {
     ): NurbsSurface;
     tessellate(options: AdaptiveRefinementOptions): MeshData;
   }
+  class SphericalSurface extends NurbsSurface {
+    constructor(center: number[], radius: number);
+  }
+  class RevolvedSurface extends NurbsSurface {
+    constructor(profile: NurbsCurve, center: number[], axis: number[], theta: number);
+  }
   class NurbsCurve {
     static byKnotsControlPointsWeights(
       degree: number,
@@ -114,8 +120,17 @@ declare module "verb-nurbs" {
     closestParam(point: number[]): number;
     tessellate(tolerance: number): number[][];
   }
+  class Circle extends NurbsCurve {
+    constructor(center: number[], xaxis: number[], yaxis: number[], radius: number);
+  }
   const verb: {
-    geom: { NurbsCurve: typeof NurbsCurve; NurbsSurface: typeof NurbsSurface };
+    geom: {
+      Circle: typeof Circle;
+      NurbsCurve: typeof NurbsCurve;
+      NurbsSurface: typeof NurbsSurface;
+      RevolvedSurface: typeof RevolvedSurface;
+      SphericalSurface: typeof SphericalSurface;
+    };
     eval: { AdaptiveRefinementOptions: typeof AdaptiveRefinementOptions };
   };
   export default verb;
