@@ -246,7 +246,9 @@ impl<const D: usize> Powers<D> {
     /// The value of a rule for the integral from −1 to 1: two nodes at a time, and their mirror images.
     #[inline(always)]
     fn sum(&self, nodes: &[f64], weights: &[f64]) -> f64 {
-        let d = self.derivative.map(|d| d.map(f64x2::splat));
+        // The coefficients of each coordinate.
+        let d: [[f64x2; 5]; D] =
+            std::array::from_fn(|k| self.derivative.map(|d| f64x2::splat(d[k])));
         let w = self.weights.map(f64x2::splat);
         let zero = f64x2::splat(0.0);
         let mut sum = zero;
@@ -254,10 +256,10 @@ impl<const D: usize> Powers<D> {
             let (z, share) = (f64x2::new([z[0], z[1]]), f64x2::new([share[0], share[1]]));
             let square = z * z;
             let (mut here, mut mirrored) = (zero, zero);
-            for k in 0..D {
+            for d in &d {
                 // The value at z is the sum of the even and the odd part, that at −z their difference.
-                let even = d[0][k] + (d[2][k] + d[4][k] * square) * square;
-                let odd = (d[1][k] + d[3][k] * square) * z;
+                let even = d[0] + (d[2] + d[4] * square) * square;
+                let odd = (d[1] + d[3] * square) * z;
                 let (x, y) = (even + odd, even - odd);
                 here += x * x;
                 mirrored += y * y;
