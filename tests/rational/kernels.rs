@@ -107,7 +107,7 @@ fn nearest_points_of_curves_with_other_weights() {
     let mut rng = Rng(33);
     for k in 0..4000 {
         let degree = 2 + k % 2;
-        let curve = random_curve(&mut rng, degree, f64::from(k as u32 % 8));
+        let curve = random_curve(&mut rng, degree, (k % 8) as f64);
         // A curve may pass through the point.
         let p = if k % 7 == 0 {
             curve.eval(0.3)
@@ -130,7 +130,7 @@ fn nearest_points_of_curves_with_other_weights() {
             (space.distance - expected).abs() < 1e-14,
             "{curve:?} {p} {space:?}"
         );
-        let ratio = f64::from(k as u32 % 21).exp2();
+        let ratio = ((k % 21) as f64).exp2();
         let other = with_ratio(&curve, ratio).nearest(p).expect("finite");
         assert!(
             (other.distance - expected).abs() < 1e-14,

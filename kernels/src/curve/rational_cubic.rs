@@ -1,6 +1,6 @@
 //! Rational cubics in homogeneous form.
 
-use crate::bernstein::de_casteljau::{lerp, split_cubic_with, split_with};
+use crate::bernstein::de_casteljau::{split_cubic_with, split_with};
 use crate::numeric::vector::Euclidean;
 
 /// A rational curve A/w of degree 2 or 3, with D = wA′ − w′A.
@@ -56,7 +56,7 @@ impl<V: Euclidean> RationalCubic<V> {
     }
 
     /// Both halves.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn halves(&self) -> (Self, Self) {
         let (left, right) = split_cubic_with(self.points, |a, b| (a + b) * 0.5);
         let (lighter, heavier) = split_cubic_with(self.weights, |a, b| (a + b) * 0.5);
@@ -71,28 +71,18 @@ impl<V: Euclidean> RationalCubic<V> {
         (half(left, lighter, before), half(right, heavier, after))
     }
 
-    /// The part from lo to hi.
-    #[inline(always)]
+    /// The part from lo to hi, which halvings give.
     pub(crate) fn part(&self, lo: f64, hi: f64) -> Self {
-        Self {
-            points: between(self.points, lo, hi),
-            weights: between(self.weights, lo, hi),
-            derivative: between(self.derivative, lo, hi).map(|d| d * (hi - lo)),
-        }
-    }
-}
-
-/// The coefficients of a polynomial in the range from lo to hi: the values of the blossom.
-#[inline(always)]
-fn between<V: Euclidean, const N: usize>(coefficients: [V; N], lo: f64, hi: f64) -> [V; N] {
-    std::array::from_fn(|i| {
-        let mut row = coefficients;
-        for level in 1..N {
-            let t = if level <= i { hi } else { lo };
-            for k in 0..N - level {
-                row[k] = lerp(row[k], row[k + 1], t);
+        let (mut part, mut start, mut length) = (*self, 0.0, 1.0);
+        while length > hi - lo {
+            length *= 0.5;
+            let (left, right) = part.halves();
+            if start + length <= lo {
+                (part, start) = (right, start + length);
+            } else {
+                part = left;
             }
         }
-        row[0]
-    })
+        part
+    }
 }

@@ -1,7 +1,7 @@
 //! Arc length of rational conics and cubics by integration of the speed.
 
 use crate::curve::rational_cubic::RationalCubic;
-use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, Rule};
+use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48};
 use crate::numeric::lanes::f64x2;
 use crate::numeric::order::{larger, smaller};
 use crate::numeric::work_limit::WorkLimit;
@@ -233,30 +233,33 @@ impl<const D: usize> Powers<D> {
     /// Half the integral from −1 to 1 by the rule with an index; by the last one for larger indices.
     #[inline(always)]
     fn by_rule(&self, rule: usize) -> f64 {
-        0.5 * match rule {
-            0 => self.sum(&GAUSS_8),
-            1 => self.sum(&GAUSS_16),
-            2 => self.sum(&GAUSS_24),
-            3 => self.sum(&GAUSS_32),
-            _ => self.sum(&GAUSS_48),
-        }
+        let (nodes, weights): (&[f64], &[f64]) = match rule {
+            0 => (&GAUSS_8.nodes, &GAUSS_8.weights),
+            1 => (&GAUSS_16.nodes, &GAUSS_16.weights),
+            2 => (&GAUSS_24.nodes, &GAUSS_24.weights),
+            3 => (&GAUSS_32.nodes, &GAUSS_32.weights),
+            _ => (&GAUSS_48.nodes, &GAUSS_48.weights),
+        };
+        0.5 * self.sum(nodes, weights)
     }
 
-    /// The value of the rule for the integral from −1 to 1: two nodes at a time, and their mirror images.
+    /// The value of a rule for the integral from −1 to 1: two nodes at a time, and their mirror images.
     #[inline(always)]
-    fn sum<const HALF: usize>(&self, rule: &Rule<HALF>) -> f64 {
-        let d = self.derivative.map(|d| d.map(f64x2::splat));
+    fn sum(&self, nodes: &[f64], weights: &[f64]) -> f64 {
+        // The coefficients of each coordinate.
+        let d: [[f64x2; 5]; D] =
+            std::array::from_fn(|k| self.derivative.map(|d| f64x2::splat(d[k])));
         let w = self.weights.map(f64x2::splat);
         let zero = f64x2::splat(0.0);
         let mut sum = zero;
-        for (z, share) in rule.nodes.chunks_exact(2).zip(rule.weights.chunks_exact(2)) {
+        for (z, share) in nodes.chunks_exact(2).zip(weights.chunks_exact(2)) {
             let (z, share) = (f64x2::new([z[0], z[1]]), f64x2::new([share[0], share[1]]));
             let square = z * z;
             let (mut here, mut mirrored) = (zero, zero);
-            for k in 0..D {
+            for d in &d {
                 // The value at z is the sum of the even and the odd part, that at −z their difference.
-                let even = d[0][k] + (d[2][k] + d[4][k] * square) * square;
-                let odd = (d[1][k] + d[3][k] * square) * z;
+                let even = d[0] + (d[2] + d[4] * square) * square;
+                let odd = (d[1] + d[3] * square) * z;
                 let (x, y) = (even + odd, even - odd);
                 here += x * x;
                 mirrored += y * y;

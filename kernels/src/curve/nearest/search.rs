@@ -164,7 +164,7 @@ const SHARES: [[f64; 5]; 4] = {
 
 impl<V: Euclidean> Distance<8> for RationalCubic<V> {
     /// A·D.
-    #[inline(always)]
+    #[inline(never)]
     fn rate(&self) -> [f64; 8] {
         let mut rate = [0.0; 8];
         for (i, (point, shares)) in self.points.iter().zip(&SHARES).enumerate() {
@@ -184,7 +184,7 @@ impl<V: Euclidean> Distance<8> for RationalCubic<V> {
     }
 
     /// With F = A·D, the derivative of F/w is (A·D′ + D·D/w)/w, because A′ = (D + w′A)/w; and B·B′ = F/w³.
-    #[inline(always)]
+    #[inline(never)]
     fn at(&self, t: f64) -> (f64, f64, f64) {
         let u = 1.0 - t;
         let (uu, ut, tt) = (u * u, u * t, t * t);
