@@ -417,7 +417,7 @@ fn text_keeps_every_bit() {
 #[test]
 fn degenerate_surfaces_give_defined_results() {
     let mut rng = Rng(24);
-    for case in 0..cases(60, 600) {
+    for case in 0..cases(24, 400) {
         let (m, n) = match case % 6 {
             0 => (1, 1),
             1 => (12, 1),
@@ -426,13 +426,17 @@ fn degenerate_surfaces_give_defined_results() {
         let count = (m + 1) * (n + 1);
         let size = [1.0, 1e-300, 1e-8, 1e30, 1e100, 1e150][rng.below(6)];
         let shape = rng.below(5);
-        let from = if rng.chance(0.3) { random_point(&mut rng) * size } else { DVec3::ZERO };
+        let from = if rng.chance(0.3) {
+            random_point(&mut rng) * size
+        } else {
+            DVec3::ZERO
+        };
         let along = random_point(&mut rng);
         let vertices: Vec<DVec3> = (0..count)
             .map(|k| match shape {
-                0 => from,                                                    // a point
-                1 => from + along * size * rng.unit(),                        // a curve
-                2 if k < m + 1 => from,                                       // a pole
+                0 => from,                                                             // a point
+                1 => from + along * size * rng.unit(),                                 // a curve
+                2 if k < m + 1 => from,                                                // a pole
                 3 => from + random_point(&mut rng) * size * DVec3::new(1.0, 1.0, 0.0), // a plane
                 _ => from + random_point(&mut rng) * size,
             })
@@ -444,7 +448,10 @@ fn degenerate_surfaces_give_defined_results() {
         let is_number = |x: f64| assert!(!x.is_nan(), "case {case}");
         let mesh = |mesh: Result<casteljau::Mesh<f64>, _>| {
             if let Ok(mesh) = mesh {
-                mesh.positions.iter().chain(&mesh.normals).for_each(|&x| is_number(x));
+                mesh.positions
+                    .iter()
+                    .chain(&mesh.normals)
+                    .for_each(|&x| is_number(x));
             }
         };
         let bounds = surface.bounds().expect("a patch");
@@ -467,7 +474,10 @@ fn degenerate_surfaces_give_defined_results() {
         assert_eq!(RationalSurface::parse(&surface.to_text()), Ok(surface));
     }
     let empty = valid(RationalSurface::new(vec![], vec![], vec![], 3, 3));
-    assert_eq!((empty.bounds(), empty.area(), empty.volume()), (None, 0.0, None));
+    assert_eq!(
+        (empty.bounds(), empty.area(), empty.volume()),
+        (None, 0.0, None)
+    );
     assert_eq!(valid(empty.nearest(DVec3::ZERO)), None);
     let mesh = valid(empty.tessellate(&TessellationOptions::tolerance(0.1)));
     assert_eq!(mesh.vertex_count(), 0);
