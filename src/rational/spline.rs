@@ -1,6 +1,6 @@
 //! Approximation by polynomial curves.
 //!
-//! A part becomes the cubic with the same ends and end tangents, and is halved until that is close enough. With the
+//! A part is replaced by the cubic with the same ends and end tangents, and halved until that is close enough. With the
 //! numerator A, the denominator w and the cubic C, the error is (A − wC)/w. Its numerator is a polynomial, so the largest of its
 //! Bernstein coefficients divided by the smallest weight is a bound. It falls to 1/16 with each halving.
 

@@ -123,7 +123,7 @@ impl<P: Point> TryFrom<&BSpline<P>> for Spline<P> {
 }
 
 /// The knots of a valid B-spline.
-fn checked_knots<P: Point>(
+pub(crate) fn checked_knots<P: Point>(
     points: &[P],
     degree: usize,
     knots: Option<&[f64]>,

@@ -38,7 +38,11 @@ impl Knots {
         if values.len() != needed {
             return Err(Error::Count {
                 what: "knots",
-                expected: "points + degree + 1 knots (closed: points + 1)",
+                expected: if !closed && values.len() + 2 == needed {
+                    "points + degree + 1 knots (rhino3dm leaves out the first and the last one)"
+                } else {
+                    "points + degree + 1 knots (closed: points + 1)"
+                },
                 got: values.len(),
             });
         }

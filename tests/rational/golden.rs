@@ -72,20 +72,22 @@ fn assert_points<P: Space>(found: &[P], expected: &[P], tolerance: f64, what: &s
     }
 }
 
+/// Asserts the control points and the weights of a curve.
+fn assert_parts<P: Space>(
+    (found_points, weights): (&[P], &[f64]),
+    expected: &Value,
+    tolerance: f64,
+    what: &str,
+) {
+    let expected_points = points(&expected["points"]);
+    assert_points(found_points, &expected_points, tolerance, what);
+    assert_weights(weights, &numbers(&expected["weights"]), tolerance, what);
+}
+
 fn assert_curve<P: Space>(found: &NurbsCurve<P>, expected: &Value, tolerance: f64, what: &str) {
     assert_eq!(found.degree(), degree(&expected["degree"]), "{what}");
-    assert_points(
-        found.control_points(),
-        &points(&expected["points"]),
-        tolerance,
-        what,
-    );
-    assert_weights(
-        found.weights(),
-        &numbers(&expected["weights"]),
-        tolerance,
-        what,
-    );
+    let parts = (found.control_points(), found.weights());
+    assert_parts(parts, expected, tolerance, what);
     let knots = numbers(&expected["knots"]);
     assert_eq!(found.knots().len(), knots.len(), "{what}");
     for (a, b) in found.knots().iter().zip(knots) {
@@ -191,18 +193,8 @@ fn check_fact_in<P: Space>(fact: &Value) {
         assert_points(&[found], &[point(expected)], tolerance, what);
     };
     let same = |found: &RationalCurve<P>, expected: &Value| {
-        assert_points(
-            found.control_points(),
-            &points(&expected["points"]),
-            tolerance,
-            what,
-        );
-        assert_weights(
-            found.weights(),
-            &numbers(&expected["weights"]),
-            tolerance,
-            what,
-        );
+        let parts = (found.control_points(), found.weights());
+        assert_parts(parts, expected, tolerance, what);
     };
     let (curve, t) = (|| rational::<P>(input), || number(&input["t"]));
     let flat = || rational::<DVec2>(input);
@@ -243,7 +235,17 @@ fn check_fact_in<P: Space>(fact: &Value) {
             let standard = curve().reparametrize().expect("moderate weights");
             all_near(standard.weights(), expect);
         }
-        "intersections" => {}
+        "intersections" => {
+            let [a, b] = ["a", "b"].map(|name| rational::<DVec2>(&input[name]));
+            let found = a.intersections(&b);
+            assert_eq!(found.len(), list(expect).len(), "{what}: {found:?}");
+            for (one, expected) in found.iter().zip(list(expect)) {
+                near(one.t, &expected["t"]);
+                near(one.u, &expected["s"]);
+                let expected = [point(&expected["point"])];
+                assert_points(&[one.point], &expected, tolerance, what);
+            }
+        }
         kind => panic!("{what}: {kind}"),
     }
 }

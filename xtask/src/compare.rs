@@ -130,7 +130,7 @@ fn results(tree: &Path, output: &Path, options: &Options) -> Result<PathBuf> {
     Ok(output.to_owned())
 }
 
-/// The numbers of each call of a function, in order: the number of the case, and those of the result.
+/// The numbers of each call of a function, sorted by the case: its number, and those of the result.
 fn read(file: &Path) -> Result<Vec<Vec<f64>>> {
     let Ok(bytes) = fs::read(file) else {
         return Ok(Vec::new());
@@ -139,12 +139,19 @@ fn read(file: &Path) -> Result<Vec<Vec<f64>>> {
         let word: [u8; 8] = word.try_into().unwrap_or_default();
         u64::from_le_bytes(word)
     });
-    let mut calls = Vec::new();
+    let mut calls: Vec<Vec<f64>> = Vec::new();
     while let Some(count) = numbers.next() {
         let count = usize::try_from(count)?;
         calls.push(numbers.by_ref().take(count).map(f64::from_bits).collect());
     }
+    // Tests that run at the same time record their calls in any order.
+    calls.sort_by(|a, b| case(a).total_cmp(&case(b)));
     Ok(calls)
+}
+
+/// The number of the case, which is the first number of a call.
+fn case(call: &[f64]) -> f64 {
+    call.first().copied().unwrap_or(0.0)
 }
 
 /// Prints a line for each function whose results differ, and fails if there is one.
@@ -164,8 +171,8 @@ fn report(old: &Path, new: &Path, distance: f64) -> Result<()> {
             continue;
         };
         failed += 1;
-        let call = after.get(first).or(before.get(first)); // its first number is that of the case
-        let case = call.and_then(|call| call.first()).copied().unwrap_or(0.0);
+        let call = after.get(first).or(before.get(first));
+        let case = call.map_or(0.0, |call| case(call));
         let largest = different.iter().map(|&(_, apart)| apart);
         println!(
             "{}: {} of {} calls differ, first in case {case}, largest relative distance {:e}",

@@ -16,11 +16,11 @@ pub(super) use queries::locate;
 use super::weighted::WeightedPoint;
 use super::{RationalCurve, check_weights};
 use crate::curve::eval::MAX_OUTPUT_F64;
-use crate::geometry::check::{MAX_COORDINATE, check_points, images};
-use crate::geometry::error::{Error, MAX_DEGREE};
+use crate::geometry::check::{MAX_COORDINATE, images};
+use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
-use crate::spline::bspline::{MAX_STEPS, to_bezier};
+use crate::spline::bspline::{MAX_STEPS, checked_knots, to_bezier};
 use crate::spline::knots::Knots;
 
 /// A NURBS curve: a non-uniform rational B-spline of degree 1 to 64, in the plane or in space.
@@ -85,33 +85,11 @@ impl<P: Point> NurbsCurve<P> {
         knots: &[f64],
         closed: bool,
     ) -> Result<Self, Error> {
-        if !(1..=MAX_DEGREE).contains(&degree) {
-            return Err(Error::Range {
-                what: "degree",
-                expected: "1 to 64",
-                got: as_f64(degree),
-            });
-        }
+        let spans = checked_knots(points, degree, Some(knots), closed)?;
         let count = points.len();
-        if count < if closed { 1 } else { degree + 1 } {
-            return Err(Error::Count {
-                what: "points",
-                expected: "at least degree + 1 points (closed: 1)",
-                got: count,
-            });
-        }
-        check_points("points", points)?;
         if let Some(weights) = weights {
             check_weights(weights, count)?;
         }
-        if !closed && knots.len() + 2 == count + degree + 1 {
-            return Err(Error::Count {
-                what: "knots",
-                expected: "points + degree + 1 knots (rhino3dm leaves out the first and the last one)",
-                got: knots.len(),
-            });
-        }
-        let spans = Knots::new(Some(knots), count, degree, closed)?;
         let limited = |u: &f64| u.abs() <= MAX_COORDINATE;
         if let Some(index) = knots.iter().position(|u| !limited(u)) {
             return Err(Error::Item {

@@ -300,8 +300,8 @@ fn last_index(knots: &[f64], t: f64) -> usize {
 
 /// Inserts knots, which are in ascending order and inside the domain of an open curve.
 ///
-/// From the last new knot to the first, existing points move up, and p − 1 points before the knot become points between two
-/// neighbours. Source: Piegl and Tiller, *The NURBS Book*, algorithm A5.4.
+/// From the last new knot to the first, existing points move up, and p − 1 points before the knot are replaced by points
+/// between two neighbours. Source: Piegl and Tiller, *The NURBS Book*, algorithm A5.4.
 fn refined<V: Interpolate + Default>(
     knots: &[f64],
     points: &[V],
