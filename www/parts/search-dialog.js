@@ -1,8 +1,8 @@
 // The dialog of the search: a field, and results while typing.
 import { searchIndex } from "./search-index.js";
 
-/** How much of a section's text a result shows. */
-const EXCERPT = 110;
+/** How much of a section's text a result shows; an answer that something is not available has no more than this. */
+const EXCERPT = 200;
 
 /** @typedef {import("./search-index.js").Found} Found */
 
