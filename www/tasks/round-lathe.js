@@ -1,7 +1,5 @@
 import { verdict } from "./utils/surfaces.js";
 
-export const live = true;
-
 /** In parts of the radius. */
 const ALLOWED = 0.0003;
 

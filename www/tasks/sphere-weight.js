@@ -1,7 +1,5 @@
 import { verdict } from "./utils/surfaces.js";
 
-export const live = true;
-
 const ALLOWED = 0.003;
 
 export const predict = {
