@@ -198,6 +198,7 @@ const SHARING = {
   "elements-equation": "elements/companions/equation-view.ts",
   "elements-rational": "elements/applet/rational.ts",
   "elements-surface": "elements/surface/drawing.ts",
+  "elements-surface-rational": "elements/surface/rational.ts",
 };
 
 /** Tells other bundlers to leave an import to the browser; esbuild removes comments, so it is added afterwards. */

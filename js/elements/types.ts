@@ -70,8 +70,8 @@ export interface SurfaceFigure {
  * page, and does not bubble.
  */
 export interface SurfaceProperties {
-  /** The model that is shown where there is no surface */
-  model: "teapot" | "teacup" | "teaspoon" | "patch";
+  /** The model that is shown where there is no surface; for the last four, `casteljau/nurbs` is loaded */
+  model: "teapot" | "teacup" | "teaspoon" | "patch" | "sphere" | "torus" | "cylinder" | "cone";
   /** The visible parts of the teapot: some of the words "lid rim body handle spout bottom"; null shows all */
   parts: string | null;
   /** The height of the teapot */
@@ -123,7 +123,7 @@ export interface SurfaceProperties {
   label: string;
   /** The colours; "auto" follows the color scheme of the user */
   theme: "light" | "dark" | "auto";
-  /** The surface that is shown, with moved points; null shows the model */
+  /** The surface that is shown, with moved points; null shows the model. A `RationalSurface` is shown as soon as `casteljau/nurbs` is loaded */
   surface: Surface | null;
   /** The camera's position */
   view: SurfaceView;

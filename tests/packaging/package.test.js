@@ -19,7 +19,7 @@ test("the tarball holds dist and the texts, nothing else", async () => {
   const expected = [
     /^dist\/(index|core|surfaces|nurbs|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
     /^dist\/custom\/(command\.js|needs\.json|pieces\.json)$/,
-    /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface|applet|bernstein|coordinates|easing|equation|rational))?\.js(\.map)?$/,
+    /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface(-rational)?|applet|bernstein|coordinates|easing|equation|rational))?\.js(\.map)?$/,
     /^dist\/elements\/(applet|bernstein|coordinates|easing|equation|surface)\.js(\.map)?$/,
     /^dist\/node\/(index|shared-[a-z-]+)\.js$/,
     /^dist\/(casteljau\.wasm|custom-elements\.json|texts\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,

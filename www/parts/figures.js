@@ -11,8 +11,9 @@ for (const figure of document.querySelectorAll("main :not(:defined)")) {
 }
 
 shareAll(document);
-if (document.querySelector("bezier-surface:is([data-surface], [data-view])")) {
-  const { showSurfaces } = await import("../figures/lib/surfaces.js");
-  await customElements.whenDefined("bezier-surface");
-  showSurfaces();
-}
+// Not awaited here: the scripts that follow in the bundle define the elements.
+if (document.querySelector("bezier-surface:is([data-surface], [data-view])"))
+  void customElements
+    .whenDefined("bezier-surface")
+    .then(() => import("../figures/lib/surfaces.js"))
+    .then(({ showSurfaces }) => showSurfaces());

@@ -9,7 +9,9 @@ import { FileController } from "./file-controller.js";
 import { acceptDrops } from "../../ui/files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
-import { loadDrawing } from "./loading.js";
+import { missing } from "../loading.js";
+import { loadDrawing, loadRational } from "./loading.js";
+import { isRational } from "./settings.js";
 import { whenIdle } from "./start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
@@ -86,6 +88,10 @@ export class BezierSurface extends SurfaceAttributes {
     mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.settings().up },
     names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.settings().model }),
   });
+  /** The model of the last picture. */
+  #model = "";
+  /** The surface that was set last. */
+  #awaited: unknown = null;
   #visible = false;
   #kept = false;
   /** Whether the canvas holds a picture: before, and while the graphics card is given back, the page's own is shown. */
@@ -97,9 +103,31 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   set surface(surface: Surface | null | undefined) {
+    this.#awaited = surface;
+    if ((surface as { casteljauType?: string } | null | undefined)?.casteljauType === "rationalsurface") {
+      void this.#showWithWeights(surface);
+      return;
+    }
     const own = surface === undefined || surface === null || surface instanceof Surface;
     this.#show(own ? (surface ?? null) : surfaceOfOtherBundle(surface));
     this.#history = new History(); // its states are those of another surface
+  }
+
+  /** Shows a surface with weights when the code for them is there, unless another one is set before. */
+  async #showWithWeights(surface: any) {
+    const rational = await this.#rational();
+    if (!rational || this.#awaited !== surface) return;
+    this.#show(rational.shownSurface(surface));
+    this.#history = new History();
+  }
+
+  /** What surfaces with weights need; null where it cannot be fetched. */
+  async #rational() {
+    const rational = await loadRational().catch(() => null);
+    if (!rational) this.#files.say(missing());
+    this.#subject.rational = rational;
+    this.requestUpdate();
+    return rational;
   }
 
   #show(surface: Surface | null) {
@@ -298,6 +326,9 @@ export class BezierSurface extends SurfaceAttributes {
     if (changed.has("turn") && this.turn) this.#rotation.restart();
     if (changed.has("theme")) this.#stage?.recolour();
     if (this.#stage) {
+      const { model } = this.settings();
+      if (model !== this.#model && isRational(model)) void this.#rational();
+      this.#model = model;
       const scene = this.#scene();
       this.#handles?.update(scene);
       this.#labels?.update(scene);

@@ -3,10 +3,11 @@ import { arrowsAt } from "./arrows.js";
 import { Memo } from "./memo.js";
 import { errorBound } from "./bound.js";
 import * as lines from "./lines.js";
-import { patchesOf, sweptBy } from "./patches.js";
+import { hasWeights, patchesOf, sweptBy } from "./patches.js";
 import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MAX_GPU_DEGREE } from "./shaders.js";
-import type { Mesh, Surface } from "../../surfaces.js";
+import { Mesh } from "../../surfaces.js";
+import type { Surface } from "../../surfaces.js";
 import type { Settings } from "./settings.js";
 import type { Frame, CameraMatrices } from "./camera.js";
 import type { Piece } from "./pieces.js";
@@ -64,13 +65,13 @@ export class Geometry {
 
   /** Whether the vertex shader evaluates the patches: it can do grids only, and not of every degree. */
   onGpu({ surface, settings: { evaluation, detail } }: Scene) {
-    if (evaluation !== "gpu" || !("segments" in detail)) return false;
+    if (evaluation !== "gpu" || !("segments" in detail) || hasWeights(surface)) return false;
     return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MAX_GPU_DEGREE);
   }
 
   /** What is drawn of the surface: all of it, or what the curve of constant u has swept. */
   shown({ surface, settings: { swept, u } }: Scene) {
-    if (!swept || u === 1) return surface;
+    if (!swept || u === 1 || hasWeights(surface)) return surface;
     return this.#memo.get("swept", [surface, u], () => sweptBy(surface, u));
   }
 
@@ -81,8 +82,8 @@ export class Geometry {
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
     const method = evaluation === "forward" ? "forward-difference" : "bernstein";
     const sight = "pixels" in detail ? this.#sight : null;
-    const make = (into: Mesh | undefined) => {
-      const [mesh, ms] = timed(() => this.#make(surface, detail, own, method, into));
+    const make = (before: Mesh | undefined) => {
+      const [mesh, ms] = timed(() => this.#make(surface, detail, own, method, reusable(before, surface)));
       this.#ms = ms;
       return mesh;
     };
@@ -163,7 +164,8 @@ export class Geometry {
       kind === "tubes"
         ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES }
         : { width: frame.radius * RIBBON_WIDTH };
-    const make = (into: Mesh | undefined) => {
+    const make = (before: Mesh | undefined) => {
+      const into = reusable(before, surface);
       const [mesh, ms] = timed(() => surface.wireframe({ lines: count, ...size, into }));
       this.#wiresMs[kind] = ms;
       return mesh;
@@ -186,8 +188,10 @@ export class Geometry {
   }
 
   casteljau({ surface, picked, settings: { u, v, step } }: Scene) {
-    return this.#memo.get("casteljau", [surface, picked, u, v, step], () =>
-      lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step),
+    return this.#memo.get(
+      "casteljau",
+      [surface, picked, u, v, step],
+      () => lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, hasWeights(surface) ? 0 : step), // none with weights
     );
   }
 
@@ -264,7 +268,7 @@ export class Geometry {
   #error(scene: Scene): { error: number | null; unit: "" | "px" } {
     const { detail } = scene.settings;
     const surface = this.shown(scene);
-    if ("flatness" in detail) return { error: null, unit: "" }; // it bounds no distance
+    if ("flatness" in detail || ("segments" in detail && hasWeights(surface))) return { error: null, unit: "" }; // no bound
     if ("tolerance" in detail) return { error: detail.tolerance, unit: "" };
     if ("pixels" in detail) return { error: detail.pixels, unit: "px" };
     return {
@@ -284,6 +288,11 @@ export class Geometry {
       }
     );
   }
+}
+
+/** An earlier mesh whose arrays can be written again: those of casteljau/nurbs are of another class. */
+function reusable(mesh: Mesh | undefined, surface: Surface) {
+  return mesh instanceof Mesh && !hasWeights(surface) ? mesh : undefined;
 }
 
 /** What comes out, and how long it took. */

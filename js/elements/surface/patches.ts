@@ -2,6 +2,9 @@
 import { Surface } from "../../surfaces.js";
 import type { Patch } from "../../surfaces.js";
 
+/** Whether it is one of casteljau/nurbs; see rational.ts. */
+export const hasWeights = (surface: Surface) => "weights" in surface;
+
 const known: WeakMap<Surface, Patch[]> = new WeakMap();
 
 /** All patches of a surface, taken out of it once. */

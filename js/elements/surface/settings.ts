@@ -1,6 +1,8 @@
 // The attributes as the drawing takes them. The last valid value stays in effect where a new one is invalid.
 
-export const MODELS = ["teapot", "teacup", "teaspoon", "patch"] as const;
+/** Those with weights, which casteljau/nurbs makes. */
+export const RATIONAL_MODELS = ["sphere", "torus", "cylinder", "cone"] as const;
+export const MODELS = ["teapot", "teacup", "teaspoon", "patch", ...RATIONAL_MODELS] as const;
 export const SHADINGS = ["smooth", "flat", "normals", "gaussian", "mean", "patches"] as const;
 export const PARTS = ["lid", "rim", "body", "handle", "spout", "bottom"] as const;
 export const HEIGHTS = ["squashed", "original"] as const;
@@ -29,6 +31,10 @@ const MIN_PIXELS = 0.05;
 export const STEPS = 4;
 
 export type Model = (typeof MODELS)[number];
+export type RationalModel = (typeof RATIONAL_MODELS)[number];
+
+export const isRational = (model: Model): model is RationalModel =>
+  (RATIONAL_MODELS as readonly string[]).includes(model);
 export type Shading = (typeof SHADINGS)[number];
 export type Part = (typeof PARTS)[number];
 export type Layer = (typeof LAYERS)[number];

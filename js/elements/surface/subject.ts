@@ -2,6 +2,7 @@
 import { frameOf } from "./camera.js";
 import { Memo } from "./memo.js";
 import { framingPoints, surfaceNamed } from "./models.js";
+import type { Rational } from "./loading.js";
 import type { Surface } from "../../surfaces.js";
 import type { Scene } from "./geometry.js";
 import type { Settings } from "./settings.js";
@@ -19,6 +20,8 @@ export interface Edits {
 const modelOf = ({ model, height, up }: Settings) => [model, height, up].join(" ");
 
 export class Subject {
+  /** What makes surfaces with weights, once it is loaded. */
+  rational: Rational | null = null;
   #memo = new Memo();
   #edits: Edits = { given: null, model: "", moves: new Map() };
   /** The surface with all moves. */
@@ -69,8 +72,8 @@ export class Subject {
     const { given, moves } = this.#edits;
     const base = this.#memo.get(
       "base",
-      [given, model, [...parts].join(), height, up],
-      () => given ?? surfaceNamed(settings),
+      [given, model, [...parts].join(), height, up, this.rational],
+      () => given ?? surfaceNamed(settings, this.rational),
     );
     if (moves.size === 0) return base;
     if (this.#edited?.base !== base || this.#edited.moves !== moves) {
@@ -88,8 +91,8 @@ export class Subject {
   scene(settings: Settings, patch: number | null): Scene {
     const { model, height, up } = settings;
     const surface = this.surface(settings);
-    const frame = this.#memo.get("frame", [this.given, model, height, up], () =>
-      frameOf(this.given?.vertices ?? framingPoints(settings), up),
+    const frame = this.#memo.get("frame", [this.given, model, height, up, this.rational], () =>
+      frameOf(this.given?.vertices ?? framingPoints(settings, this.rational), up),
     );
     const known = patch !== null && patch >= 0 && patch < surface.patchCount;
     const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;

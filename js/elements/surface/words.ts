@@ -7,6 +7,10 @@ export const MODEL_NAMES: Record<string, string> = translatedTable({
   teacup: "Teacup",
   teaspoon: "Teaspoon",
   patch: "One patch",
+  sphere: "Sphere",
+  torus: "Torus",
+  cylinder: "Cylinder",
+  cone: "Cone",
 });
 export const SHADING_NAMES: Record<string, string> = translatedTable({
   smooth: "Smooth",
