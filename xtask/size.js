@@ -18,6 +18,7 @@ const COMMITTED_KB = {
   "everything of core": 79.5,
   "{ Surface } of surfaces": 122.2,
   "nurbs: { RationalCurve }": 148.3,
+  "nurbs: { NurbsSurface }": 284.1,
   "only types": 0,
   "bezier-app.js": 48,
   "elements.js alone": 2,

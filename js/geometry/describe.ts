@@ -1,20 +1,10 @@
 // Values in the "got …" part of messages. Minifiers change the names of classes and functions, so messages do not
 // contain them: the classes of this package are known by their brands, built-in ones by their tags.
 
-/** The classes of this package; `casteljauType` is the name in lower case. */
-const TYPES = [
-  "Curve",
-  "RationalCurve",
-  "NurbsCurve",
-  "Spline",
-  "Path",
-  "Patch",
-  "RationalPatch",
-  "NurbsSurface",
-  "Surface",
-  "RationalSurface",
-  "Mesh",
-];
+/** `casteljauType` of the classes of this package, which is the name in lower case. */
+const TYPE = /^(rational|nurbs)?(curve|spline|path|patch|surface|mesh)$/;
+
+const capitalized = (word: string) => word.charAt(0).toUpperCase() + word.slice(1);
 
 /** The longest part of a text, and the largest number of keys of an object, that a message shows. */
 const MAX_TEXT_LENGTH = 40;
@@ -31,8 +21,8 @@ export function describe(value: unknown): string {
   if (typeof value !== "object" || value === null) return String(value);
   if (Array.isArray(value)) return `an array of ${value.length}`;
   const { casteljauType } = value as { casteljauType?: unknown };
-  const type = TYPES.find((name) => name.toLowerCase() === casteljauType);
-  if (type) return `a ${type}`;
+  const [, kind = "", type] = TYPE.exec(String(casteljauType)) ?? [];
+  if (type) return `a ${capitalized(kind)}${capitalized(type)}`;
   const tag = Object.prototype.toString.call(value).slice("[object ".length, -1);
   if (tag !== "Object") return `an object (${tag})`;
   const keys = Object.keys(value);
