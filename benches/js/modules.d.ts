@@ -114,8 +114,23 @@ declare module "verb-nurbs" {
     closestParam(point: number[]): number;
     tessellate(tolerance: number): number[][];
   }
+  class Circle extends NurbsCurve {
+    constructor(center: number[], xAxis: number[], yAxis: number[], radius: number);
+  }
+  class SphericalSurface extends NurbsSurface {
+    constructor(center: number[], radius: number);
+  }
+  class RevolvedSurface extends NurbsSurface {
+    constructor(profile: NurbsCurve, center: number[], axis: number[], angle: number);
+  }
   const verb: {
-    geom: { NurbsCurve: typeof NurbsCurve; NurbsSurface: typeof NurbsSurface };
+    geom: {
+      Circle: typeof Circle;
+      NurbsCurve: typeof NurbsCurve;
+      NurbsSurface: typeof NurbsSurface;
+      RevolvedSurface: typeof RevolvedSurface;
+      SphericalSurface: typeof SphericalSurface;
+    };
     eval: { AdaptiveRefinementOptions: typeof AdaptiveRefinementOptions };
   };
   export default verb;

@@ -22,7 +22,7 @@ export function argumentsOf(given) {
   for (const [name, value] of Object.entries(given)) a[name] = value ?? undefined;
   for (const name of ["curve", "other"])
     if (a[name]?.points && !a[name].degrees && !a[name].weights) a[name] = curveOf(a[name]);
-  if (a.curve?.knots) a.curve = new NurbsCurve(a.curve);
+  if (given.curve?.knots?.length) a.curve = new NurbsCurve(a.curve);
   for (const name of ["spline", "other"]) if (a[name]?.degrees) a[name] = splineOf(a[name]);
   if (given.other?.knots?.length) a.other = new NurbsCurve(given.other);
   else if (given.other?.weights) a.other = rationalOf(given.other);
