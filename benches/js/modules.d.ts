@@ -100,12 +100,6 @@ declare module "verb-nurbs" {
     ): NurbsSurface;
     tessellate(options: AdaptiveRefinementOptions): MeshData;
   }
-  class SphericalSurface extends NurbsSurface {
-    constructor(center: number[], radius: number);
-  }
-  class RevolvedSurface extends NurbsSurface {
-    constructor(profile: NurbsCurve, center: number[], axis: number[], theta: number);
-  }
   class NurbsCurve {
     static byKnotsControlPointsWeights(
       degree: number,
@@ -121,7 +115,13 @@ declare module "verb-nurbs" {
     tessellate(tolerance: number): number[][];
   }
   class Circle extends NurbsCurve {
-    constructor(center: number[], xaxis: number[], yaxis: number[], radius: number);
+    constructor(center: number[], xAxis: number[], yAxis: number[], radius: number);
+  }
+  class SphericalSurface extends NurbsSurface {
+    constructor(center: number[], radius: number);
+  }
+  class RevolvedSurface extends NurbsSurface {
+    constructor(profile: NurbsCurve, center: number[], axis: number[], angle: number);
   }
   const verb: {
     geom: {

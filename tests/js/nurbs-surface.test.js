@@ -37,6 +37,7 @@ const plane = NurbsSurface.plane([1, 1, 1], [2, 0, 0], [0, 3, 0]);
 const SHAPES = { sphere, torus, cylinder, cone, plane };
 const PLACES = Array.from({ length: 49 }, (_, k) => [(k % 7) / 6, Math.floor(k / 7) / 6]);
 const length = ({ x, y, z }) => Math.hypot(x, y, z);
+const NOWHERE = { x: NaN, y: NaN, z: NaN };
 const numbers = ({ x, y, z }) => [x, y, z];
 
 test("rational patches: a quarter of a cylinder", () => {
@@ -63,9 +64,8 @@ test("rational patches: parts, degrees and maps", () => {
     { parts: quarter.splitU(0.3), at: [0.15, 0.5] },
     { parts: quarter.splitV(0.3), at: [0.5, 0.15] },
   ]) {
-    const [before, after] = parts;
-    near(numbers(before.eval(0.5, 0.5)), numbers(quarter.eval(at[0], at[1])), 1e-15);
-    assert.ok(after instanceof RationalPatch);
+    near(numbers(parts[0].eval(0.5, 0.5)), numbers(quarter.eval(at[0], at[1])), 1e-15);
+    assert.ok(parts[1] instanceof RationalPatch);
   }
   const high = quarter.elevate();
   assert.deepEqual([high.degreeU, high.degreeV], [3, 2]);
@@ -267,10 +267,9 @@ function edgesOf({ indices }) {
 }
 
 test("surfaces with weights: meshes by tolerance are closed and near", () => {
-  /** @type {Record<string, (point: number[]) => number>} */
   const far = {
-    sphere: ([x, y, z]) => Math.abs(Math.hypot(x, y, z) - 2),
-    torus: ([x, y, z]) => Math.abs(Math.hypot(Math.hypot(x, y) - 3, z) - 1),
+    sphere: (/** @type {number[]} */ [x, y, z]) => Math.abs(Math.hypot(x, y, z) - 2),
+    torus: (/** @type {number[]} */ [x, y, z]) => Math.abs(Math.hypot(Math.hypot(x, y) - 3, z) - 1),
   };
   for (const [name, distance] of Object.entries(far)) {
     const surface = SHAPES[name].toSurface();
@@ -364,7 +363,7 @@ test("surfaces with weights: measures, nearest points and rays", () => {
   assert.equal(side.volume(), null);
   near(Object.values(ring.bounds() ?? {}).flatMap(numbers), [-4, -4, -1, 4, 4, 1], 1e-14);
   const found = ball.nearest([3, 4, 0]);
-  near([found?.distance ?? NaN, ...numbers(found?.point ?? untyped({}))], [3, 1.2, 1.6, 0], 1e-8);
+  near([found?.distance ?? NaN, ...numbers(found?.point ?? NOWHERE)], [3, 1.2, 1.6, 0], 1e-8);
   const hits = ring.intersectRay([-9, 0, 0], [2, 0, 0]);
   near(
     hits.map(({ distance }) => distance),

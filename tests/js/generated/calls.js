@@ -22,7 +22,7 @@ export function argumentsOf(given) {
   for (const [name, value] of Object.entries(given)) a[name] = value ?? undefined;
   for (const name of ["curve", "other"])
     if (a[name]?.points && !a[name].degrees && !a[name].weights) a[name] = curveOf(a[name]);
-  if (given.curve?.knots) a.curve = new NurbsCurve(given.curve);
+  if (given.curve?.knots?.length) a.curve = new NurbsCurve(a.curve);
   for (const name of ["spline", "other"]) if (a[name]?.degrees) a[name] = splineOf(a[name]);
   if (given.other?.knots?.length) a.other = new NurbsCurve(given.other);
   else if (given.other?.weights) a.other = rationalOf(given.other);
@@ -161,7 +161,7 @@ const NURBS = {
     "NurbsCurve",
     `
     toJSON; toString; degree; dimension; closed; domain; controlPoints; points; weights; knots; greville; segments; joints; eval t;
-    evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; refine ts;
+    evalAt ts; sample segments; derivativeAt t k; tangent t; normal t; curvature t; insertKnot t times; removeKnot t; refine ts;
     elevate; split t; subsegment t0 t1; reverse; bounds; controlBounds; extrema; length; timeAtLength s; pointAtLength s; area;
     nearest p; flatten tolerance; intersections other; selfIntersections
   `,
@@ -176,7 +176,6 @@ const NURBS = {
   "NurbsCurve.equals": (a) => a.nurbscurve.equals(a.nurbscurve.reverse(), a.tolerance),
   "NurbsCurve.transform": (a) => a.nurbscurve.transform(matrix(a)),
   "NurbsCurve.project": (a) => a.nurbscurve.transform(a.map),
-  "NurbsCurve.removeKnot": (a) => a.nurbscurve.removeKnot(a.t, { tolerance: a.tolerance }),
   "NurbsCurve.toSpline": (a) => a.nurbscurve.toSpline({ tolerance: a.tolerance }),
   "NurbsCurve.trace": (a) => traced((target) => a.nurbscurve.trace(target, { tolerance: a.tolerance })),
   "NurbsCurve.toSVG": (a) => a.nurbscurve.toSVG({ tolerance: a.tolerance }),
