@@ -207,6 +207,53 @@ test("an STL file: as many triangles as its header says", async (t) => {
   assert.equal(bytes.length, 84 + 50 * triangles);
 });
 
+test("a vase: a closed mesh of the volume that is shown; it follows the points, the weight and arrow keys", async (t) => {
+  const { page, figure, output } = await openRecipe(t, "vase");
+  const [patches, volume] = numbersIn(await output.innerText());
+  assert.equal(patches, 4 * 9, "a quarter turn for each span of the profile");
+  await page.waitForFunction(() => document.querySelector("#vase-surface").surface.patchCount === 36);
+  await page.waitForFunction(() => document.querySelector("#vase-surface").figure.mesh.triangles > 1000);
+  const { name, bytes } = await downloadBy(figure.getByRole("button", { name: "OBJ" }));
+  assert.equal(name, "surface.obj");
+  const { open, volume: ofMesh } = solidOf(String(bytes));
+  assert.equal(open, 0, "sides of triangles without a neighbour");
+  assert.ok(Math.abs(ofMesh / 1000 / volume - 1) < 0.02, `${ofMesh} mm³ and ${volume} cm³`);
+
+  await figure.getByRole("button", { name: "Belly" }).press("ArrowRight");
+  const wider = numbersIn(await output.innerText())[1];
+  assert.ok(wider > volume, `${wider} and ${volume}`);
+  await figure.getByRole("slider").fill("5");
+  assert.ok(numbersIn(await output.innerText())[1] > wider);
+  const before = await figure.locator("path.area").getAttribute("d");
+  await dragBy(page, figure.getByRole("button", { name: "Neck" }), -200, 0);
+  assert.notEqual(await figure.locator("path.area").getAttribute("d"), before);
+  assert.ok(numbersIn(await output.innerText())[1] > 0, "the neck stays off the axis");
+});
+
+/** Sides of triangles that do not have one neighbour, and the volume, of a mesh in an OBJ file. @param {string} text */
+function solidOf(text) {
+  const rows = text.split("\n").map((row) => row.split(" "));
+  const points = rows.filter(([word]) => word === "v").map(([, ...numbers]) => numbers.map(Number));
+  const keys = points.map((point) => `${point}`);
+  const sides = new Map();
+  let volume = 0;
+  for (const [word, ...corners] of rows) {
+    if (word !== "f") continue;
+    const indices = corners.map((corner) => Number(corner.split("/")[0]) - 1);
+    const [a, b, c] = indices.map((k) => points[k]);
+    volume +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    for (let k = 0; k < 3; k++) {
+      const ends = [keys[indices[k]], keys[indices[(k + 1) % 3]]];
+      const forwards = ends.join(" ");
+      const backwards = ends.reverse().join(" ");
+      sides.set(forwards, (sides.get(forwards) ?? 0) + 1);
+      sides.set(backwards, (sides.get(backwards) ?? 0) - 1);
+    }
+  }
+  return { open: [...sides.values()].filter((count) => count !== 0).length, volume: volume / 6 };
+}
+
 test("easing as linear(): more stops for a smaller tolerance; a handle changes the function", async (t) => {
   const { page, figure, output } = await openRecipe(t, "easing-to-linear");
   const stops = async () => (await output.innerText()).split(",").length;

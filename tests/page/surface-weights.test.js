@@ -2,7 +2,7 @@
 // and when.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertNear } from "./gestures.js";
+import { assertNear, downloadBy } from "./gestures.js";
 import { facts, look, openSurface, set } from "./surface-page.js";
 
 /** Waits until triangles are drawn. */
@@ -81,4 +81,50 @@ test("a surface of casteljau/nurbs can be set; what is set later counts", async 
   });
   await drawn(page);
   assert.equal(await ask(page, ({ surface }) => surface.patchCount), 32);
+});
+
+/** A quarter of a cylinder of radius 1 and height 2: a rational patch of degrees 2 and 1. */
+const QUARTER = `surface
+vertices 6
+1 0 0
+1 1 0
+0 1 0
+1 0 2
+1 1 2
+0 1 2
+patches 1
+2 1
+0 1 2
+3 4 5
+w 1 0.7071067811865476 1
+w 1 0.7071067811865476 1
+`;
+
+const opened = (page, name, text) =>
+  page
+    .locator('bezier-surface input[type="file"]')
+    .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+
+test("a file with weights is read by casteljau/nurbs, which one without does not load; it can be saved and undone", async (t) => {
+  const page = await openSurface(t, 'controls tolerance="0.01"', /** @type {any} */ ({ fresh: true }));
+  await opened(page, "plain.txt", QUARTER.replace(/^w .*\n/gm, ""));
+  await page.getByText("A surface of your own, of one patch.").waitFor();
+  assert.deepEqual(await scripts(page), []);
+  await opened(page, "wrong.txt", QUARTER.replace("w 1", "w 0"));
+  await page.getByText(/wrong\.txt: .*above 0/).waitFor();
+  await opened(page, "quarter.txt", QUARTER);
+  await page.waitForFunction(
+    () => "weights" in /** @type {any} */ (document.querySelector("bezier-surface")).surface.patch(0),
+  );
+  await drawn(page);
+  const { x, y } = await ask(page, ({ surface }) => surface.patch(0).eval(0.3, 0.5));
+  assertNear([Math.hypot(x, y)], [1], 1e-15);
+  const { name, bytes } = await downloadBy(page.getByRole("button", { name: "OBJ" }));
+  assert.equal(name, "surface.obj");
+  const points = [...String(bytes).matchAll(/^v (\S+) (\S+)/gm)].map(([, ...numbers]) => numbers.map(Number));
+  assert.ok(points.length > 10);
+  for (const point of points) assertNear([Math.hypot(...point)], [1], 1e-7); // of f32
+  await ask(page, (element) => element.undo());
+  await drawn(page);
+  assert.equal(await ask(page, ({ surface }) => "weights" in surface), false);
 });

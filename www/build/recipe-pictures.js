@@ -172,8 +172,8 @@ const PICTURES = {
 
 /** The picture of a recipe as an SVG. @param {string} name */
 export function recipePicture(name) {
-  if (name === "teapot-three")
-    return surfacePoster({ model: "teapot" })
+  if (name === "teapot-three" || name === "vase")
+    return surfacePoster(name === "vase" ? { id: "vase-surface", up: "y" } : { model: "teapot" })
       .replace(/role="img" aria-label="[^"]*"/, 'aria-hidden="true"')
       .replace('stroke="currentColor" stroke-opacity="0.6"', 'class="line thin"');
   const picture = PICTURES[name];

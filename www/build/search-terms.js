@@ -25,6 +25,7 @@ export const TERMS = {
   "surfaces/#normals": "shading normal",
   "surfaces/#cracks": "watertight, T-junction",
   "recipes/#stl-for-printing": "lathe, surface of revolution, vase, 3D printing",
+  "recipes/#vase": "surface of revolution, NURBS, pottery, revolve, turning",
   "recipes/#brush-stroke": "nib, brush, calligraphy, variable width, thickness",
   "recipes/#text-along-path": "textPath, letters on a curve",
   "recipes/#hit-testing": "isPointInPath, isPointInStroke, mouse over",

@@ -1,15 +1,21 @@
 // Draws every <bezier-surface …></bezier-surface> into the page while the site is built, as lines: the picture that is there
 // before the element starts, without JavaScript, and on paper where it was not seen yet.
-import { frameOf, HOME, moved, placeOf, sightOf } from "#js/elements/surface/camera.js";
+import { frameOf, HOME, moved, pixelMatrix, placeOf, sightOf } from "#js/elements/surface/camera.js";
 import { framingPoints, surfaceNamed } from "#js/elements/surface/models.js";
+import * as rational from "#js/elements/surface/rational.js";
 import { settingsOf } from "#js/elements/surface/settings.js";
+import { RationalCurve } from "#js/nurbs.js";
 import { SURFACES } from "../figures/lib/surfaces.js";
+import { vase } from "./vase.js";
 
 const [WIDTH, HEIGHT] = [600, 400];
 /** Curves that divide each patch into so many strips: one patch can have more than thirty-two. */
 const [FEW, MANY] = [2, 6];
 /** Below so many patches there is room for many. */
 const ROOM = 4;
+
+/** Surfaces that scripts give to elements, by `data-surface` or by id. @type {Record<string, () => any>} */
+const GIVEN = { ...SURFACES, "vase-surface": vase };
 
 /**
  * The attributes of a tag; those without a value are "".
@@ -26,25 +32,33 @@ const attributesOf = (tag) =>
   );
 
 /**
- * The curves of the surface with these attributes, as an SVG. A curve's control points are put where the lens shows them: for
- * so long a lens the curve through those is the picture of the curve, but for a hair.
+ * The curves of the surface with these attributes, as an SVG. Curves with weights are projected exactly. The control points of
+ * the others are put where the lens shows them: for so long a lens the curve through those is the picture of the curve, but for a
+ * hair.
  *
  * @param {Record<string, string>} attributes
  * @returns {string}
  */
 export function surfacePoster(attributes) {
   const settings = settingsOf(/** @type {any} */ (attributes));
-  const given = SURFACES[attributes["data-surface"]]?.();
-  const surface = given ?? surfaceNamed(settings);
-  const frame = frameOf(given?.vertices ?? framingPoints(settings), settings.up);
+  const given = GIVEN[attributes["data-surface"] ?? attributes.id]?.();
+  const surface = given ?? surfaceNamed(settings, rational);
+  const frame = frameOf(given?.vertices ?? framingPoints(settings, rational), settings.up);
   const view = moved(HOME, JSON.parse(attributes["data-view"] ?? "{}"));
   const sight = sightOf(view, frame, WIDTH, HEIGHT);
   const lines = surface.patchCount < ROOM ? MANY : FEW;
   const path = surface
     .isocurves({ lines })
-    .map((curve) => pathOf(curve, sight))
+    .map((/** @type {any} */ curve) => ("weights" in curve ? projected(curve, sight) : pathOf(curve, sight)))
     .join("");
   return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
+}
+
+/** @param {import("casteljau/nurbs").RationalCurve<3>} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} sight */
+function projected(curve, sight) {
+  const image = curve.transform(pixelMatrix(sight, WIDTH, HEIGHT));
+  const points = image.points().map(({ x, y }) => [x, y]);
+  return new RationalCurve(points, image.weights()).toSVG({ precision: 1 });
 }
 
 /** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} sight */

@@ -83,6 +83,7 @@ export class BezierSurface extends SurfaceAttributes {
   #rotation = new AutoRotation();
   #files = new FileController({
     show: (surface) => this.#showFile(surface),
+    rational: () => this.#rational(),
     changed: () => this.requestUpdate(),
     picture: () => this.toBlob(),
     mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.settings().up },
@@ -399,6 +400,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   #showFile(surface: Surface) {
+    this.#awaited = surface;
     const max = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
     this.#edit(() => {
       this.#show(surface);

@@ -2,9 +2,12 @@
 import { meshFile, surfaceIn } from "./files.js";
 import { save } from "../../ui/files.js";
 import type { Mesh, Surface } from "../../surfaces.js";
+import type { Rational } from "./loading.js";
 
 export interface FileControllerPort {
   show: (surface: Surface) => void;
+  /** Fetches what surfaces with weights need; null where it cannot be fetched */
+  rational: () => Promise<Rational | null>;
   /** The message has changed */
   changed: () => void;
   picture: () => Promise<Blob | null>;
@@ -19,6 +22,8 @@ export class FileController {
   #message = "";
   /** What is wrong with a file stays until the next one; what is wrong with a setting goes with it. */
   #lasting = false;
+  /** The file that was opened last: an earlier one that is read later is not shown. */
+  #opened: File | null = null;
 
   constructor(port: FileControllerPort) {
     this.#port = port;
@@ -41,11 +46,14 @@ export class FileController {
 
   /** Shows the surface of a file; where there is none in it, says why and leaves all as it was. */
   async open(file: File) {
+    this.#opened = file;
     try {
-      this.#port.show(await surfaceIn(file));
+      const surface = await surfaceIn(file, this.#port.rational);
+      if (file !== this.#opened) return;
+      this.#port.show(surface);
       this.say("");
     } catch (error) {
-      this.say(`${file.name}: ${wordsOf(error)}`, true);
+      if (file === this.#opened) this.say(`${file.name}: ${wordsOf(error)}`, true);
     }
   }
 

@@ -1,26 +1,37 @@
 // Surfaces from files, and meshes to files.
 import { Mesh, Surface } from "../../surfaces.js";
+import { missing } from "../loading.js";
+import type { Rational } from "./loading.js";
 
 /** Longer files are refused unread: a browser would stand still over them. */
 const MAX_BYTES = 16e6;
 /** More cannot be drawn at sixty frames a second. */
 const MAX_PATCHES = 20_000;
 const MEGABYTE = 1e6;
+/** A row of weights. */
+const WEIGHTS = /^[ \t]*w[ \t]/m;
 
 /**
  * The surface in a file.
  *
+ * @param loadRational fetches what reads weights; null where it cannot be fetched
  * @throws {RangeError} says what is wrong with the file
  */
-export async function surfaceIn(file: File): Promise<Surface> {
+export async function surfaceIn(file: File, loadRational: () => Promise<Rational | null>): Promise<Surface> {
   if (file.size > MAX_BYTES) {
     throw new RangeError(`expected at most ${MAX_BYTES / MEGABYTE} MB, got ${(file.size / MEGABYTE).toFixed(1)} MB`);
   }
-  const surface = Surface.parse(await file.text());
+  const text = await file.text();
+  const surface = WEIGHTS.test(text) ? withWeights(await loadRational(), text) : Surface.parse(text);
   if (surface.patchCount === 0) throw new RangeError("expected patches, got none");
   if (surface.patchCount > MAX_PATCHES)
     throw new RangeError(`expected at most ${MAX_PATCHES} patches, got ${surface.patchCount}`);
   return surface;
+}
+
+function withWeights(rational: Rational | null, text: string) {
+  if (!rational) throw new Error(missing());
+  return rational.parsedSurface(text);
 }
 
 /**

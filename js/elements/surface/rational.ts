@@ -24,6 +24,9 @@ function withMethods(surface: RationalSurface): Surface {
 export const shownSurface = (surface: RationalSurface): Surface =>
   withMethods(RationalSurface.fromJSON(surface.toJSON()));
 
+/** The surface in a text; see `RationalSurface.parse`. */
+export const parsedSurface = (text: string): Surface => withMethods(RationalSurface.parse(text));
+
 const ORIGIN = [0, 0, 0];
 
 /** As large as the patch of the element. */
