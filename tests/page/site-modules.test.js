@@ -51,6 +51,21 @@ test("the module of rational curves is loaded when a figure that has them is nea
     await page.locator(`${name} .frame`).waitFor();
     assert.ok((await loaded(page)).includes("nurbs"), path);
   }
-  for (const path of ["/", "/recipes/", "/easing/", "/glyph/"])
-    assert.ok(!(await modulesOf(t, path)).includes("nurbs"), path);
+  for (const path of ["/", "/easing/", "/glyph/"]) assert.ok(!(await modulesOf(t, path)).includes("nurbs"), path);
+});
+
+test("/recipes/ loads the modules of surfaces and of weights when a recipe that has them is near", async (t) => {
+  const page = await openPage(t, "/recipes/", { fresh: true });
+  await settled(page);
+  await intersectionsReported(page);
+  const isLoaded = async () => {
+    const names = await loaded(page);
+    return ["surfaces", "nurbs"].map((name) => names.includes(name));
+  };
+  assert.deepEqual(await isLoaded(), [false, false]);
+  const recipe = page.locator('[data-recipe="vase"]');
+  await recipe.scrollIntoViewIfNeeded();
+  await recipe.locator("output:not(:empty)").waitFor();
+  await page.waitForFunction(() => document.querySelector("#vase-surface").surface.patchCount === 36);
+  assert.deepEqual(await isLoaded(), [true, true]);
 });

@@ -19,7 +19,8 @@ export const data = {
 export async function render() {
   const md = markdown(await codeHighlighter());
   const html = md.render(readFileSync(file, "utf8").replace(/^# .*\n/, ""));
-  return html.replace(/<table>.*?<th>(.*?)<\/th>.*?<\/table>/gs, (table, name) =>
-    scrollable(table.replace("<table>", '<table class="names">'), `Names in ${name} and here`),
-  );
+  return html.replace(/<table>.*?<\/table>/gs, (table) => {
+    const heads = Array.from(table.matchAll(/<th>(.*?)<\/th>/g), ([, head]) => head.replaceAll(/<[^>]*>/g, ""));
+    return scrollable(table.replace("<table>", '<table class="names">'), `Names in ${heads.join(", ")}`);
+  });
 }
