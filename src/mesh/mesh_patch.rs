@@ -83,14 +83,23 @@ pub(crate) struct Frame {
 ///
 /// For a rational patch A/w they are those of A and w, such that they bound the distance of triangles in the same way.
 pub(crate) trait Bends: Copy {
-    /// The bounds for the piece that is `before` entries below the top of the stack.
-    fn of_piece(stack: &SecondDifferences, before: usize, frame: &Frame) -> Self;
+    /// The sum of the lengths' terms in [`distance`](Self::distance) is at most this times the distance.
+    const MAX_EXCESS: f64;
+
+    /// The bounds for a whole patch, the only entry of the stack.
+    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self;
+
+    /// The bounds for the two halves of the piece, which are on top of the stack.
+    fn of_halves(&self, stack: &SecondDifferences, frame: &Frame) -> [Self; 2];
+
+    /// Bounds for a piece from those for its halves.
+    fn joined(halves: &[Self; 2]) -> Self;
 
     /// The bounds as lengths.
     fn lengths(&self) -> [f64; 3];
 
-    /// Bounds for a piece from those for its halves.
-    fn lengths_of_halves(halves: &[Self; 2], frame: &Frame) -> [f64; 3];
+    /// The maximum distance of flat triangles over the piece, whose sides in the patch's parameters are given.
+    fn distance(&self, sides: [f64; 2]) -> f64;
 
     /// The bounding box of the control points of the piece, which is on top of the stack.
     fn control_box(&self, stack: &SecondDifferences) -> [[f32; 3]; 2];

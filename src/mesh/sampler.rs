@@ -135,24 +135,40 @@ impl SpaceCurve for Curve<DVec3> {
 }
 
 impl Bends for [f64; 3] {
-    fn of_piece(stack: &SecondDifferences, before: usize, frame: &Frame) -> Self {
-        let scale = frame.size * (1.0 + BEND_SLACK);
-        stack
-            .longest(before)
-            .map(|length| f64::from(length) * scale)
+    const MAX_EXCESS: f64 = 1.0;
+
+    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self {
+        longest(stack, 0, frame)
+    }
+
+    fn of_halves(&self, stack: &SecondDifferences, frame: &Frame) -> [Self; 2] {
+        [longest(stack, 1, frame), longest(stack, 0, frame)]
+    }
+
+    fn joined([near, far]: &[Self; 2]) -> Self {
+        [0, 1, 2].map(|k| larger(near[k], far[k]))
     }
 
     fn lengths(&self) -> [f64; 3] {
         *self
     }
 
-    fn lengths_of_halves([near, far]: &[Self; 2], _frame: &Frame) -> [f64; 3] {
-        [0, 1, 2].map(|k| larger(near[k], far[k]))
+    fn distance(&self, [h, k]: [f64; 2]) -> f64 {
+        let [uu, uv, vv] = self;
+        (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
     }
 
     fn control_box(&self, stack: &SecondDifferences) -> [[f32; 3]; 2] {
         stack.control_box()
     }
+}
+
+/// The bounds for the piece that is `before` entries below the top of the stack.
+fn longest(stack: &SecondDifferences, before: usize, frame: &Frame) -> [f64; 3] {
+    let scale = frame.size * (1.0 + BEND_SLACK);
+    stack
+        .longest(before)
+        .map(|length| f64::from(length) * scale)
 }
 
 /// A patch with precomputed data for repeated evaluation.

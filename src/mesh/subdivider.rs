@@ -77,7 +77,7 @@ impl AdaptiveSubdivider<'_> {
             },
             lengths: [1.0; 2],
             depth: 0,
-            bends: self.bends(0),
+            bends: P::Bends::of_patch(&self.second_differences, &self.frame),
         }];
         let net = patch.net();
         let closed_directions = closed_directions(&net.points, net.columns);
@@ -86,7 +86,7 @@ impl AdaptiveSubdivider<'_> {
             if has_position {
                 tolerance = self.tolerance(&piece.bends);
             }
-            let distance = distance_bound(piece.lengths, piece.bends.lengths());
+            let distance = piece.bends.distance(piece.lengths);
             // A forecast counts the cells that the piece may need, without cutting it further.
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
@@ -111,9 +111,9 @@ impl AdaptiveSubdivider<'_> {
             };
             self.second_differences.halve(along_u);
             // The larger of the bounds on both halves is a tighter bound for the piece, which may then need no cut.
-            let halves: [P::Bends; 2] = [self.bends(1), self.bends(0)];
-            let closer = P::Bends::lengths_of_halves(&halves, &self.frame);
-            if closed_direction.is_none() && distance_bound(piece.lengths, closer) <= tolerance {
+            let halves = piece.bends.of_halves(&self.second_differences, &self.frame);
+            let closer = P::Bends::joined(&halves);
+            if closed_direction.is_none() && closer.distance(piece.lengths) <= tolerance {
                 self.add(piece.cell);
                 // Those of both halves.
                 self.second_differences.pop();
@@ -133,11 +133,6 @@ impl AdaptiveSubdivider<'_> {
             second_differences: SecondDifferences::default(),
             ..*self
         }
-    }
-
-    /// Bounds on the second derivatives of the piece that is `before` entries below the top of the stack.
-    fn bends<B: Bends>(&self, before: usize) -> B {
-        B::of_piece(&self.second_differences, before, &self.frame)
     }
 
     /// The tolerance for the piece on top of the stack.
@@ -197,6 +192,7 @@ impl<B: Bends> PatchPiece<B> {
     fn min_cells(&self, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
         let [uu, uv, vv] = self.bends.lengths();
+        let tolerance = tolerance * B::MAX_EXCESS;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
         // a/i² + c/j² ≥ 2√(ac)/(i·j), the arithmetic and the geometric mean; and i·j ≥ i ≥ √(a/tolerance).
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
@@ -207,7 +203,7 @@ impl<B: Bends> PatchPiece<B> {
     /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while distance_bound(self.lengths, self.bends.lengths()) > tolerance {
+        while self.bends.distance(self.lengths) > tolerance {
             let Some(along_u) = self.longer_along_u() else {
                 break;
             };
@@ -272,9 +268,4 @@ fn closed_directions(net: &[DVec3], columns: usize) -> [bool; 2] {
         ring(0, columns - 1, 1) || ring(last, end - 1, 1),
         ring(0, last, columns) || ring(columns - 1, end - 1, columns),
     ]
-}
-
-/// The maximum distance of flat triangles over a cell with these lengths.
-fn distance_bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
-    (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
 }

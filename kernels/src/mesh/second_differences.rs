@@ -11,20 +11,92 @@ use crate::numeric::order::larger;
 /// The relative amount by which lengths may be too small.
 pub const BEND_SLACK: f64 = 1e-5;
 
+/// Shorter vectors have no direction, since their squares may underflow.
+const SHORT: f32 = 1e-15;
+
 /// Columns and rows of the nets of a part: second differences along u, along both, along v; control points (or none).
 pub type Sizes = [(usize, usize); 4];
 
-/// What bounds the second derivatives of a part of a rational patch A/w; the origin of A is the middle of the box.
+/// What bounds the second derivatives of a part of a rational patch A/w; the origin of A is the middle of a box around the part.
+///
+/// Linear interpolation of (A, w) over a triangle is off by (ΔA + Δw (Q − c))/w, where Q is a point of the box and c its middle.
+/// ΔA is the sum of three terms, of which the mixed one is often across the others, as on a sphere. So its parts along an axis
+/// and across it are added up apart.
 #[derive(Clone, Copy, Debug)]
 pub struct RationalBends {
-    /// The bounding box of the control points.
-    pub control_box: [[f32; 3]; 2],
-    /// The smallest weight.
-    pub min_weight: f32,
-    /// The maximum length of the vectors in each net of second differences of A.
-    pub points: [f32; 3],
+    /// The bounding box of the control points, and the smallest and the largest weight.
+    low: f32x4,
+    high: f32x4,
+    /// The maximum length of the vectors in each net of second differences of A, along the axis and across it.
+    along: [f32; 3],
+    across: [f32; 3],
     /// The maximum size of the second differences of w.
-    pub weights: [f32; 3],
+    weights: [f32; 3],
+    /// The largest distance of a control point from the origin of A.
+    radius: f32,
+    /// The direction of the mixed second differences, or zero: the axis for the halves.
+    axis: [f32; 3],
+}
+
+impl RationalBends {
+    /// The bounding box of the control points.
+    pub fn control_box(&self) -> [[f32; 3]; 2] {
+        [self.low, self.high].map(|corner| {
+            let [x, y, z, _] = corner.to_array();
+            [x, y, z]
+        })
+    }
+
+    /// The bounds (|ΔA| + ρ|Δw|)/min w along u, mixed and along v.
+    #[inline(never)]
+    pub fn lengths(&self) -> [f64; 3] {
+        let scale = self.scale();
+        let length = |k: usize| {
+            let (along, across) = (f64::from(self.along[k]), f64::from(self.across[k]));
+            (f64::sqrt(along * along + across * across) + self.of_weights(k)) * scale
+        };
+        [length(0), length(1), length(2)]
+    }
+
+    /// A bound for the distance of triangles over a part with these sides.
+    #[inline(never)]
+    pub fn distance(&self, [h, k]: [f64; 2]) -> f64 {
+        let sum = |uu: f64, uv: f64, vv: f64| h * h * uu + 2.0 * h * k * uv + k * k * vv;
+        let sum_of = |[uu, uv, vv]: [f32; 3]| sum(uu.into(), uv.into(), vv.into());
+        let (along, across) = (sum_of(self.along), sum_of(self.across));
+        let weights = sum(self.of_weights(0), self.of_weights(1), self.of_weights(2));
+        (f64::sqrt(along * along + across * across) + weights) * self.scale() / 8.0
+    }
+
+    /// The bounds for a part from those for its halves, which have the same axis.
+    #[inline(never)]
+    pub fn of_halves([near, far]: &[Self; 2]) -> Self {
+        let (low, high) = (near.low.fast_min(far.low), near.high.fast_max(far.high));
+        let off = |half: &Self| distance(center(low, high), center(half.low, half.high));
+        let both =
+            |a: [f32; 3], b: [f32; 3]| [larger(a[0], b[0]), larger(a[1], b[1]), larger(a[2], b[2])];
+        Self {
+            low,
+            high,
+            along: both(near.along, far.along),
+            across: both(near.across, far.across),
+            weights: both(near.weights, far.weights),
+            // Moving the origin by a vector adds Δw times that vector to ΔA.
+            radius: 0.5 * distance(low, high) + larger(off(near), off(far)),
+            axis: near.axis,
+        }
+    }
+
+    /// ρ|Δw|, where rounding errors of A are relative to the patch's size, which is 1.
+    #[inline(always)]
+    fn of_weights(&self, k: usize) -> f64 {
+        (f64::from(self.radius) + 4.0 * BEND_SLACK) * f64::from(self.weights[k])
+    }
+
+    #[inline(always)]
+    fn scale(&self) -> f64 {
+        (1.0 + 4.0 * BEND_SLACK) / f64::from(self.low.to_array()[3])
+    }
 }
 
 /// The vectors of a stack of parts, all with nets of the same sizes.
@@ -98,28 +170,34 @@ impl SecondDifferences {
         })
     }
 
-    /// [`RationalBends`] of the part that is `before` positions below the last one, whose vectors are homogeneous.
+    /// [`RationalBends`] of the part that is `before` positions below the last one, whose vectors are homogeneous, with the axis
+    /// of the part of which it is a half.
     #[inline(never)]
-    pub fn rational_bends(&self, before: usize) -> RationalBends {
+    pub fn rational_bends(&self, before: usize, whole: Option<&RationalBends>) -> RationalBends {
         let end = self.vectors.len() - before * self.count;
         let part = &self.vectors[end - self.count..end];
-        let [uu, uv, vv, points] = self.sizes;
-        let (low, high) = projected_box(&part[self.count - points.0 * points.1..]);
-        let middle = (low + high) * f32x4::splat(0.5);
-        let [x, y, z, _] = middle.to_array();
-        let origin = [x, y, z].map(f32x4::splat);
-        let mut rest = part;
-        let longest = [uu, uv, vv].map(|(columns, rows)| {
-            let (net, others) = rest.split_at(columns * rows);
-            rest = others;
-            longest_about(net, origin)
-        });
-        let [low, high] = [low, high].map(f32x4::to_array);
+        let [uu, uv, vv, _] = self.sizes;
+        let (nets, points) = part.split_at(uu.0 * uu.1 + uv.0 * uv.1 + vv.0 * vv.1);
+        let (uu, nets) = nets.split_at(uu.0 * uu.1);
+        let (uv, vv) = nets.split_at(uv.0 * uv.1);
+        let (low, high) = projected_box(points);
+        let [x, y, z, _] = center(low, high).to_array();
+        let origin = (f32x4::splat(x), f32x4::splat(y), f32x4::splat(z));
+        let [ax, ay, az] = whole.map_or([0.0; 3], |whole| whole.axis);
+        let axis = (f32x4::splat(ax), f32x4::splat(ay), f32x4::splat(az));
+        let mixed = uv.iter().fold(f32x4::ZERO, |sum, &v| sum + v);
+        let uu = longest_about(uu, origin, axis);
+        let uv = longest_about(uv, origin, axis);
+        let vv = longest_about(vv, origin, axis);
+        let [dx, dy, dz, weight] = mixed.to_array();
         RationalBends {
-            control_box: [low, high].map(|[x, y, z, _]| [x, y, z]),
-            min_weight: low[3],
-            points: longest.map(|[length, _]| length),
-            weights: longest.map(|[_, weight]| weight),
+            low,
+            high,
+            along: [uu.0, uv.0, vv.0],
+            across: [uu.1, uv.1, vv.1],
+            weights: [uu.2, uv.2, vv.2],
+            radius: 0.5 * distance(low, high),
+            axis: unit([dx - weight * x, dy - weight * y, dz - weight * z]),
         }
     }
 
@@ -151,25 +229,59 @@ fn projected_box(net: &[f32x4]) -> (f32x4, f32x4) {
     })
 }
 
-/// The maximum length of A − wc and the maximum |w| of homogeneous vectors (A, w).
+/// The middle of a box.
 #[inline(always)]
-fn longest_about(net: &[f32x4], [cx, cy, cz]: [f32x4; 3]) -> [f32; 2] {
-    let (mut length, mut weight) = (f32x4::ZERO, f32x4::ZERO);
+fn center(low: f32x4, high: f32x4) -> f32x4 {
+    (low + high) * f32x4::splat(0.5)
+}
+
+/// The distance of two points; the fourth lanes are ignored.
+#[inline(always)]
+fn distance(a: f32x4, b: f32x4) -> f32 {
+    let off = a - b;
+    let [x, y, z, _] = (off * off).to_array();
+    f32::sqrt(x + y + z)
+}
+
+/// The unit vector, or zero for one that is short.
+#[inline(always)]
+fn unit([x, y, z]: [f32; 3]) -> [f32; 3] {
+    let length = f32::sqrt(x * x + y * y + z * z);
+    if length > SHORT {
+        [x / length, y / length, z / length]
+    } else {
+        [0.0; 3]
+    }
+}
+
+/// The maximum length of A − wc of homogeneous vectors (A, w), along a unit vector and across it, and the maximum |w|.
+#[inline(always)]
+fn longest_about(
+    net: &[f32x4],
+    (cx, cy, cz): (f32x4, f32x4, f32x4),
+    (ax, ay, az): (f32x4, f32x4, f32x4),
+) -> (f32, f32, f32) {
+    let (mut along, mut across, mut weight) = (f32x4::ZERO, f32x4::ZERO, f32x4::ZERO);
     let mut add = |four: [f32x4; 4]| {
         let [x, y, z, w] = f32x4::transpose(four);
         let (x, y, z) = (x - w * cx, y - w * cy, z - w * cz);
-        length = length.fast_max(x * x + y * y + z * z);
+        let part = x * ax + y * ay + z * az;
+        let (x, y, z) = (x - part * ax, y - part * ay, z - part * az);
+        along = along.fast_max(part * part);
+        across = across.fast_max(x * x + y * y + z * z);
         weight = weight.fast_max(w * w);
     };
     let (fours, others) = net.as_chunks();
     fours.iter().for_each(|&four| add(four));
-    let mut four = [f32x4::ZERO; 4];
-    four[..others.len()].copy_from_slice(others);
-    add(four);
-    [length, weight].map(|max| {
-        let [a, b, c, d] = max.to_array();
+    if let Some(&first) = others.first() {
+        let at = |k: usize| others.get(k).copied().unwrap_or(first);
+        add([first, at(1), at(2), first]);
+    }
+    let longest = |squares: f32x4| {
+        let [a, b, c, d] = squares.to_array();
         f32::sqrt(larger(larger(a, b), larger(c, d)))
-    })
+    };
+    (longest(along), longest(across), longest(weight))
 }
 
 /// [`split_net_with`] for a size that is known at compile time.

@@ -3,7 +3,8 @@
 //! A piece S = A/w and a flat triangle with its corners on the piece are within (M₁ + 2M₂ + M₃)/(8 min w) of each other, where
 //! M₁ = m(m − 1)(max |Δuu A| + ρ max |Δuu w|), and M₂ and M₃ likewise. The origin of A is a point near the piece, and ρ the largest distance
 //! of its control points from that point: linear interpolation of (A, w) projects onto the flat triangle. Source: Zheng and
-//! Sederberg, "Estimating tessellation parameter intervals for rational curves and surfaces", ACM TOG 19 (2000).
+//! Sederberg, "Estimating tessellation parameter intervals for rational curves and surfaces", ACM TOG 19 (2000). The parts of
+//! the three terms along any axis and across it can be bounded apart, as lengths of the two legs of a right triangle.
 
 use super::RationalSurface;
 use crate::geometry::check::max_abs;
@@ -25,8 +26,7 @@ use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
 use crate::surface::topology::SideUse;
 use casteljau_kernels::mesh::row_sampler::RowSampler;
-use casteljau_kernels::mesh::second_differences::{BEND_SLACK, RationalBends, SecondDifferences};
-use casteljau_kernels::numeric::order::{larger, smaller};
+use casteljau_kernels::mesh::second_differences::{RationalBends, SecondDifferences};
 use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
 
@@ -172,66 +172,51 @@ impl RationalPatch {
     }
 }
 
-/// What bounds the second derivatives of a piece, and the bounds themselves.
+/// What bounds the second derivatives of a piece.
 #[derive(Clone, Copy)]
 pub(crate) struct PieceBends {
     bends: RationalBends,
-    lengths: [f64; 3],
+    /// The size of the patch.
+    size: f64,
 }
 
 impl Bends for PieceBends {
-    fn of_piece(stack: &SecondDifferences, before: usize, frame: &Frame) -> Self {
-        let bends = stack.rational_bends(before);
+    /// √a² + b² is at least (a + b)/√2.
+    const MAX_EXCESS: f64 = std::f64::consts::SQRT_2;
+
+    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self {
         Self {
-            bends,
-            lengths: lengths(&bends, frame),
+            bends: stack.rational_bends(0, None),
+            size: frame.size,
+        }
+    }
+
+    fn of_halves(&self, stack: &SecondDifferences, _frame: &Frame) -> [Self; 2] {
+        let half = |before| Self {
+            bends: stack.rational_bends(before, Some(&self.bends)),
+            size: self.size,
+        };
+        [half(1), half(0)]
+    }
+
+    fn joined([near, far]: &[Self; 2]) -> Self {
+        Self {
+            bends: RationalBends::of_halves(&[near.bends, far.bends]),
+            ..*near
         }
     }
 
     fn lengths(&self) -> [f64; 3] {
-        self.lengths
+        self.bends.lengths().map(|length| length * self.size)
     }
 
-    /// The bounds about the middle of the box of both halves.
-    fn lengths_of_halves([near, far]: &[Self; 2], frame: &Frame) -> [f64; 3] {
-        let ([a, b], [c, d]) = (near.bends.control_box, far.bends.control_box);
-        let control_box = [
-            [0, 1, 2].map(|k| smaller(a[k], c[k])),
-            [0, 1, 2].map(|k| larger(b[k], d[k])),
-        ];
-        let middle = middle(control_box);
-        let moved = |half: &RationalBends, k: usize| {
-            let off = Point::norm(self::middle(half.control_box) - middle);
-            half.points[k] + to_f32(off) * half.weights[k]
-        };
-        let bends = RationalBends {
-            control_box,
-            min_weight: smaller(near.bends.min_weight, far.bends.min_weight),
-            points: [0, 1, 2].map(|k| larger(moved(&near.bends, k), moved(&far.bends, k))),
-            weights: [0, 1, 2].map(|k| larger(near.bends.weights[k], far.bends.weights[k])),
-        };
-        lengths(&bends, frame)
+    fn distance(&self, sides: [f64; 2]) -> f64 {
+        self.bends.distance(sides) * self.size
     }
 
     fn control_box(&self, _stack: &SecondDifferences) -> [[f32; 3]; 2] {
-        self.bends.control_box
+        self.bends.control_box()
     }
-}
-
-fn middle([low, high]: [[f32; 3]; 2]) -> DVec3 {
-    let [low, high] = [low, high].map(|corner| DVec3::from(corner.map(f64::from)));
-    (low + high) * 0.5
-}
-
-/// The bounds (max |ΔA| + ρ max |Δw|)/min w.
-fn lengths(bends: &RationalBends, frame: &Frame) -> [f64; 3] {
-    let [low, high] = bends
-        .control_box
-        .map(|corner| DVec3::from(corner.map(f64::from)));
-    // Rounding errors of A are relative to the size, which is 1.
-    let radius = 0.5 * Point::norm(high - low) + 4.0 * BEND_SLACK;
-    let scale = frame.size * (1.0 + 4.0 * BEND_SLACK) / f64::from(bends.min_weight);
-    [0, 1, 2].map(|k| (f64::from(bends.points[k]) + radius * f64::from(bends.weights[k])) * scale)
 }
 
 /// A rational patch with precomputed data for repeated evaluation, in scaled coordinates.
