@@ -1,13 +1,14 @@
 //! Distance of patches from a point: its square as a polynomial, and Gauss–Newton steps that reduce it.
 
 use super::minimum::{Minimum, Objective};
-use super::piece::PolynomialPiece;
+use super::piece::{MODERATE_DEGREE, PolynomialPiece};
 use super::scaling::Scaling;
 use super::small_distance::search_small;
 use super::surface_point::SurfacePoint;
 use crate::geometry::point::Point;
 use crate::patch::normal::binomial;
 use crate::patch::{Partials, Patch};
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// Rounding error of a point of a patch, as a fraction of the size.
@@ -115,7 +116,12 @@ impl<'a> PatchDistance<'a> {
             surface_point.distance / self.size
         };
         let limits = [ROUNDING, cutoff / self.size];
-        let is_complete = search_small(wholes.collect(), min, limits, &mut descend);
+        let wholes: Vec<PolynomialPiece> = wholes.collect();
+        let steps = wholes
+            .iter()
+            .map(|whole| whole.max_search_steps(MODERATE_DEGREE));
+        let work = WorkLimit::new(steps.fold(0, usize::saturating_add));
+        let is_complete = search_small(wholes, min, limits, &mut descend, work);
         (best, is_complete)
     }
 

@@ -71,6 +71,15 @@ pub(crate) fn minimise(
         .iter()
         .map(|whole| whole.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
     let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
+    minimise_within(wholes, objective, &mut work)
+}
+
+/// As [`minimise`], with another maximum number of steps.
+pub(crate) fn minimise_within(
+    wholes: &[PolynomialPiece],
+    objective: &dyn Objective,
+    work: &mut WorkLimit,
+) -> Option<(Minimum, bool)> {
     let mut search = MinimumSearch {
         wholes,
         objective,
@@ -84,13 +93,13 @@ pub(crate) fn minimise(
     let first = wholes
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
-    search.improve(first, &UNIT_SQUARE, true, &mut work);
+    search.improve(first, &UNIT_SQUARE, true, work);
     for whole in wholes {
         for (at, _) in whole.corners(0) {
-            search.keep_better(whole, at, &mut work);
+            search.keep_better(whole, at, work);
         }
     }
-    let is_complete = search.run(&mut work);
+    let is_complete = search.run(work);
     search.best.map(|best| (best, is_complete))
 }
 

@@ -57,6 +57,15 @@ pub(crate) struct Jet {
     pub(crate) vv: f64,
 }
 
+/// The maximum number of steps of a search in polynomials of a degree: a lower one up to `moderate`, a higher one above it.
+pub(crate) fn max_search_steps(degree: usize, moderate: usize) -> usize {
+    if degree > moderate {
+        MAX_STEPS_ABOVE
+    } else {
+        MAX_STEPS
+    }
+}
+
 impl PolynomialPiece {
     /// Whole polynomials over the unit square.
     pub(crate) fn whole(index: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
@@ -72,11 +81,7 @@ impl PolynomialPiece {
 
     /// The maximum number of steps of a search in polynomials: a lower one up to this degree, a higher one above it.
     pub(crate) fn max_search_steps(&self, degree: usize) -> usize {
-        if self.columns.max(self.rows) > degree + 1 {
-            MAX_STEPS_ABOVE
-        } else {
-            MAX_STEPS
-        }
+        max_search_steps(self.columns.max(self.rows) - 1, degree)
     }
 
     /// Whether the range of u or of v contains a number between its ends.

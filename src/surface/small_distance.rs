@@ -6,7 +6,7 @@
 //!
 //! [`minimise`]: crate::surface::minimum::minimise
 
-use super::piece::{MODERATE_DEGREE, PolynomialPiece};
+use super::piece::PolynomialPiece;
 use super::queued_piece::QueuedPiece;
 use casteljau_kernels::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
@@ -26,17 +26,14 @@ const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 ///
 /// `min` is the smallest distance so far; `descend` descends from a point and returns the distance that it reaches.
 /// Pieces farther away than `cutoff` are dropped. The search ends at a distance of `goal` or when no piece can be
-/// nearer. It also ends when it has taken the maximum number of steps for each polynomial, and then returns `false`.
+/// nearer. It also ends when it has taken the maximum number of steps, and then returns `false`.
 pub(crate) fn search_small(
     wholes: Vec<PolynomialPiece>,
     mut min: f64,
     [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
+    mut work: WorkLimit,
 ) -> bool {
-    let limits = wholes
-        .iter()
-        .map(|whole| whole.max_search_steps(MODERATE_DEGREE));
-    let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
     let mut queue: BinaryHeap<QueuedPiece> = wholes.into_iter().map(by_box).collect();
     let mut coefficients = 0;
     while let Some(QueuedPiece { low, piece }) = queue.pop() {

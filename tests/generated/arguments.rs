@@ -9,8 +9,8 @@ use casteljau::models::{Height, Up};
 use casteljau::path::FillRule;
 use casteljau::spline::{Join, JointMode};
 use casteljau::{
-    Curve, GridMethod, NurbsCurve, NurbsSurface, Patch, Path, Point, RationalCurve, RationalPatch,
-    Spline, Surface,
+    Curve, Error, GridMethod, NurbsCurve, NurbsSurface, Patch, Path, Point, RationalCurve,
+    RationalPatch, RationalSurface, Spline, Surface,
 };
 use casteljau_generator::{Case, NurbsSurfaceData, SplineData, SurfaceData, Value};
 
@@ -92,8 +92,9 @@ arguments! {
     };
     [] NurbsSurfaceData: Value::RationalPatch(data) | Value::NurbsSurface(data) => Some(data.clone());
     [] Surface: Value::Surface(data) => surface_of(data);
+    [] RationalSurface: Value::RationalSurface(data) => rational_surface_of(data).ok();
     [] SplineData: Value::Spline(data) => Some(data.clone());
-    [] SurfaceData: Value::Patch(data) | Value::Surface(data) => Some(data.clone());
+    [] SurfaceData: Value::Patch(data) | Value::Surface(data) | Value::RationalSurface(data) => Some(data.clone());
     [] DAffine2: Value::Numbers(numbers) => Some(DAffine2::from_cols_slice(numbers));
     [] DAffine3: Value::Numbers(numbers) => Some(DAffine3::from_cols_slice(numbers));
     [] DMat3: Value::Numbers(numbers) => Some(DMat3::from_cols_slice(numbers));
@@ -125,6 +126,11 @@ pub(crate) fn spline_of<P: Space>(data: &SplineData) -> Spline<P> {
 
 fn surface_of(data: &SurfaceData) -> Option<Surface> {
     Surface::with_degrees(data.vertices.clone(), data.indices.clone(), &data.degrees).ok()
+}
+
+pub(crate) fn rational_surface_of(data: &SurfaceData) -> Result<RationalSurface, Error> {
+    let (vertices, indices) = (data.vertices.clone(), data.indices.clone());
+    RationalSurface::with_degrees(vertices, indices, data.weights.clone(), &data.degrees)
 }
 
 /// A check of one call, whose parameters are the arguments of the case in their order.

@@ -7,7 +7,7 @@ use casteljau::glam::{DAffine2, DAffine3, DVec2, DVec3};
 use casteljau::mesh::TessellationOptions;
 use casteljau::path::{FillRule, OffsetOptions, StrokeOptions};
 use casteljau::spline::{Interpolation, JointMode};
-use casteljau::{Curve, Error, Patch, Path, Spline, Surface};
+use casteljau::{Curve, Error, Patch, Path, RationalSurface, Spline, Surface};
 use casteljau_generator::{Rng, changed};
 
 /// The operations of a chain and the random numbers that choose them.
@@ -213,6 +213,29 @@ pub(crate) fn surface(mut value: Surface, map: DAffine3, p: DVec3) -> Checked {
     let options = TessellationOptions::tolerance(tolerance_of(value.vertices(), 0.1));
     ask! { chain, value,
         bounds() area() volume() nearest(p) tessellate(&options)
+    }
+    Ok(())
+}
+
+pub(crate) fn rational_surface(mut value: RationalSurface, map: DAffine3, p: DVec3) -> Checked {
+    let mut chain = Chain::new();
+    while let Some(operation) = chain.next(3) {
+        let index = chain.rng.below(value.vertices().len().max(1));
+        let (name, next) = match operation {
+            0 | 1 => ("transform", or(value.transform(&map), value)),
+            _ => (
+                "move_point",
+                or(changed(&value, |s| s.move_point(index, p)), value),
+            ),
+        };
+        chain.names.push(name);
+        let finite = next.vertices().iter().all(|v| v.is_finite());
+        ensure!(finite, "{:?}: a vertex is not finite", chain.names);
+        value = next;
+    }
+    let options = TessellationOptions::tolerance(tolerance_of(value.vertices(), 0.1));
+    ask! { chain, value,
+        bounds() area() volume() nearest(p) intersect_ray(p, DVec3::Y) tessellate(&options)
     }
     Ok(())
 }

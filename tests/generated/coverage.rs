@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The types whose functions are called with generated arguments.
-const TYPES: [&str; 13] = [
+const TYPES: [&str; 14] = [
     "Curve",
     "RationalCurve",
     "NurbsCurve",
@@ -14,6 +14,7 @@ const TYPES: [&str; 13] = [
     "RationalPatch",
     "NurbsSurface",
     "Surface",
+    "RationalSurface",
     "Mesh",
     "Grid",
     "Easing",

@@ -34,6 +34,9 @@ const FUNCTIONS: &[&str] = &[
     "Surface::new",
     "Surface::move_point",
     "Surface::intersect_ray",
+    "RationalSurface::nearest",
+    "RationalSurface::move_point",
+    "RationalSurface::intersect_ray",
 ];
 
 /// Those with numbers that are no coordinates, of which the curve or the patch consists.

@@ -11,6 +11,9 @@ const SEARCH: usize = (1 << 23) + (1 << 22);
 /// A few searches for each of six faces.
 const RATIONAL_BOUNDS: usize = 6 * 4 * SEARCH;
 
+/// The documented limit of an area or a volume.
+const INTEGRAL: usize = 1 << 25;
+
 /// The limit of a ray, including three searches for the nearest point to the origin.
 const RAY: usize = (1 << 27) + 4 * SEARCH;
 
@@ -40,6 +43,12 @@ const LIMITS: &[(&str, usize)] = &[
     ("Surface::intersect_ray", RAY),
     ("Surface::bounds", 6 * SEARCH),
     ("Surface::area", 1 << 22),
+    ("RationalSurface::bounds", RATIONAL_BOUNDS),
+    ("RationalSurface::nearest", 2 * SEARCH),
+    ("RationalSurface::intersect_ray", RAY),
+    ("RationalSurface::area", INTEGRAL),
+    ("RationalSurface::volume", INTEGRAL),
+    ("RationalSurface::chain", RAY),
     ("InkStroke::outline", REGION),
     // All parts that are swept backwards are in the union: of 2,000 calls one takes 340 million steps.
     ("Path::stroke_sides", DOCUMENTED_REGION),
@@ -69,7 +78,9 @@ pub(crate) fn of(case: &Case) -> usize {
     let found = LIMITS.iter().find(|(name, _)| *name == case.function);
     let limit = found.map_or(DEFAULT, |&(_, limit)| limit);
     match case.arguments.first() {
-        Some((_, Value::Surface(surface))) => limit * surface.degrees.len().max(1),
+        Some((_, Value::Surface(surface) | Value::RationalSurface(surface))) => {
+            limit * surface.degrees.len().max(1)
+        }
         Some((_, Value::NurbsSurface(surface))) => {
             let spans = |k: usize| surface.knots[k].len() - 2 * surface.degrees[k] - 1;
             limit * spans(0) * spans(1)

@@ -23,6 +23,7 @@ mod parsers;
 mod patches;
 mod paths;
 mod rational;
+mod rational_surfaces;
 mod recorded;
 mod recorder;
 mod runner;
@@ -224,9 +225,20 @@ groups! {
         Surface one (surfaces): area volume topology isocurves trace_projected subdivide;
         Surface one (meshes): wireframe;
     }
+    rational_surfaces_meshes {
+        RationalSurface one (rational_surfaces): new from from_patches eval transform move_point topology to_text;
+        RationalSurface one (rational_surfaces accessors): with_degrees vertices indices weights patch_count patches;
+        RationalSurface one (rational_surfaces one_patch): degrees patch_indices patch_weights patch;
+        RationalSurface one (rational_surfaces mismatches): weight_mismatches;
+        RationalSurface one (rational_surfaces): grid grid_into tessellate tessellate_f64 tessellate_view wireframe;
+    }
+    rational_surfaces_queries {
+        RationalSurface one (rational_surfaces): bounds control_bounds nearest intersect_ray area volume isocurves trace_projected;
+    }
     parsers_read_what_they_wrote {
         Path one (parsers): from_svg from_svg_with;
         Surface one (parsers): parse;
+        RationalSurface one (parsers parse_rational): parse;
         Easing one (parsers easing_new): new;
         Easing one (parsers easing_eval): eval;
         Easing one (parsers easing_to_linear): to_linear;
@@ -242,5 +254,6 @@ groups! {
     chains_of_surfaces {
         Patch one (chains patch): chain;
         Surface one (chains surface): chain;
+        RationalSurface one (chains rational_surface): chain;
     }
 }

@@ -9,13 +9,13 @@ use casteljau::glam::{DMat4, DVec2, DVec3};
 use casteljau::mesh::{TessellationOptions, View, Weld, Wire, WireframeOptions};
 use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
 
-fn points<T: Copy + Into<f64>>(numbers: &[T]) -> Vec<DVec3> {
+pub(crate) fn points<T: Copy + Into<f64>>(numbers: &[T]) -> Vec<DVec3> {
     let point = |p: &[T]| DVec3::from([p[0], p[1], p[2]].map(Into::into));
     numbers.chunks(3).map(point).collect()
 }
 
 /// Checks that buffer lengths match, indices are in range, positions are finite, and normals have the length 1 or 0.
-fn is_mesh<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Checked {
+pub(crate) fn is_mesh<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Checked {
     let count = mesh.vertex_count();
     let lengths = [mesh.positions.len(), mesh.normals.len()];
     same(lengths, [3 * count; 2], "the lengths of the buffers")?;
@@ -30,7 +30,7 @@ fn is_mesh<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Checked {
 }
 
 /// What errors of grids and tessellations may name.
-const REFUSALS: &str = "segments|segments_u|segments_v|tolerance|vertices";
+pub(crate) const REFUSALS: &str = "segments|segments_u|segments_v|tolerance|vertices";
 
 pub(crate) fn grid<S: Sheet>(sheet: S, u: usize, v: usize, quads: bool) -> Checked {
     let fill = |grid, mesh: &mut Mesh| sheet.grid(grid, quads).map(|made| *mesh = made);
@@ -100,7 +100,7 @@ fn grids_agree<S: Sheet>(sheet: &S, grid: Grid, quads: bool) -> Checked {
     same(&filled.map(|()| mesh), &single, "the mesh of grid_into")
 }
 
-fn options(tolerance: f64, cells: Option<usize>, weld: Weld) -> TessellationOptions {
+pub(crate) fn options(tolerance: f64, cells: Option<usize>, weld: Weld) -> TessellationOptions {
     let by_tolerance = || TessellationOptions::tolerance(tolerance);
     let options = cells.map(|cells| TessellationOptions::segments(Grid::from(cells)));
     options.unwrap_or_else(by_tolerance).weld(weld)
@@ -112,7 +112,9 @@ pub(crate) fn tessellate<S: Sheet>(
     cells: Option<usize>,
     weld: Weld,
 ) -> Checked {
-    is_tessellation(|| sheet.tessellate(&options(tolerance, cells, weld)))
+    is_tessellation(REFUSALS, || {
+        sheet.tessellate(&options(tolerance, cells, weld))
+    })
 }
 
 pub(crate) fn tessellate_f64<S: Sheet>(
@@ -121,14 +123,17 @@ pub(crate) fn tessellate_f64<S: Sheet>(
     cells: Option<usize>,
     weld: Weld,
 ) -> Checked {
-    is_tessellation(|| sheet.tessellate_f64(&options(tolerance, cells, weld)))
+    is_tessellation(REFUSALS, || {
+        sheet.tessellate_f64(&options(tolerance, cells, weld))
+    })
 }
 
 /// Checks that a mesh is within the box of the control points, and that no triangle has two corners at one place.
-fn is_tessellation<T: Copy + Into<f64> + Numbers>(
+pub(crate) fn is_tessellation<T: Copy + Into<f64> + Numbers>(
+    refusals: &str,
     make: impl Fn() -> Result<Mesh<T>, Error>,
 ) -> Checked {
-    let mesh = answer!(make(), REFUSALS);
+    let mesh = answer!(make(), refusals);
     is_mesh(&mesh)?;
     let vertices = points(&mesh.positions);
     let corners: Vec<DVec3> = mesh.indices.iter().map(|i| vertices[i]).collect();
@@ -138,18 +143,22 @@ fn is_tessellation<T: Copy + Into<f64> + Numbers>(
     at_most(largest(&vertices), size() * (1.0 + 1e-6), "the box")
 }
 
+pub(crate) fn in_view(view_projection: DMat4, pixels: f64, weld: Weld) -> TessellationOptions {
+    let view = View {
+        pixels,
+        view_projection,
+        viewport: DVec2::new(640.0, 480.0),
+    };
+    TessellationOptions::pixels(view).weld(weld)
+}
+
 pub(crate) fn tessellate_view(
     surface: Surface,
     view_projection: DMat4,
     pixels: f64,
     weld: Weld,
 ) -> Checked {
-    let view = View {
-        pixels,
-        view_projection,
-        viewport: DVec2::new(640.0, 480.0),
-    };
-    let options = TessellationOptions::pixels(view).weld(weld);
+    let options = in_view(view_projection, pixels, weld);
     let allowed = "pixels|tolerance|too many|vertices";
     is_mesh(&answer!(surface.tessellate(&options), allowed))
 }
@@ -161,16 +170,22 @@ pub(crate) fn wireframe(
     width: f64,
     sides: usize,
 ) -> Checked {
-    let wire = match wire.as_str() {
+    let options = wires(lines, &wire, width, sides);
+    is_mesh(&answer!(surface.wireframe(&options), WIRE_REFUSALS))
+}
+
+/// What errors of wireframes may name.
+pub(crate) const WIRE_REFUSALS: &str = "lines|sides|radius|width|too many|vertices";
+
+pub(crate) fn wires(lines: usize, wire: &str, width: f64, sides: usize) -> WireframeOptions {
+    let wire = match wire {
         "tube" => Wire::Tube {
             radius: width,
             sides,
         },
         _ => Wire::Ribbon { width },
     };
-    let options = WireframeOptions::new().lines(lines).wire(wire);
-    let allowed = "lines|sides|radius|width|too many|vertices";
-    is_mesh(&answer!(surface.wireframe(&options), allowed))
+    WireframeOptions::new().lines(lines).wire(wire)
 }
 
 /// What errors of exports may name: positions that f32 cannot hold are infinite in a grid.

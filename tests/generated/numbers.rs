@@ -13,7 +13,7 @@ use casteljau::spline::*;
 use casteljau::surface::*;
 use casteljau::{
     Curve, EllipticalArc, Error, NurbsCurve, NurbsSurface, Path, Point, RationalCurve,
-    RationalPatch, Spline,
+    RationalPatch, RationalSurface, Spline,
 };
 use std::fmt::Debug;
 use std::hash::{DefaultHasher, Hasher};
@@ -68,6 +68,7 @@ numbers! {
     [] String, text, see => see(hash(text));
     [] CurveKind, kind, see => see(hash(kind));
     [] Topology, topology, see => see(hash(topology));
+    [] EdgeUse, edge, see => see(hash(edge));
     [T: Numbers] [T], items, see => items.iter().for_each(|item| item.visit(see));
     [T: Numbers] Option<T>, item, see => item.as_slice().visit(see);
     [T: Numbers, E: Debug] Result<T, E>, item, see => match item {
@@ -86,6 +87,10 @@ numbers! {
     [] RationalPatch, patch, see => {
         patch.control_points().visit(see);
         patch.weights().visit(see);
+    };
+    [] RationalSurface, surface, see => {
+        surface.vertices().visit(see);
+        surface.weights().visit(see);
     };
     [] NurbsSurface, surface, see => {
         surface.control_points().visit(see);
@@ -146,7 +151,7 @@ by_fields! {
     [] CircularArc {start end center start_angle end_angle}; // the radius of a line is infinite
     [] PathIntersection {subpath t other_subpath u point kind};
     [] PatchPoint {u v point distance};
-    [] SurfacePoint {u v point distance};
+    [] SurfacePoint {patch u v point distance};
     [] Partials {u v uu uv vv};
     [] Curvature {gaussian mean k1 k2};
     [] PatchDeCasteljau {rows column point};

@@ -46,7 +46,7 @@ fn inside(surface: &NurbsSurface, u: f64, v: f64) -> [f64; 2] {
 }
 
 /// How much rounding is enlarged by weights; infinite for large ratios.
-fn slack_of(weights: &[f64], degrees: [usize; 2]) -> f64 {
+pub(crate) fn slack_of(weights: &[f64], degrees: [usize; 2]) -> f64 {
     let ratio = max(weights.iter().copied()) / min(weights.iter().copied());
     if ratio > 1e4 {
         return f64::INFINITY;

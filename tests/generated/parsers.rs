@@ -2,8 +2,11 @@
 
 use crate::check::*;
 use crate::geometry::*;
+use crate::numbers::Numbers;
 use casteljau::path::SvgError;
-use casteljau::{Easing, Path, Surface};
+use casteljau::surface::ParseError;
+use casteljau::{Easing, Path, RationalSurface, Surface};
+use std::fmt::Debug;
 
 /// Checks that an error is at a place in the text, and that its message is short.
 fn is_error(text: &str, offset: usize, message: &str) -> Checked {
@@ -55,7 +58,28 @@ pub(crate) fn from_svg_with(text: String, tolerance: f64) -> Checked {
 }
 
 pub(crate) fn parse(text: String) -> Checked {
-    let surface = match call(|| Surface::parse(&text).map_err(Box::new))? {
+    is_read(&text, Surface::parse, Surface::to_text, |surface| {
+        surface.vertices().len() + surface.indices().len()
+    })
+}
+
+pub(crate) fn parse_rational(text: String) -> Checked {
+    is_read(
+        &text,
+        RationalSurface::parse,
+        RationalSurface::to_text,
+        |surface| surface.vertices().len() + surface.indices().len(),
+    )
+}
+
+/// Checks that what is read from a text is read again from the text of it.
+fn is_read<S: Numbers + PartialEq + Debug>(
+    text: &str,
+    parse: fn(&str) -> Result<S, ParseError>,
+    to_text: fn(&S) -> String,
+    count: impl Fn(&S) -> usize,
+) -> Checked {
+    let surface = match call(|| parse(text).map_err(Box::new))? {
         Ok(surface) => surface,
         Err(error) => {
             let lines = text.split('\n').count() + text.matches('\r').count() + 1;
@@ -66,9 +90,9 @@ pub(crate) fn parse(text: String) -> Checked {
             return Ok(());
         }
     };
-    let numbers = surface.vertices().len() + surface.indices().len();
+    let numbers = count(&surface);
     ensure!(numbers <= text.len(), "more numbers than characters");
-    let again = Surface::parse(&surface.to_text())?;
+    let again = parse(&to_text(&surface))?;
     same(again, surface, "the surface that is read again")
 }
 

@@ -5,6 +5,7 @@ use crate::recorder::Recorder;
 use crate::shared::*;
 use casteljau::glam::{DMat4, DVec3};
 use casteljau::models::{Height, TeapotOptions, Up};
+use casteljau::surface::Topology;
 use casteljau::{Patch, Surface};
 use casteljau_generator::SurfaceData;
 
@@ -87,12 +88,17 @@ pub(crate) fn volume(surface: Surface) -> Checked {
 
 pub(crate) fn topology(surface: Surface) -> Checked {
     let topology = call(|| surface.topology())?;
+    has_all_sides(&topology, surface.patch_count())
+}
+
+/// Checks that every side and every patch of a surface are in a topology.
+pub(crate) fn has_all_sides(topology: &Topology, patches: usize) -> Checked {
     let groups = topology.shared.iter().chain(&topology.non_manifold);
     let grouped: usize = groups.map(Vec::len).sum();
     let sides = grouped + topology.open.len() + topology.collapsed.len();
-    same(sides, 4 * surface.patch_count(), "the sides")?;
+    same(sides, 4 * patches, "the sides")?;
     let parts: usize = topology.components.iter().map(Vec::len).sum();
-    same(parts, surface.patch_count(), "the components")
+    same(parts, patches, "the components")
 }
 
 pub(crate) fn isocurves(surface: Surface, lines: usize) -> Checked {

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Worker } from "node:worker_threads";
 import * as casteljau from "casteljau";
-import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch } from "casteljau/nurbs";
+import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch, RationalSurface } from "casteljau/nurbs";
 import { GROUPS } from "./generated/calls.js";
 import { generatorPath, lines, rowOf } from "./generated/generator.js";
 import { READERS } from "./generated/parsers.js";
@@ -17,7 +17,8 @@ const LOOK_MS = 1_000;
 
 const { Curve, Spline, Path, InkStroke, Patch, Surface, Mesh } = casteljau;
 const CLASSES = {
-  ...{ Curve, RationalCurve, NurbsCurve, Spline, Path, InkStroke, Patch, RationalPatch, NurbsSurface, Surface, Mesh },
+  ...{ Curve, RationalCurve, NurbsCurve, Spline, Path, InkStroke, Patch, RationalPatch, NurbsSurface },
+  ...{ Surface, RationalSurface, Mesh },
 };
 const [first, count] = range;
 const path = generatorPath();

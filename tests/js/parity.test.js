@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Path, Surface } from "casteljau";
+import { RationalSurface } from "casteljau/nurbs";
 import { argumentsOf, GROUPS } from "./generated/calls.js";
 import { generatorPath, lines, rowOf } from "./generated/generator.js";
 import { pairs } from "./reference.js";
@@ -48,6 +49,7 @@ function* numbersOf(value) {
     : FIELDS.flatMap((field) => (Object.hasOwn(value, field) ? [value[field]] : []));
   if (value instanceof Path) parts = [...value.subpaths];
   else if (value instanceof Surface) parts = [value.vertices];
+  else if (value instanceof RationalSurface) parts = [value.vertices, ...value.weights()];
   else if (typeof value.controlPoints === "function") {
     const lists = ["controlPoints", "weights", "knots", "knotsU", "knotsV"].filter(
       (list) => typeof value[list] === "function",

@@ -1,10 +1,11 @@
-//! Surfaces as text. The table of valid and invalid texts is also read by tests/js/surface-text.test.js.
+//! Surfaces as text. The tables of valid and invalid texts are also read by tests/js/surface-text.test.js and
+//! tests/js/nurbs-surface.test.js.
 
 use crate::support::Rng;
 use crate::support::nets::{nothing, teapot};
 use casteljau::glam::DVec3;
 use casteljau::models::Up;
-use casteljau::{MAX_COORDINATE, Surface};
+use casteljau::{MAX_COORDINATE, RationalSurface, Surface};
 use serde_json::Value;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -39,6 +40,28 @@ fn table_of_texts() {
         let degrees = (0..surface.patch_count()).filter_map(|patch| surface.degrees(patch));
         let degrees: Vec<f64> = degrees.flatten().map(|degree| degree as f64).collect();
         assert_eq!(degrees, numbers(&entry["degrees"]), "{name}");
+    }
+}
+
+#[test]
+fn table_of_weighted_texts() {
+    let table: Value =
+        serde_json::from_str(include_str!("../texts/weighted-surfaces.json")).unwrap();
+    for entry in table.as_array().unwrap() {
+        let (name, text) = (&entry["name"], entry["text"].as_str().unwrap());
+        assert!(Surface::parse(text).is_err(), "{name}");
+        let result = RationalSurface::parse(text);
+        if let Some(error) = entry["error"].as_str() {
+            assert_eq!(result.unwrap_err().to_string(), error, "{name}");
+            continue;
+        }
+        let surface = result.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let weights = numbers(&entry["weights"]);
+        assert_eq!(bits(surface.weights()), bits(&weights), "{name}");
+        let indices: Vec<f64> = surface.indices().iter().map(|&i| f64::from(i)).collect();
+        assert_eq!(indices, numbers(&entry["indices"]), "{name}");
+        let written = entry["written"].as_str().unwrap_or(text);
+        assert_eq!(surface.to_text(), written, "{name}");
     }
 }
 

@@ -126,7 +126,12 @@ fn integral(patch: RationalPatch, f: impl Fn([DVec3; 3]) -> f64) -> f64 {
     };
     let mut tiles: Vec<Tile> = rectangles.map(|[u, v]| rule(u, v)).collect();
     let mut finished = 0.0;
-    while !tiles.is_empty() && work.spend(4 * steps * tiles.len()) {
+    while !tiles.is_empty() {
+        let level = 4 * steps * tiles.len();
+        if work.used() + level > MAX_STEPS {
+            break;
+        }
+        work.count(level);
         let split: Vec<([Tile; 4], f64)> = tiles
             .iter()
             .map(|tile| {

@@ -18,12 +18,13 @@ use crate::surface::distance::{
     MAX_REFINEMENTS, ROUGH_IN_SQUARES, ROUNDING, SMALL_AT_THE_LIMIT, SMALL_DISTANCE, refined,
     sum_of_products,
 };
-use crate::surface::minimum::{Minimum, Objective, minimise};
-use crate::surface::piece::PolynomialPiece;
+use crate::surface::minimum::{Minimum, Objective, minimise_within};
+use crate::surface::piece::{MODERATE_DEGREE, PolynomialPiece, max_search_steps};
 use crate::surface::query_patch::QueryPatch;
 use crate::surface::ray::hits;
 use crate::surface::scaling::{Scaling, box_of};
 use crate::surface::small_distance::search_small;
+use casteljau_kernels::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// The largest quotient of two weights of a piece.
@@ -41,7 +42,8 @@ const LAST_STEP: f64 = 1e-13;
 impl RationalSurface {
     /// The point of the surface that is nearest to p; `None` without patches. See [`Surface::nearest`](crate::Surface::nearest).
     ///
-    /// It takes a few searches, each of at most 2²³ steps for each patch (2²⁶ above degree 24).
+    /// It takes at most 2²⁴ steps for each patch (2²⁷ above degree 24), and then returns the best point found; only weights of very
+    /// different sizes need this many.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -123,7 +125,15 @@ fn nearest(patches: &[RationalPatch], p: DVec3) -> Option<SurfacePoint> {
         patch.control_bounds().distance(p) <= best.distance * (1.0 + 8.0 * f64::EPSILON)
     };
     let near = (0..patches.len()).filter(|&number| is_near(&patches[number], &best));
+    let near: Vec<usize> = near.collect();
+    let limits = near.iter().map(|&number| {
+        let patch = &patches[number];
+        max_search_steps(patch.degree_u().max(patch.degree_v()), MODERATE_DEGREE)
+    });
+    let limit = limits.fold(0, usize::saturating_add);
+    let mut work = WorkLimit::new(limit);
     let parts: Vec<Part> = near
+        .into_iter()
         .flat_map(|number| parts_of(&patches[number], number))
         .collect();
     let size = scaling.as_coarse_as_its_coordinates().size;
@@ -143,7 +153,7 @@ fn nearest(patches: &[RationalPatch], p: DVec3) -> Option<SurfacePoint> {
             p,
             size,
         };
-        let Some((min, is_complete)) = minimise(&wholes, &distance) else {
+        let Some((min, is_complete)) = minimise_within(&wholes, &distance, &mut work) else {
             break;
         };
         if !is_complete {
@@ -166,7 +176,7 @@ fn nearest(patches: &[RationalPatch], p: DVec3) -> Option<SurfacePoint> {
         size,
     };
     if best.distance <= small * size {
-        best = distance.search_small(best);
+        best = distance.search_small(best, WorkLimit::new(limit));
     }
     Some(distance.refined(&best))
 }
@@ -314,7 +324,7 @@ impl Distance<'_> {
     }
 
     /// The nearest point by a search of the distance itself, whose square has lost digits.
-    fn search_small(&self, mut best: SurfacePoint) -> SurfacePoint {
+    fn search_small(&self, mut best: SurfacePoint, work: WorkLimit) -> SurfacePoint {
         let wholes = (0..).zip(self.parts).map(|(index, part)| {
             // The weights are at most 1, so that |A − wp| is at most the distance.
             let net = part.patch.numerator(&|q| (q - self.p) / self.size * 0.5);
@@ -331,7 +341,7 @@ impl Distance<'_> {
             found.distance / self.size
         };
         let limits = [ROUNDING, f64::INFINITY];
-        search_small(wholes.collect(), min, limits, &mut descend);
+        search_small(wholes.collect(), min, limits, &mut descend, work);
         best
     }
 }

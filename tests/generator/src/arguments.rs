@@ -134,6 +134,9 @@ impl<'a> Maker<'a> {
             "rationalpatch" => Value::RationalPatch(geometry::rational_patch(rng, mode)),
             "nurbscurve3" => Value::NurbsCurve(geometry::nurbs(rng, mode, 3)),
             "nurbssurface" => Value::NurbsSurface(geometry::nurbs_surface(rng, mode)),
+            "rationalsurface" => {
+                Value::RationalSurface(geometry::rational_surface(rng, mode, is_large))
+            }
             "surface" if is_large => Value::Surface(large::surface(rng)),
             "surface" => Value::Surface(geometry::surface(rng, mode)),
             "point" => self.point(),
@@ -366,7 +369,9 @@ pub(crate) fn control_points(value: &Value) -> Vec<DVec3> {
         Value::RationalCurve(curve) | Value::NurbsCurve(curve) => curve.points.clone(),
         Value::Spline(spline) => spline.points.clone(),
         Value::Path(splines) => splines.iter().flat_map(|one| one.points.clone()).collect(),
-        Value::Patch(surface) | Value::Surface(surface) => surface.vertices.clone(),
+        Value::Patch(surface) | Value::Surface(surface) | Value::RationalSurface(surface) => {
+            surface.vertices.clone()
+        }
         Value::RationalPatch(surface) | Value::NurbsSurface(surface) => surface.points.clone(),
         _ => Vec::new(),
     }

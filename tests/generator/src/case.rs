@@ -52,6 +52,8 @@ pub struct SurfaceData {
     pub indices: Vec<u32>,
     /// The degrees in u and v of each patch.
     pub degrees: Vec<[usize; 2]>,
+    /// A weight for each index; empty without weights.
+    pub weights: Vec<f64>,
 }
 
 /// A NURBS surface as plain data; a rational patch has no knots.
@@ -106,6 +108,8 @@ pub enum Value {
     NurbsSurface(NurbsSurfaceData),
     /// A surface.
     Surface(SurfaceData),
+    /// A surface of rational patches.
+    RationalSurface(SurfaceData),
     /// A text.
     Text(String),
 }
@@ -158,7 +162,7 @@ impl Case {
             }
             Value::Point(dimension, p) => coordinate(std::slice::from_mut(p), *dimension)?,
             Value::Points(dimension, points) => coordinate(points, *dimension)?,
-            Value::Patch(surface) | Value::Surface(surface) => {
+            Value::Patch(surface) | Value::Surface(surface) | Value::RationalSurface(surface) => {
                 coordinate(&mut surface.vertices, 3)?
             }
             _ => return None,
@@ -195,7 +199,9 @@ impl Value {
                 let sizes = splines.iter().map(|spline| largest(&spline.points));
                 sizes.fold(0.0, f64::max)
             }
-            Self::Patch(surface) | Self::Surface(surface) => largest(&surface.vertices),
+            Self::Patch(surface) | Self::Surface(surface) | Self::RationalSurface(surface) => {
+                largest(&surface.vertices)
+            }
             Self::RationalPatch(surface) | Self::NurbsSurface(surface) => largest(&surface.points),
             _ => 0.0,
         }

@@ -2,8 +2,10 @@
 
 use crate::adversarial::{self, Kind, ORDINARY, elevated_to, within_range};
 use crate::case::{Mode, NurbsSurfaceData, RationalData, SplineData, SurfaceData};
+use crate::large;
 use crate::random::{Rng, real};
 use glam::DVec3;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The control points of a curve.
 pub(crate) fn curve(rng: &mut Rng, mode: Mode, dimension: usize, max_degree: usize) -> Vec<DVec3> {
@@ -358,6 +360,7 @@ pub(crate) fn patch(rng: &mut Rng, mode: Mode) -> SurfaceData {
         vertices,
         indices: (0..count).collect(),
         degrees: vec![degrees],
+        weights: Vec::new(),
     }
 }
 
@@ -367,6 +370,7 @@ pub(crate) fn surface(rng: &mut Rng, mode: Mode) -> SurfaceData {
         vertices: Vec::new(),
         indices: Vec::new(),
         degrees: Vec::new(),
+        weights: Vec::new(),
     };
     for _ in 0..rng.pick(&[0, 1, 1, 2, 2, 3, 4]) {
         let (net, degrees) = net(rng, mode);
@@ -392,4 +396,69 @@ pub(crate) fn surface(rng: &mut Rng, mode: Mode) -> SurfaceData {
         surface.degrees.push(degrees);
     }
     surface
+}
+
+/// A surface with weights: a body of revolution, a large surface, or any other one. Most edges that patches share have weights
+/// in proportion, because they are those of the vertices.
+pub(crate) fn rational_surface(rng: &mut Rng, mode: Mode, is_large: bool) -> SurfaceData {
+    let (mut surface, of_vertices) = match rng.below(4) {
+        _ if is_large => (large::surface(rng), Vec::new()),
+        0 => revolved(rng, mode),
+        _ => (surface(rng, mode), Vec::new()),
+    };
+    let of_vertices = match of_vertices.is_empty() {
+        true => weights(rng, surface.vertices.len()),
+        false => of_vertices,
+    };
+    let are_of_patches = rng.chance(0.2);
+    let mut start = 0;
+    for [m, n] in surface.degrees.clone() {
+        let end = start + (m + 1) * (n + 1);
+        if are_of_patches {
+            surface.weights.extend(weights(rng, end - start));
+        } else {
+            let factor = rng.pick(&[1.0, 1.0, 3.0, 0.1]);
+            let net = surface.indices[start..end].iter();
+            let weights = net.map(|&index| factor * of_vertices[index as usize]);
+            surface.weights.extend(weights);
+        }
+        start = end;
+    }
+    surface
+}
+
+/// A profile that turns around the z axis, in four patches, and the weights of its vertices; half of the profiles have poles.
+fn revolved(rng: &mut Rng, mode: Mode) -> (SurfaceData, Vec<f64>) {
+    /// Points around a circle; every other one is a corner of the square around it.
+    const AROUND: [[f64; 2]; 8] = [
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [-1.0, 1.0],
+        [-1.0, 0.0],
+        [-1.0, -1.0],
+        [0.0, -1.0],
+        [1.0, -1.0],
+    ];
+    let mut profile = curve(rng, mode, 2, 5);
+    let degree = profile.len() - 1;
+    if rng.chance(0.5) {
+        profile[0].x = 0.0;
+        profile[degree].x = 0.0;
+    }
+    let along = weights(rng, profile.len());
+    let ring = |p: DVec3| AROUND.map(|[x, y]| DVec3::new(p.x.abs() * x, p.x.abs() * y, p.y));
+    let ring_weights = |&w: &f64| (0..8).map(move |k| [1.0, FRAC_1_SQRT_2][k % 2] * w);
+    let index = |row: usize, k: usize| u32::try_from(8 * row + k % 8).expect("a small surface");
+    let net = |quarter: usize| {
+        let rows = 0..=degree;
+        rows.flat_map(move |row| (0..3).map(move |k| index(row, 2 * quarter + k)))
+    };
+    let surface = SurfaceData {
+        vertices: profile.into_iter().flat_map(ring).collect(),
+        indices: (0..4).flat_map(net).collect(),
+        degrees: vec![[2, degree]; 4],
+        weights: Vec::new(),
+    };
+    (surface, along.iter().flat_map(ring_weights).collect())
 }

@@ -104,5 +104,6 @@ pub(crate) fn surface(rng: &mut Rng) -> SurfaceData {
         vertices: vertices.collect(),
         indices: (0..SIDE * SIDE).flat_map(patch).collect(),
         degrees: vec![[3, 3]; SIDE * SIDE],
+        weights: Vec::new(),
     }
 }

@@ -145,7 +145,7 @@ impl Language {
         }
     }
 
-    fn surface(self, surface: &SurfaceData) -> String {
+    fn surface(self, class: &str, surface: &SurfaceData) -> String {
         let vertices = self.points(3, &surface.vertices);
         let indices = self.debug(&surface.indices);
         let degrees = self.list(&surface.degrees, |degrees| self.debug(degrees));
@@ -156,14 +156,14 @@ impl Language {
                 quoted(&text)
             ),
             // By its text, the one form in which patches may have different degrees.
-            JavaScript => format!("Surface.parse({text:?})"),
+            JavaScript => format!("{class}.parse({text:?})"),
         }
     }
 
     fn patch(self, patch: &SurfaceData) -> String {
         let (vertices, [m, n]) = (self.points(3, &patch.vertices), patch.degrees[0]);
         match self {
-            Json => self.surface(patch),
+            Json => self.surface("Surface", patch),
             JavaScript => format!("new Patch({vertices}, {{ degreeU: {m}, degreeV: {n} }})"),
         }
     }
@@ -172,8 +172,8 @@ impl Language {
 impl Value {
     fn is_object(&self) -> bool {
         use Value::{
-            Curve, NurbsCurve, NurbsSurface, Patch, Path, RationalCurve, RationalPatch, Spline,
-            Surface,
+            Curve, NurbsCurve, NurbsSurface, Patch, Path, RationalCurve, RationalPatch,
+            RationalSurface, Spline, Surface,
         };
         matches!(
             self,
@@ -186,6 +186,7 @@ impl Value {
                 | RationalPatch(_)
                 | NurbsSurface(_)
                 | Surface(_)
+                | RationalSurface(_)
         )
     }
 
@@ -221,7 +222,8 @@ impl Value {
             (Self::Patch(patch), _) => language.patch(patch),
             (Self::RationalPatch(patch), _) => language.rational_patch(patch),
             (Self::NurbsSurface(surface), _) => language.nurbs_surface(surface),
-            (Self::Surface(surface), _) => language.surface(surface),
+            (Self::Surface(surface), _) => language.surface("Surface", surface),
+            (Self::RationalSurface(surface), _) => language.surface("RationalSurface", surface),
             (Self::Text(text), Json) => quoted(text),
             (Self::Text(text), _) => format!("{text:?}"),
         }
@@ -249,11 +251,18 @@ fn surface_text(surface: &SurfaceData) -> String {
     }
     text += &format!("patches {}\n", surface.degrees.len());
     let mut indices = surface.indices.iter().map(u32::to_string);
+    let mut weights = surface.weights.iter();
     for &[m, n] in &surface.degrees {
         text += &format!("{m} {n}\n");
         for _ in 0..=n {
             let row: Vec<String> = indices.by_ref().take(m + 1).collect();
             text += &format!("{}\n", row.join(" "));
+        }
+        for _ in 0..if surface.weights.is_empty() { 0 } else { n + 1 } {
+            let row: Vec<String> = (weights.by_ref().take(m + 1))
+                .map(|w| format!("{w:?}"))
+                .collect();
+            text += &format!("w {}\n", row.join(" "));
         }
     }
     text

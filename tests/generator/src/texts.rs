@@ -1,5 +1,6 @@
 //! Texts for the parsers: valid ones by small grammars, and ones that were mutated.
 
+use crate::geometry::weight;
 use crate::mutations::{mutated, tokens};
 use crate::random::Rng;
 use std::fmt::Write;
@@ -8,7 +9,8 @@ use std::fmt::Write;
 pub(crate) fn text(rng: &mut Rng, kind: &str) -> Option<String> {
     let valid = match kind {
         "svg" => svg(rng),
-        "surface text" => surface(rng),
+        "surface text" => surface(rng, false),
+        "weighted text" => surface(rng, true),
         "easing text" => easing(rng),
         "address" => address(rng),
         _ => return None,
@@ -93,7 +95,8 @@ fn row(rng: &mut Rng) -> String {
     words.join(rng.pick(&[" ", "\t", ", "]))
 }
 
-fn surface(rng: &mut Rng) -> String {
+/// `has_weights`: weights may follow the nets.
+fn surface(rng: &mut Rng, has_weights: bool) -> String {
     let [m, n] = [1 + rng.below(3), 1 + rng.below(3)];
     let count = (m + 1) * (n + 1);
     let (patches, end) = (
@@ -121,6 +124,12 @@ fn surface(rng: &mut Rng) -> String {
         for _ in 0..=n {
             let indices: Vec<String> = (0..=m).map(|_| rng.below(count).to_string()).collect();
             let _ = write!(text, "{}{end}", indices.join(" "));
+        }
+        if has_weights && rng.chance(0.8) {
+            for _ in 0..=n {
+                let weights: Vec<String> = (0..=m).map(|_| weight(rng).to_string()).collect();
+                let _ = write!(text, "w {}{end}", weights.join(" "));
+            }
         }
     }
     text

@@ -1,7 +1,7 @@
 // For each public function the call that a generated case means.
 import assert from "node:assert/strict";
 import { Curve, easing, InkStroke, Mesh, Patch, Path, Spline, Surface } from "casteljau";
-import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch } from "casteljau/nurbs";
+import { NurbsCurve, NurbsSurface, RationalCurve, RationalPatch, RationalSurface } from "casteljau/nurbs";
 import * as THREE from "three";
 import { recorder, withPath2D } from "../reference.js";
 
@@ -15,6 +15,7 @@ const splineOf = ({ points, degrees, closed, dimension }) => Spline.fromJSON({ p
 const pathOf = (splines) => new Path(splines.map(splineOf));
 const patchOf = ({ vertices, degrees: [[degreeU, degreeV]] }) => new Patch(vertices, { degreeU, degreeV });
 const surfaceOf = ({ text }) => Surface.parse(text);
+const rationalSurfaceOf = ({ text }) => RationalSurface.parse(text);
 
 /** The arguments of a case as values of the package; what is left out is undefined. */
 export function argumentsOf(given) {
@@ -34,6 +35,7 @@ export function argumentsOf(given) {
   if (Array.isArray(a.other)) a.other = pathOf(a.other);
   if (a.patch) a.patch = patchOf(a.patch);
   if (a.surface) a.surface = surfaceOf(a.surface);
+  if (a.rationalsurface) a.rationalsurface = rationalSurfaceOf(a.rationalsurface);
   return a;
 }
 
@@ -393,6 +395,37 @@ const SURFACE = {
   "Easing.toLinear": (a) => easing(a.x1, a.y1, a.x2, a.y2).toLinear(a.tolerance),
 };
 
+const RATIONAL_SURFACE = {
+  ...methods(
+    "RationalSurface",
+    `
+    toText; toJSON; vertices; patches; patchCount; weights; patch k; movePoint index to; topology; bounds; area; volume;
+    nearest p; intersectRay origin direction
+  `,
+  ),
+  "RationalSurface.constructor": ({ rationalpatch }) => {
+    const [vertices, weights] = [rationalpatch.controlPoints(), [rationalpatch.weights()]];
+    const patches = [[...Array(weights[0].length).keys()]];
+    const { degreeU, degreeV } = rationalpatch;
+    return new RationalSurface({ vertices, patches, weights }, { degreeU, degreeV });
+  },
+  "RationalSurface.from": (a) => RationalSurface.from(a.surface),
+  "RationalSurface.parse": (a) => RationalSurface.parse(a.text),
+  "RationalSurface.fromPatches": ({ rationalsurface: surface }) =>
+    RationalSurface.fromPatches(Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k))),
+  "RationalSurface.fromJSON": (a) => RationalSurface.fromJSON(a.rationalsurface.toJSON()),
+  "RationalSurface.transform": (a) => a.rationalsurface.transform(matrix(a)),
+  "RationalSurface.grid": (a) => a.rationalsurface.grid(grid(a)),
+  "RationalSurface.tessellate": (a) => a.rationalsurface.tessellate({ ...fineness(a), weld: a.weld }),
+  "RationalSurface.tessellateF64": (a) =>
+    a.rationalsurface.tessellate({ ...fineness(a), weld: a.weld, precision: "f64" }),
+  "RationalSurface.tessellateView": (a) => a.rationalsurface.tessellate({ ...view(a), weld: a.weld }),
+  "RationalSurface.isocurves": (a) => a.rationalsurface.isocurves({ lines: a.lines }),
+  "RationalSurface.wireframe": (a) => a.rationalsurface.wireframe(wire(a)),
+  "RationalSurface.trace": (a) =>
+    traced((target) => a.rationalsurface.trace(target, { matrix: a.view, lines: a.lines, tolerance: a.tolerance })),
+};
+
 /** Calls by the names of functions, in pieces of about equal work. */
 /** A stroke of the samples of a case. */
 const ink = (a) => {
@@ -414,5 +447,6 @@ export const GROUPS = [
   { ...CURVE, ...RATIONAL },
   { ...NURBS, ...SPLINE },
   { ...PATH, ...INK, ...PATCH },
-  { ...SURFACE, ...RATIONAL_PATCH, ...NURBS_SURFACE },
+  { ...SURFACE, ...RATIONAL_PATCH },
+  { ...NURBS_SURFACE, ...RATIONAL_SURFACE },
 ];

@@ -2,6 +2,7 @@
 // itself. Those that Rust has as well are compared with it (parity.test.js).
 import assert from "node:assert/strict";
 import { Curve, easing, Path, Spline, Surface } from "casteljau";
+import { RationalSurface } from "casteljau/nurbs";
 import { coordinates, CUBIC } from "../reference.js";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
@@ -27,7 +28,7 @@ function visit(value, see) {
   }
   if (Array.isArray(value)) return value.forEach((item) => visit(item, see));
   if (value instanceof Path) return value.subpaths.forEach((spline) => visit(spline, see));
-  if (value instanceof Surface) return visit(value.vertices, see);
+  if (value instanceof Surface || value instanceof RationalSurface) return visit(value.vertices, see);
   if (typeof value.controlPoints === "function") return visit(value.controlPoints(), see);
   Object.values(value).forEach((item) => visit(item, see));
 }
@@ -114,6 +115,17 @@ const CHECKS = {
   "Surface.fromJSON": (again, { surface }) => assert.equal(again.toText(), surface.toText()),
   "Surface.parse": (surface, { text }) => {
     assert.equal(Surface.parse(surface.toText()).toText(), surface.toText());
+    assert.ok(surface.vertices.length / 3 + surface.patchCount <= text.length, "more than the text can say");
+  },
+  "RationalSurface.toText": (text) => assert.equal(RationalSurface.parse(text).toText(), text),
+  "RationalSurface.from": (weighted, { surface }) => assert.equal(weighted.toText(), surface.toText()),
+  "RationalSurface.fromPatches": (joined, { rationalsurface }) => {
+    for (let k = 0; k < rationalsurface.patchCount; k++)
+      assert.ok(joined.patch(k).equals(rationalsurface.patch(k)), `patch ${k}`);
+  },
+  "RationalSurface.fromJSON": (again, { rationalsurface }) => assert.equal(again.toText(), rationalsurface.toText()),
+  "RationalSurface.parse": (surface, { text }) => {
+    assert.equal(RationalSurface.parse(surface.toText()).toText(), surface.toText());
     assert.ok(surface.vertices.length / 3 + surface.patchCount <= text.length, "more than the text can say");
   },
   "Mesh.toSTL": (bytes) => assert.equal((bytes.length - 84) % 50, 0),
