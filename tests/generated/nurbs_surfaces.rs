@@ -244,9 +244,10 @@ pub(crate) fn sphere(points: [DVec3; 4], radius: f64) -> Checked {
     let surface = answer!(NurbsSurface::sphere(points[0], radius, points[1]), SHAPE);
     let largest = points[0].abs().max_element() + radius;
     for (u, v) in locations(4) {
-        let distance = surface.eval(u, v).distance(points[0]);
+        // Squares of small radii would underflow.
+        let offset = surface.eval(u, v) - points[0];
         near(
-            distance,
+            offset.x.hypot(offset.y).hypot(offset.z),
             radius,
             64.0 * slack(largest, 2),
             format_args!("({u}, {v})"),
