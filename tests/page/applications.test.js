@@ -75,6 +75,7 @@ test("applications and figures work under a strict policy", async (t) => {
   t.after(site.close);
   for (const [path, tag] of [...Object.entries(TAGS), ["/figures/", "fig-compare"]]) {
     const page = await openPage(t, path, { baseURL: site.url });
+    await page.locator(tag).first().scrollIntoViewIfNeeded(); // a figure is loaded when it is near
     await page.locator(`${tag} svg`).first().waitFor();
     const handles = page.locator(`${tag} .handle`);
     if (await handles.count()) assert.ok((await handles.first().evaluate((handle) => handle.style.left)).endsWith("%"));

@@ -147,6 +147,7 @@ test("a screen reader moves the slider of a weight, which has its logarithm", as
     input.value = String(Math.log10(2));
     for (const type of ["input", "change"]) input.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
   });
+  await settled(page);
   assertNear([(await weights(page))[1]], [10 ** 0.3], 1e-3);
   assert.deepEqual(await fired(page), ["input", "change", "update"]);
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { controlOf, tagText } from "../../www/elements/controls.js";
 import { dragBy } from "./gestures.js";
-import { openPage } from "./browser.js";
+import { frames, openPage } from "./browser.js";
 import { openStrict } from "./site-pages.js";
 
 test("the control of an attribute follows from its row in the table", () => {
@@ -39,7 +39,10 @@ async function open(t) {
   await page.locator("#playground").scrollIntoViewIfNeeded();
   const box = page.locator(".playground");
   await box.locator("form [data-attribute]").first().waitFor();
-  const code = () => box.locator("code").innerText();
+  const code = async () => {
+    await frames(page); // an applet reports a change when it is drawn
+    return box.locator("code").innerText();
+  };
   const choose = (name) => box.getByRole("radio", { name, exact: true }).check();
   return { page, box, code, choose };
 }
