@@ -33,7 +33,7 @@ impl PatchNetwork for Surface {
     }
 
     fn side_uses(&self) -> Vec<SideUse> {
-        self.side_uses_by(|_, _, _| true)
+        self.side_uses()
     }
 
     fn edge(&self, number: usize) -> Points<DVec3> {

@@ -88,7 +88,7 @@ impl Surface {
     /// another degree, or a part of a longer edge, is a different line. Patches that have only isolated points in
     /// common are not connected.
     pub fn topology(&self) -> Topology {
-        self.topology_of(&self.side_uses_by(|_, _, _| true))
+        self.topology_of(&self.side_uses())
     }
 
     /// How the patches are joined if their edges have these relations.
@@ -121,28 +121,39 @@ impl Surface {
         topology
     }
 
+    /// The relation of each edge to all edges, by their vertices.
+    pub(crate) fn side_uses(&self) -> Vec<SideUse> {
+        self.side_uses_by(|_, _, _| true, |_| [0; 2])
+    }
+
     /// The relation of each edge to all edges; see [`SideUse`]. Two edges with the same vertices are the same line if
-    /// `is_same` holds for their numbers, and whether their directions differ.
+    /// `is_same` holds for their numbers, and whether their directions differ. `keys` has two keys of an edge: the first one of an edge
+    /// is a key of all edges that are the same line. So different lines with the same vertices take linear time.
     pub(crate) fn side_uses_by(
         &self,
         is_same: impl Fn(usize, usize, bool) -> bool,
+        keys: impl Fn(usize) -> [u64; 2],
     ) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
-        let mut first = HashIndex::new(count);
+        let mut first = HashIndex::new(2 * count);
         (0..count)
             .map(|number| {
                 let side = || self.side(number);
                 let start = side().next();
                 let collapsed = side().all(|vertex| Some(vertex) == start);
                 let hash = line_hash(side(), side().count());
+                let [key, other_key] = keys(number).map(|key| mix(hash, key));
                 let number_u32 = to_u32(number);
                 let runs_along =
                     |other: usize| side().eq(self.side(other)) && is_same(number, other, false);
-                let found = first.find(number_u32, hash, |other| {
+                let found = first.find(number_u32, key, |other| {
                     let other = other as usize;
                     runs_along(other)
                         || side().rev().eq(self.side(other)) && is_same(number, other, true)
                 });
+                if found == number_u32 {
+                    first.find(number_u32, other_key, |_| false);
+                }
                 let found = found as usize;
                 SideUse {
                     first: found,

@@ -122,6 +122,35 @@ fn weights_in_proportion_join_edges() {
     assert!(shared[1].reversed && !shared[0].reversed);
 }
 
+/// Edges with the same vertices and other weights: comparing each with all would take 10^10 comparisons.
+#[test]
+fn edges_of_many_weights_take_linear_time() {
+    let count = 50_000;
+    let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+    let vertices: Vec<DVec3> = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+    let indices: Vec<u32> = (0..count).flat_map(|_| 0..4).collect();
+    // The last 100 patches repeat the weights of the first ones, times a number.
+    let weights = (0..count).flat_map(|k| {
+        let w = 1.0 + f64::from(k % (count - 100)) * 1e-6;
+        [1.0, w, w * w, w.powi(4)].map(|x| x * f64::from(1 + k % 7))
+    });
+    let surface = valid(RationalSurface::new(
+        vertices,
+        indices,
+        weights.collect(),
+        1,
+        1,
+    ));
+    let topology = surface.topology();
+    assert_eq!(topology.shared.len(), 4 * 100);
+    assert_eq!(topology.open.len(), 4 * (50_000 - 200));
+    let mismatches = surface.weight_mismatches();
+    assert_eq!(
+        mismatches.iter().map(Vec::len).collect::<Vec<_>>(),
+        [50_000 - 100; 4]
+    );
+}
+
 #[test]
 fn invalid_weights_are_named() {
     let square = cube();

@@ -14,6 +14,7 @@ use super::patch::RationalPatch;
 use super::surface::NurbsSurface;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
+use crate::numeric::float::ratio;
 use crate::surface::hash_index::joined;
 use crate::surface::network::Surface;
 use crate::surface::topology::{EdgeUse, PatchEdge, SIDES, SideUse, Topology};
@@ -22,6 +23,9 @@ use glam::{DAffine3, DVec3};
 
 /// The weights of two edges are in the same proportion if their quotients differ by at most this, relative to the first one.
 const SAME_QUOTIENT: f64 = 8.0 * f64::EPSILON;
+
+/// The width of a cell of [`RationalSurface::proportion_keys`]: much more than [`SAME_QUOTIENT`] and rounding change it.
+const KEY_CELL: f64 = 4096.0 * f64::EPSILON;
 
 /// A network of rational Bézier patches: a [`Surface`] with a weight above 0 for each index of each net.
 ///
@@ -214,7 +218,7 @@ impl RationalSurface {
     ///
     /// Each group has the first edge of each line.
     pub fn weight_mismatches(&self) -> Vec<Vec<EdgeUse>> {
-        let (lines, chains) = (self.line_uses(), self.network.side_uses_by(|_, _, _| true));
+        let (lines, chains) = (self.line_uses(), self.network.side_uses());
         let mut groups: Vec<Vec<EdgeUse>> = vec![Vec::new(); chains.len()];
         for (number, (line, chain)) in lines.iter().zip(&chains).enumerate() {
             if line.first == number && !line.collapsed {
@@ -231,7 +235,7 @@ impl RationalSurface {
 
     /// The relation of each edge to all edges.
     fn line_uses(&self) -> Vec<SideUse> {
-        self.network.side_uses_by(|a, b, reversed| {
+        let is_same = |a: usize, b: usize, reversed: bool| {
             let (mut forwards, mut backwards) = (self.side_weights(a), self.side_weights(a).rev());
             let along: &mut dyn Iterator<Item = f64> = if reversed {
                 &mut backwards
@@ -243,7 +247,33 @@ impl RationalSurface {
                 return true;
             };
             quotients.all(|quotient| (quotient - first).abs() <= SAME_QUOTIENT * first)
-        })
+        };
+        self.network
+            .side_uses_by(is_same, |edge| self.proportion_keys(edge))
+    }
+
+    /// Two keys of the weights along an edge, of which weights in the same proportion have one in common, in either direction.
+    ///
+    /// With the weights as masses at equal distances on a rod, the distance of their centroid from its middle plus their moment of
+    /// inertia is a number of moderate size that depends on the proportions only. The keys are the cell of this number and the
+    /// nearer of its neighbours.
+    fn proportion_keys(&self, edge: usize) -> [u64; 2] {
+        let last = self.side_weights(edge).count().saturating_sub(1).max(1);
+        let (mut mass, mut centroid, mut inertia) = (0.0, 0.0, 0.0);
+        for (i, weight) in self.side_weights(edge).enumerate() {
+            let x = ratio(i, last) - 0.5;
+            mass += weight;
+            centroid += x * weight;
+            inertia += x * x * weight;
+        }
+        let place = (centroid.abs() + inertia) / mass / KEY_CELL;
+        let cell = place.floor();
+        let neighbour = if place - cell < 0.5 {
+            cell - 1.0
+        } else {
+            cell + 1.0
+        };
+        [cell, neighbour].map(f64::to_bits)
     }
 
     /// The weights along edge `number % 4` of patch `number / 4`.
