@@ -22,10 +22,15 @@ fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Result<(RationalPatch, 
 
 /// Writes patches from number `at` on, one after the other; returns the end.
 fn write_patches(a: &mut Arena, at: usize, patches: &[RationalPatch]) -> usize {
-    patches.iter().fold(at, |at, patch| {
-        let at = a.write(at, patch.control_points());
-        a.write_numbers(at, patch.weights())
-    })
+    patches
+        .iter()
+        .fold(at, |at, patch| write_patch(a, at, patch))
+}
+
+/// Writes the net and the weights of a patch from number `at` on; returns the end.
+pub(super) fn write_patch(a: &mut Arena, at: usize, patch: &RationalPatch) -> usize {
+    let at = a.write(at, patch.control_points());
+    a.write_numbers(at, patch.weights())
 }
 
 /// Writes the point at (u, v), NaN where there is none.
@@ -168,7 +173,7 @@ fn made(make: impl FnOnce(&Arena) -> Result<NurbsSurface, Error>) -> isize {
 }
 
 /// Decodes curves that follow each other from the start of the arena, and the index where they end.
-fn curves(a: &Arena, count: usize) -> Result<(Vec<NurbsCurve<DVec3>>, usize), Error> {
+pub(super) fn curves(a: &Arena, count: usize) -> Result<(Vec<NurbsCurve<DVec3>>, usize), Error> {
     let (mut all, mut at) = (Vec::new(), 0);
     for _ in 0..count {
         let (curve, end) = nurbs::curve_at(a, at, 3, |at, count| a.points(at, count).to_vec())?;

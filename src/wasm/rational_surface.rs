@@ -6,6 +6,7 @@ use super::arena::Arena;
 use super::canvas::CanvasSink;
 use super::decode_surface;
 use super::mesh::{keep, keep_mesh, options, write_topology};
+use super::nurbs_surface::{curves, write_patch};
 use super::surface::write_points;
 use super::{optional, wireframe};
 use crate::geometry::bounds::Bounds;
@@ -22,6 +23,21 @@ fn surface(a: &Arena) -> Result<(RationalSurface, usize), Error> {
     let end = at + network.indices().len();
     let weights = a.numbers(at, end - at).to_vec();
     Ok((RationalSurface::weighted(network, weights)?, end))
+}
+
+/// Arguments: a profile, a point of the axis and its direction. Writes for each patch of the solid its degrees, the net and the
+/// weights.
+#[wasm_bindgen]
+pub fn rationalsurface_solid_of_revolution(angle: f64) -> isize {
+    arena::answer(|a| {
+        let (curves, end) = curves(a, 1)?;
+        let [origin, axis] = [end, end + 3].map(|at| a.point_in_space(at, 3));
+        let solid = RationalSurface::solid_of_revolution(&curves[0], origin, axis, angle)?;
+        Ok(solid.patches().fold(0, |at, patch| {
+            let at = a.write_counts(at, [patch.degree_u(), patch.degree_v()].into_iter());
+            write_patch(a, at, &patch)
+        }))
+    })
 }
 
 /// As `surface_tessellate`.

@@ -226,6 +226,7 @@ groups! {
         Surface one (meshes): wireframe;
     }
     rational_surfaces_meshes {
+        RationalSurface one (rational_surfaces): solid_of_revolution;
         RationalSurface one (rational_surfaces): new from from_patches eval transform move_point topology to_text;
         RationalSurface one (rational_surfaces accessors): with_degrees vertices indices weights patch_count patches;
         RationalSurface one (rational_surfaces one_patch): degrees patch_indices patch_weights patch;

@@ -11,8 +11,9 @@ use crate::surfaces::has_all_sides;
 use casteljau::glam::{DAffine3, DMat4, DVec3};
 use casteljau::mesh::Weld;
 use casteljau::surface::SurfacePoint;
-use casteljau::{Error, Grid, Mesh, RationalPatch, RationalSurface, Surface};
+use casteljau::{Error, Grid, Mesh, NurbsCurve, RationalPatch, RationalSurface, Surface};
 use casteljau_generator::{NurbsSurfaceData, SurfaceData, changed};
+use std::f64::consts::TAU;
 
 /// What errors of tessellations may name.
 const TESSELLATION: &str = "tolerance|pixels|too many|vertices|segments|\
@@ -49,6 +50,33 @@ pub(crate) fn from_patches(surface: RationalSurface) -> Checked {
     let joined = answer!(RationalSurface::from_patches(&patches));
     let again: Vec<RationalPatch> = joined.patches().collect();
     same(again, patches, "the patches")
+}
+
+pub(crate) fn solid_of_revolution(
+    curve: NurbsCurve<DVec3>,
+    origin: DVec3,
+    axis: DVec3,
+    angle: f64,
+) -> Checked {
+    // Half of the angles are full turns.
+    let angle = (2.0 * TAU * (2.0 * angle - 1.0)).clamp(-TAU, TAU);
+    let solid = answer!(
+        RationalSurface::solid_of_revolution(&curve, origin, axis, angle),
+        "axis|t where the profile meets the axis|t where the profile turns back along the axis|\
+         t where the profile turns back around its centroid|points|net|image|weights|knots"
+    );
+    let topology = solid.topology();
+    has_all_sides(&topology, solid.patch_count())?;
+    ensure!(topology.open.is_empty(), "open edges {:?}", topology.open);
+    // The sign of a volume that almost vanishes, as of a thin loop, is noise.
+    let size = solid
+        .control_bounds()
+        .map_or(0.0, |b| b.min.abs().max(b.max.abs()).max_element());
+    let noise = 1e-6 * solid.area() * size;
+    holds!(
+        solid.volume().is_none_or(|volume| volume >= -noise),
+        "normals point inwards"
+    )
 }
 
 pub(crate) fn accessors(data: SurfaceData) -> Checked {

@@ -46,8 +46,8 @@ const FUNCTIONS: &[&str] = &[
     "Patch: split_v split elevate flatness area transform move_point bounds nearest intersect_ray grid tessellate",
     "Surface: teapot teacup teaspoon transform move_point grid tessellate tessellate_view bounds nearest intersect_ray",
     "Surface: tessellate_f64 area volume isocurves subdivide wireframe",
-    "RationalSurface: new from from_patches transform move_point bounds area volume nearest intersect_ray",
-    "RationalSurface: grid tessellate tessellate_view tessellate_f64 isocurves wireframe",
+    "RationalSurface: new from from_patches solid_of_revolution transform move_point bounds area volume nearest",
+    "RationalSurface: intersect_ray grid tessellate tessellate_view tessellate_f64 isocurves wireframe",
     "Mesh: to_stl to_glb",
     "Easing: eval",
 ];

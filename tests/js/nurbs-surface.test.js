@@ -296,6 +296,31 @@ test("surfaces with weights: meshes by tolerance are closed and near", () => {
   }
 });
 
+test("surfaces with weights: solids of revolution", () => {
+  const side = new Curve([2, 0, 1, 3], { dimension: 2 });
+  const options = { origin: [0, 0, 0], axis: [0, 1, 0] };
+  const moment = (4 + 2 + 1) / 2; // ½ ∫ r² dz
+  for (const angle of [2 * Math.PI, 1, -4]) {
+    const frustum = RationalSurface.solidOfRevolution(side, { ...options, angle });
+    assert.ok(frustum instanceof RationalSurface);
+    assert.deepEqual([frustum.topology().open, frustum.topology().nonManifold], [[], []]);
+    near(frustum.volume(), moment * Math.abs(angle), 1e-9);
+    const edges = edgesOf(frustum.tessellate({ tolerance: 0.01, weld: "position", precision: "f64" }));
+    for (const edge of edges.keys()) assert.ok(edges.has(edge.split(" ").reverse().join(" ")));
+  }
+  const ring = NurbsCurve.arc([2, 0], 0.5, 0, 2 * Math.PI);
+  near(RationalSurface.solidOfRevolution(ring, { ...options, angle: 1 }).volume(), Math.PI / 2, 1e-9);
+  assert.equal(RationalSurface.solidOfRevolution(side, options).patchCount, 12);
+  const wave = new Spline([1, 0, 2, 2, 1, 1, 1, 3], { degree: 1 });
+  refusedAll(RangeError, [
+    [
+      () => RationalSurface.solidOfRevolution(wave, { ...options, angle: 1 }),
+      /^t where the profile turns back along the axis: expected no such place for less than a full turn, got 1$/,
+    ],
+    [() => RationalSurface.solidOfRevolution(side, { angle: 7 }), /^angle: expected at most a full turn, 2π, got 7$/],
+  ]);
+});
+
 test("surfaces with weights: vertices, patches and weights", () => {
   const surface = sphere.toSurface();
   assert.equal(surface.patchCount, 8);

@@ -140,7 +140,7 @@ fn bodies() -> Vec<Body> {
 
 /// Asserts that each edge has two triangles that traverse it in opposite directions, or one; returns the number of edges with
 /// one, and the Euler characteristic.
-fn edges<T>(mesh: &Mesh<T>) -> (usize, i64) {
+pub(super) fn edges<T>(mesh: &Mesh<T>) -> (usize, i64) {
     let mut uses: HashMap<[usize; 2], [u32; 2]> = HashMap::new();
     let mut vertices = vec![false; mesh.vertex_count()];
     for triangle in triangles(mesh) {
@@ -186,7 +186,7 @@ fn denominator(patch: &RationalPatch, u: f64, v: f64) -> f64 {
 
 /// The largest distance between a point of a triangle and the point of the patch that linear interpolation of homogeneous
 /// coordinates maps to it: it bounds the distance of the mesh from the surface, and of the surface from the mesh.
-fn deviation(surface: &RationalSurface, mesh: &Mesh<f64>) -> f64 {
+pub(super) fn deviation(surface: &RationalSurface, mesh: &Mesh<f64>) -> f64 {
     largest_of(surface, mesh, distance)
 }
 

@@ -3,25 +3,24 @@ import { core, readResult, writeArguments } from "../../wasm/surfaces-transfer.j
 import { nurbsSurfaceData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatRows, isNested } from "../net.js";
-import { boxAt, flatten, nested, samePoints, writePoint } from "../points.js";
+import { boxAt, flatten, nested, samePoints } from "../points.js";
 import { nurbsOf } from "./nurbs-curve.js";
-import { alike, nurbsDataOf, nurbsOfNumbers, writeNurbs } from "./nurbs-data.js";
+import { alike, nurbsOfNumbers } from "./nurbs-data.js";
 import { projective } from "./projective.js";
 import { checkedWeights } from "./rational-curve.js";
 import { noPointAt, rationalPatchOf, transformed } from "./rational-patch.js";
 import { surfaceOfPatches } from "./rational-surface.js";
-import type { NurbsData, NurbsSurfaceData } from "../brand.js";
+import { pointsOf, section, writeCurves, writeTurning } from "./sections.js";
+import type { NurbsSurfaceData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
-import type { CoreCurve } from "../curve/core-curve.js";
 import type { NetLike } from "../net.js";
 import type { Partials } from "../patch/core-patch.js";
 import type { Bounds, Point } from "../points.js";
-import type { CoreSpline } from "../spline/core-spline.js";
 import type { Curvature } from "../surface-queries.js";
 import type { NurbsCurve } from "./nurbs-curve.js";
-import type { RationalCurve } from "./rational-curve.js";
 import type { RationalPatch } from "./rational-patch.js";
 import type { RationalSurface } from "./rational-surface.js";
+import type { SectionLike, TurningOptions } from "./sections.js";
 
 /** Whether Node knows how to show the instances. */
 let isShown = false;
@@ -44,9 +43,6 @@ export interface NurbsSurfaceOptions {
 
 /** What `NurbsSurface.toJSON` returns; `NurbsSurface.fromJSON` also reads other forms of points. */
 export type NurbsSurfaceJSON = NurbsSurfaceOptions;
-
-/** A curve of the plane (which lies in z = 0) or of space. */
-export type SectionLike = NurbsCurve | RationalCurve | CoreCurve | CoreSpline;
 
 const OPTIONS = ["degreeU", "degreeV", "points", "weights", "knotsU", "knotsV"] as const;
 
@@ -593,18 +589,8 @@ export class NurbsSurface {
    * @throws {RangeError} for an axis of length 0, an angle above a full turn, and a profile that meets the axis elsewhere than at
    *   its ends
    */
-  static revolve(
-    profile: SectionLike,
-    options?: { origin?: PointLike; axis?: PointLike; angle?: number },
-  ): NurbsSurface {
-    const data = section(profile, "profile");
-    const {
-      origin = [0, 0, 0],
-      axis = [0, 0, 1],
-      angle = 2 * Math.PI,
-    } = check.options(options, ["origin", "axis", "angle"]);
-    check.finite(angle, "angle");
-    writeCurves([data], pointsOf([origin, "origin"], [axis, "axis"]));
+  static revolve(profile: SectionLike, options?: TurningOptions): NurbsSurface {
+    const angle = writeTurning(profile, options);
     return readSurface(core().nurbssurface_revolve(angle));
   }
 
@@ -729,13 +715,6 @@ function netOf(points: NetLike, columns: number, rows: number): Float64Array {
   throw new RangeError(`points: expected ${columns} × ${rows} control points (${knots}; ${RHINO}), got ${got}`);
 }
 
-/** The coordinates of points in space, checked. */
-function pointsOf(...named: [PointLike, string][]): Float64Array {
-  const flat = new Float64Array(3 * named.length);
-  named.forEach(([point, name], k) => writePoint(flat, 3 * k, point, 3, name));
-  return flat;
-}
-
 function shape(
   kind: number,
   center: PointLike,
@@ -749,20 +728,4 @@ function shape(
   check.finite(b, nameOfB);
   writeArguments(args);
   return readSurface(core().nurbssurface_shape(kind, a, b));
-}
-
-const SECTION = "a Curve, a RationalCurve, a NurbsCurve or a Spline";
-
-/** The data of a curve as a NURBS curve in space. */
-function section(curve: SectionLike, name: string): NurbsData {
-  const data = nurbsDataOf(curve, name, SECTION);
-  if (data.dimension === 3) return data;
-  const flat = new Float64Array(3 * data.weights.length);
-  for (let k = 0; k < data.weights.length; k++) flat.set(data.flat.subarray(2 * k, 2 * k + 2), 3 * k);
-  return { ...data, flat, dimension: 3 };
-}
-
-/** Writes curves, and then further numbers, to the arena of the module of surfaces. */
-function writeCurves(curves: NurbsData[], further?: Float64Array) {
-  writeNurbs(curves, further, writeArguments);
 }

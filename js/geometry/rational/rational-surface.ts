@@ -14,6 +14,7 @@ import { readTopology } from "../topology.js";
 import { linesOf, wireframeArguments } from "../wireframe.js";
 import { checkedWeights, rationalCurveOf } from "./rational-curve.js";
 import { rationalPatchOf, transformed } from "./rational-patch.js";
+import { writeTurning } from "./sections.js";
 import type { PatchData, RationalSurfaceData } from "../brand.js";
 import type { MatrixLike, PointLike, PointsLike, TransformLike } from "../check.js";
 import type { GridOptions, Mesh } from "../mesh.js";
@@ -27,6 +28,7 @@ import type { Topology } from "../topology.js";
 import type { WireframeOptions } from "../wireframe.js";
 import type { RationalCurve } from "./rational-curve.js";
 import type { RationalPatch } from "./rational-patch.js";
+import type { SectionLike, TurningOptions } from "./sections.js";
 
 /** Whether Node knows how to show the instances. */
 let isShown = false;
@@ -360,6 +362,35 @@ export class RationalSurface {
   static fromPatches(patches: readonly (RationalPatch | CorePatch)[]): RationalSurface {
     if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
     return surfaceOfPatches(Array.from(patches, patchWithWeights)); // also finds holes
+  }
+
+  /**
+   * The solid that a profile sweeps over when it turns around an axis: `NurbsSurface.revolve` with caps.
+   *
+   *     const bowl = RationalSurface.solidOfRevolution(new Curve([[1, 0, 0], [3, 0, 1], [1, 0, 3]]), { angle: 4 });
+   *
+   * An end of an open profile that is not on the axis has a disk, or a sector of it. After less than a full turn there are also two
+   * caps between the profile and the axis, or the centroid of a profile that ends where it starts. All edges are shared by two
+   * patches, and the normals point outwards.
+   *
+   * @param profile a curve of any kind; one of the plane lies in z = 0
+   * @param options `origin`: a point of the axis, by default [0, 0, 0]; `axis`: its direction, by default [0, 0, 1]; `angle`: in
+   *   radians, by default a full turn
+   * @throws {RangeError} as `NurbsSurface.revolve`, and for less than a full turn of a profile that turns back along the axis, or
+   *   around its centroid if it ends where it starts
+   */
+  static solidOfRevolution(profile: SectionLike, options?: TurningOptions): RationalSurface {
+    const angle = writeTurning(profile, options);
+    const numbers = readResult(0, core().rationalsurface_solid_of_revolution(angle));
+    const patches: WeightedPatch[] = [];
+    for (let at = 0; at < numbers.length; ) {
+      const [degreeU, degreeV] = numbers.subarray(at, at + 2);
+      const weights = at + 2 + 3 * (degreeU + 1) * (degreeV + 1);
+      const end = weights + (degreeU + 1) * (degreeV + 1);
+      patches.push({ flat: numbers.slice(at + 2, weights), degreeU, degreeV, weights: numbers.slice(weights, end) });
+      at = end;
+    }
+    return surfaceOfPatches(patches);
   }
 
   /**

@@ -8,6 +8,7 @@ mod lines;
 mod measure;
 mod mesh;
 mod nearest;
+mod solid;
 
 use super::check_weights;
 use super::patch::RationalPatch;

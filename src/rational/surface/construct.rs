@@ -137,36 +137,7 @@ impl NurbsSurface {
         axis: DVec3,
         angle: f64,
     ) -> Result<Self, Error> {
-        check_points("origin", &[origin])?;
-        let axis = unit_axis(axis)?;
-        Error::unless_finite("angle", &[angle])?;
-        if angle.abs() > TAU {
-            return Err(Error::Range {
-                what: "angle",
-                expected: "at most a full turn, 2π",
-                got: angle,
-            });
-        }
-        let profile = if profile.is_closed() {
-            &profile.subsegment(..)?
-        } else {
-            profile
-        };
-        let largest = max_abs(profile.control_points()).max(origin.abs().max_element());
-        let near = TOUCHING * ulp(largest);
-        let from_axis = |p: DVec3| {
-            let center = origin + axis * (p - origin).dot(axis);
-            let radius = p - center;
-            let is_near = Point::norm(radius) <= near;
-            (center, if is_near { DVec3::ZERO } else { radius })
-        };
-        check_profile(profile, axis, near, |p| from_axis(p).1)?;
-        let turns = profile.weighted().into_iter().map(|part| {
-            let (center, radius) = from_axis(part.point);
-            (center, radius, axis.cross(radius), part.weight)
-        });
-        let along = Direction::new(profile.degree(), profile.knots());
-        Self::of_arcs(turns, angle, along)
+        Turning::new(profile, origin, axis)?.surface(angle)
     }
 
     /// A full turn of a profile in the half-plane of the distances from an axis (x) and the heights along it (y).
@@ -176,29 +147,120 @@ impl NurbsSurface {
         let (x, y) = axis.any_orthonormal_pair();
         let turns = profile.weighted().into_iter().map(|part| {
             let (radius, height) = (part.point.x, part.point.y);
-            (center + axis * height, x * radius, y * radius, part.weight)
+            Arc {
+                center: center + axis * height,
+                x: x * radius,
+                y: y * radius,
+                weight: part.weight,
+            }
         });
         let along = Direction::new(profile.degree(), profile.knots());
         Self::of_arcs(turns, TAU, along)
     }
 
-    /// The surface whose rows are arcs, each with its center, two conjugate radii and a weight.
+    /// The surface whose rows are arcs.
     fn of_arcs(
-        arcs: impl Iterator<Item = (DVec3, DVec3, DVec3, f64)>,
+        arcs: impl Iterator<Item = Arc>,
         angle: f64,
         along: Direction,
     ) -> Result<Self, Error> {
         let (mut parts, mut around) = (Vec::new(), Direction::default());
-        for (center, x, y, factor) in arcs {
-            let arc = NurbsCurve::arc(center, x, y, 0.0, angle)?;
-            let row = arc.weighted().into_iter();
-            parts.extend(row.map(|part| WeightedPoint {
-                weight: part.weight * factor,
+        for arc in arcs {
+            let row = arc.turned(angle)?;
+            parts.extend(row.weighted().into_iter().map(|part| WeightedPoint {
+                weight: part.weight * arc.weight,
                 ..part
             }));
-            around = Direction::new(arc.degree(), arc.knots());
+            around = Direction::new(row.degree(), row.knots());
         }
         Self::from_weighted(&parts, around, along)
+    }
+}
+
+/// The arc of a control point: its center, two conjugate radii, and a factor of the weights.
+#[derive(Clone, Copy)]
+pub(in crate::rational) struct Arc {
+    pub(in crate::rational) center: DVec3,
+    pub(in crate::rational) x: DVec3,
+    y: DVec3,
+    weight: f64,
+}
+
+impl Arc {
+    pub(in crate::rational) fn turned(&self, angle: f64) -> Result<NurbsCurve<DVec3>, Error> {
+        NurbsCurve::arc(self.center, self.x, self.y, 0.0, angle)
+    }
+}
+
+/// A profile that turns around an axis.
+pub(in crate::rational) struct Turning {
+    /// Opened at its start if it is closed.
+    pub(in crate::rational) profile: NurbsCurve<DVec3>,
+    pub(in crate::rational) origin: DVec3,
+    /// Of length 1.
+    pub(in crate::rational) axis: DVec3,
+    /// The largest distance from the axis that counts as 0.
+    pub(in crate::rational) near: f64,
+    /// The arcs of the control points.
+    pub(in crate::rational) arcs: Vec<Arc>,
+}
+
+impl Turning {
+    pub(in crate::rational) fn new(
+        profile: &NurbsCurve<DVec3>,
+        origin: DVec3,
+        axis: DVec3,
+    ) -> Result<Self, Error> {
+        check_points("origin", &[origin])?;
+        let axis = unit_axis(axis)?;
+        let profile = if profile.is_closed() {
+            profile.subsegment(..)?
+        } else {
+            profile.clone()
+        };
+        let largest = max_abs(profile.control_points()).max(origin.abs().max_element());
+        let mut turning = Self {
+            near: TOUCHING * ulp(largest),
+            arcs: Vec::new(),
+            profile,
+            origin,
+            axis,
+        };
+        check_profile(&turning.profile, axis, turning.near, |p| {
+            turning.arc(p, 1.0).x
+        })?;
+        let parts = turning.profile.weighted().into_iter();
+        turning.arcs = parts
+            .map(|part| turning.arc(part.point, part.weight))
+            .collect();
+        Ok(turning)
+    }
+
+    /// The arc of a point that turns around the axis.
+    pub(in crate::rational) fn arc(&self, p: DVec3, weight: f64) -> Arc {
+        let center = self.origin + self.axis * (p - self.origin).dot(self.axis);
+        let radius = p - center;
+        let is_near = Point::norm(radius) <= self.near;
+        let x = if is_near { DVec3::ZERO } else { radius };
+        Arc {
+            center,
+            x,
+            y: self.axis.cross(x),
+            weight,
+        }
+    }
+
+    pub(in crate::rational) fn surface(&self, angle: f64) -> Result<NurbsSurface, Error> {
+        Error::unless_finite("angle", &[angle])?;
+        if angle.abs() > TAU {
+            return Err(Error::Range {
+                what: "angle",
+                expected: "at most a full turn, 2π",
+                got: angle,
+            });
+        }
+        let along = Direction::new(self.profile.degree(), self.profile.knots());
+        NurbsSurface::of_arcs(self.arcs.iter().copied(), angle, along)
     }
 }
 

@@ -7,6 +7,8 @@ mod construct;
 mod edit;
 mod loft;
 
+pub(super) use construct::Turning;
+
 use super::check_weights;
 use super::nurbs::{NurbsCurve, locate};
 use super::patch::RationalPatch;

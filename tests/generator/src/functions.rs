@@ -100,6 +100,7 @@ const TABLE: &[&str] = &[
     "NurbsSurface: torus (points: space points, major: length, minor: length)",
     "NurbsSurface: ruled (curve: nurbscurve3, other)",
     "NurbsSurface: extrude (curve: nurbscurve3, vector: point)",
+    "RationalSurface: solid_of_revolution (curve: nurbscurve3, origin: point, axis: direction, angle: unit)",
     "NurbsSurface: revolve (curve: nurbscurve3, origin: point, axis: direction, angle: unit)",
     "NurbsSurface: loft (curve: nurbscurve3, other, degree: low degree)",
     "NurbsSurface: eval partials normal curvature (self, u: surface u, v: surface v)",

@@ -413,6 +413,12 @@ const RATIONAL_SURFACE = {
   "RationalSurface.parse": (a) => RationalSurface.parse(a.text),
   "RationalSurface.fromPatches": ({ rationalsurface: surface }) =>
     RationalSurface.fromPatches(Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k))),
+  "RationalSurface.solidOfRevolution": (a) =>
+    RationalSurface.solidOfRevolution(a.curve, {
+      origin: a.origin,
+      axis: a.axis,
+      angle: 2 * Math.PI * Math.max(-1, Math.min(2 * (2 * a.angle - 1), 1)),
+    }),
   "RationalSurface.fromJSON": (a) => RationalSurface.fromJSON(a.rationalsurface.toJSON()),
   "RationalSurface.transform": (a) => a.rationalsurface.transform(matrix(a)),
   "RationalSurface.grid": (a) => a.rationalsurface.grid(grid(a)),

@@ -1,7 +1,14 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
 import { Curve, Path, Spline } from "casteljau";
 import * as core from "casteljau/core";
-import { type Mesh, NurbsCurve, NurbsSurface, RationalCurve, type RationalPatch } from "casteljau/nurbs";
+import {
+  type Mesh,
+  NurbsCurve,
+  NurbsSurface,
+  RationalCurve,
+  type RationalPatch,
+  RationalSurface,
+} from "casteljau/nurbs";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -88,6 +95,7 @@ export const patchesOfBall: RationalPatch[] = ball.patches();
 export const meshOfBall: Mesh = ball.toSurface().tessellate({ tolerance: 0.1 });
 export const vase: NurbsSurface = NurbsSurface.revolve(inSpace, { axis: [0, 0, 1], angle: 1 });
 // @ts-expect-error: a surface needs knots in both directions
+export const solid: RationalSurface = RationalSurface.solidOfRevolution(inSpace, { angle: 1 });
 export const noKnots = new NurbsSurface({ degreeU: 1, degreeV: 1, points: [[0, 0, 0]] });
 // @ts-expect-error: a grid of a surface with weights has one method
 ball.toSurface().grid({ segments: 4, method: "bernstein" });
