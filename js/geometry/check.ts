@@ -4,7 +4,7 @@ import { describe, shorten } from "./describe.js";
 import { similarName } from "./options.js";
 
 export { describe } from "./describe.js";
-export { noSurplus, optionalBoolean, options } from "./options.js";
+export { optionalBoolean, options } from "./options.js";
 
 /** A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint. */
 export type PointLike = ArrayLike<number> | { x: number; y: number; z?: number };

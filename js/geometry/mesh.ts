@@ -141,8 +141,7 @@ export class Mesh {
    *
    * @throws {RangeError} above 1 GiB, for positions that overflow f32, and as `toOBJ`
    */
-  toSTL(...surplus: never[]): Uint8Array<ArrayBuffer> {
-    check.noSurplus(surplus, "toSTL", 0);
+  toSTL(): Uint8Array<ArrayBuffer> {
     return meshToSTL(this);
   }
 
@@ -153,8 +152,7 @@ export class Mesh {
    *
    * @throws {RangeError} as `toSTL`
    */
-  toGLB(...surplus: never[]): Uint8Array<ArrayBuffer> {
-    check.noSurplus(surplus, "toGLB", 0);
+  toGLB(): Uint8Array<ArrayBuffer> {
     return meshToGLB(this);
   }
 

@@ -230,8 +230,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The derivative as a curve of degree n − 1; the derivative of a line is a line whose two points are equal. */
-  derivative(...surplus: never[]): this {
-    check.noSurplus(surplus, "derivative", 0, "derivativeAt(t)");
+  derivative(): this {
     return this._read(core().curve_derivative(this.dimension, this._write()));
   }
 
@@ -321,11 +320,10 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param t the parameter, from 0 to 1; others extrapolate
    */
-  split(t: number, ...surplus: never[]): [this, this];
+  split(t: number): [this, this];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): this[];
+  split(t: number | ArrayLike<number>): this[] {
     if (check.isList(t)) return partsAt(this, t, 1);
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     core().curve_split(this.dimension, this._write(), t);
@@ -334,8 +332,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** Splits the curve at t = ½ into two. */
-  halve(...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "halve", 0, "split(t)");
+  halve(): [this, this] {
     return this.split(0.5);
   }
 
@@ -345,8 +342,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @param t0 the parameter of the start
    * @param t1 the parameter of the end
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): this {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     core().curve_subsegment(this.dimension, this._write(), t0, t1);
@@ -391,8 +387,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
     const vertices = core().curve_flatten(this.dimension, this._write(), tolerance);
     return readPolyline(vertices, this.dimension);
@@ -404,16 +399,14 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param tolerance the largest distance, in the unit of the points
    */
-  subdivide(tolerance: number, ...surplus: never[]): Subdivision<this> {
-    check.noSurplus(surplus, "subdivide", 1);
+  subdivide(tolerance: number): Subdivision<this> {
     check.positive(tolerance, "tolerance");
     const used = core().curve_subdivide(this.dimension, this._write(), tolerance);
     return readTree(readResult(0, used), this._flat.length, (flat) => this._curveOf(flat));
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     return this._box(true);
   }
 
@@ -423,8 +416,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only. */
-  hull(...surplus: never[]): Float64Array {
-    check.noSurplus(surplus, "hull", 0, "deCasteljau(t)");
+  hull(): Float64Array {
     this._require2D("hull");
     return readResult(0, core().curve_hull(this._write()));
   }
@@ -452,8 +444,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @returns 0 if all control points are equal
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1, "subsegment(t0, t1).length()");
+  length(tolerance?: number): number {
     return curveLength(this._flat, this.dimension, tolerance);
   }
 
@@ -478,8 +469,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -500,8 +490,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
    * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     return core().curve_area(this._write());
   }
@@ -515,9 +504,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const found = queries.nearest(this._flat, this.dimension, p);
-    check.noSurplus(surplus, "nearest", 1);
     return found;
   }
 

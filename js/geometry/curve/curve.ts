@@ -74,8 +74,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     return queries.extrema(this._flat, this.dimension);
   }
 
@@ -197,8 +196,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * The curve of degree n − 1 with the same end points whose largest distance from this one at equal t is smallest, and
    * that distance. A line is returned unchanged with error 0.
    */
-  reduce(...surplus: never[]): Reduced<D> {
-    check.noSurplus(surplus, "reduce", 0);
+  reduce(): Reduced<D> {
     const used = core().curve_reduce(this.dimension, this._write());
     return { curve: this._curveOf(readResult(1, used)), error: readResult(0, 1)[0] };
   }
@@ -243,9 +241,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     if (typeOf(other) !== "curve") return intersectSplines(this.casteljauData(), other) as any;
     const a = this._flat;
@@ -260,8 +256,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
    * Parts that the curve retraces (a straight curve that turns back) are not reported. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     this._require2D("selfIntersections");
     return readSelfIntersections(core().curve_self_intersections(this._write()));
   }

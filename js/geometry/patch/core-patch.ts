@@ -106,8 +106,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    */
-  splitU(u: number, ...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "splitU", 1, "split(u, v)");
+  splitU(u: number): [this, this] {
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -116,8 +115,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
-  splitV(v: number, ...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "splitV", 1, "split(u, v)");
+  splitV(v: number): [this, this] {
     return this.#split(false, check.finite(v, "v"));
   }
 
@@ -138,8 +136,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @throws {RangeError} at degree 64
    */
-  elevate(...surplus: never[]): this {
-    check.noSurplus(surplus, "elevate", 0);
+  elevate(): this {
     writeArguments(this.#flat);
     const length = core().patch_elevate(this.#degreeU, this.#degreeV);
     return this._patchOf(readResult(0, length), this.#degreeU + 1, this.#degreeV + 1);
@@ -318,8 +315,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * above degree 24), about one for each multiplication. If that is not enough, the face is at the best local extremum
    * found so far.
    */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> {
     return queries.bounds(this.#surfaceWriter()) as Bounds<3>;
   }
 
@@ -331,14 +327,12 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * or has very different sizes along its axes, the result is the best estimate and its fifth digit may be wrong; where
    * coordinates differ by many powers of ten, the fourth.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     return queries.area(this.#surfaceWriter());
   }
 
   /** An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal. */
-  flatness(...surplus: never[]): number {
-    check.noSurplus(surplus, "flatness", 0);
+  flatness(): number {
     writeArguments(this._flat);
     return core().patch_flatness(this.degreeU, this.degreeV);
   }
@@ -353,9 +347,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): PatchPoint {
+  nearest(p: PointLike): PatchPoint {
     const found = queries.nearest(this.#surfaceWriter(), p) as any;
-    check.noSurplus(surplus, "nearest", 1);
     return queries.withoutPatch(found);
   }
 

@@ -367,11 +367,10 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param location a subpath and a parameter on it
    */
-  split(location: PathTime, ...surplus: never[]): [this, this];
+  split(location: PathTime): [this, this];
   /** @param locations any number of locations */
-  split(locations: readonly PathTime[], ...surplus: never[]): this[];
-  split(location: PathTime | readonly PathTime[], ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
+  split(locations: readonly PathTime[]): this[];
+  split(location: PathTime | readonly PathTime[]): this[] {
     const ends = Array.isArray(location)
       ? Array.from(location, (each, k) => checkedLocation(this.subpathCount, each, `locations[${k}]`))
       : [checkedLocation(this.subpathCount, location)];
@@ -392,8 +391,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param from the location of the start
    * @param to the location of the end
    */
-  subsegment(from: PathTime, to: PathTime, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(from: PathTime, to: PathTime): this {
     const [a, b] = [checkedLocation(this.subpathCount, from, "from"), checkedLocation(this.subpathCount, to, "to")];
     if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this.subpaths, b, a).reverse())).reverse();
     const isPoint = a.subpath === b.subpath && a.t === b.t;
@@ -415,8 +413,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   #area: number | undefined;
 
   /** The smallest box that contains the path; null for an empty one. */
-  bounds(...surplus: never[]): Bounds<2> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<2> | null {
     if (this.#bounds === undefined) this.#bounds = this._box(true);
     return copyOfBounds(this.#bounds);
   }
@@ -432,8 +429,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param tolerance the largest error, by default 1e-12 of the length
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1);
+  length(tolerance?: number): number {
     if (tolerance === undefined) return this.#segmentEnds().at(-1) as number;
     const maxError = check.optionalTolerance(tolerance);
     writeArguments(this._packed);
@@ -509,8 +505,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
    * line.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     if (this.#area === undefined) {
       writeArguments(this._packed);
       this.#area = core().path_area();
@@ -523,9 +518,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param point the point, in the unit of the points
    */
-  nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
+  nearest(point: PointLike): PathPoint | null {
     const p = coordinatesOf(point);
-    check.noSurplus(surplus, "nearest", 1, "Path.index([path]).nearest(point, { maxDistance })");
     if (this.#asked) return this._nearest(p, Infinity);
     this.#asked = true;
     return nearestOnPath(this._packed, p);
@@ -566,8 +560,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param tolerance the largest distance, in the unit of the points
    * @returns `closed`: whether the subpath is; then the last vertex is the first one again
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
     check.positive(tolerance, "tolerance");
     writeArguments(this._packed);
     const numbers = readResult(0, core().path_flatten(tolerance));
@@ -759,8 +752,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param shapes curves, splines and paths in the plane
    * @throws {TypeError} for other values, and for 3D ones
    */
-  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): CorePath {
-    return corePathOf(packedFrom(shapes, surplus));
+  static from(shapes: Shape | ArrayLike<Shape>): CorePath {
+    return corePathOf(packedFrom(shapes));
   }
 }
 
@@ -821,9 +814,7 @@ export function pathFrom<P>(Class: PathClass<P>, packed: Float64Array): P {
  *
  * @internal
  */
-export function packedFrom(shapes: Shape | ArrayLike<Shape>, surplus: never[]): Float64Array {
-  // A number is the index that `map` passes.
-  if (typeof surplus[0] !== "number") check.noSurplus(surplus, "from", 1, "from([a, b])");
+export function packedFrom(shapes: Shape | ArrayLike<Shape>): Float64Array {
   if (!Array.isArray(shapes)) return packedShape(shapes, "shapes");
   return packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`)));
 }

@@ -91,8 +91,8 @@ export class Path extends CorePath<Spline<2>> {
    * @param shapes curves, splines and paths in the plane
    * @throws {TypeError} for other values, and for 3D ones
    */
-  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): Path {
-    return pathOf(packedFrom(shapes, surplus));
+  static from(shapes: Shape | ArrayLike<Shape>): Path {
+    return pathOf(packedFrom(shapes));
   }
 
   /** Combines the regions that any number of paths fill, see `union`. Without paths the result is empty. */
@@ -337,8 +337,7 @@ export class Path extends CorePath<Spline<2>> {
    * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
    * `Spline.extrema`.
    */
-  extrema(...surplus: never[]): PathExtrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): PathExtrema {
     return extremaOfPath(this.subpaths);
   }
 
@@ -450,9 +449,7 @@ export class Path extends CorePath<Spline<2>> {
    */
   intersections<S extends Shape | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectPathWith(this._packed, other) as any;
   }
 
@@ -460,8 +457,7 @@ export class Path extends CorePath<Spline<2>> {
    * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
    * Each pair is reported once.
    */
-  selfIntersections(...surplus: never[]): PathIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): PathIntersection[] {
     return selfIntersectPath(this._packed);
   }
 

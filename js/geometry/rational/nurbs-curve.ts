@@ -448,8 +448,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param t the parameter, inside of the domain
    * @throws {RangeError} for any other t
    */
-  split(t: number, ...surplus: never[]): [NurbsCurve<D>, NurbsCurve<D>] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(t: number): [NurbsCurve<D>, NurbsCurve<D>] {
     check.finite(t, "t");
     const [from, to] = this.domain;
     if (!(t > from && t < to))
@@ -464,8 +463,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param t1 the parameter of the end, in the domain
    * @throws {RangeError} for parameters outside of the domain, and for equal ones
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): NurbsCurve<D> {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): NurbsCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     return this._read(core().nurbs_subsegment(this._write(), t0, t1));
@@ -494,8 +492,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     return boxAt(readResult(0, core().nurbs_bounds(this._write())), this.dimension);
   }
 
@@ -508,8 +505,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The parameters inside of the domain where a coordinate has a local extremum inside of a segment, sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.dimension }, (_, axis) =>
       readResult(0, core().nurbs_extrema(this._write(), axis)),
     );
@@ -523,8 +519,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @returns 0 if all control points are equal
    */
-  length(...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
+  length(): number {
     return this.#readSegments().reduce((sum, segment) => sum + segment.length(), 0);
   }
 
@@ -545,8 +540,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -554,8 +548,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
    * line turns counter-clockwise (x right, y up); for a closed curve the enclosed area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     return this.#readSegments().reduce((sum, segment) => sum + segment.area(), 0);
   }
@@ -566,10 +559,9 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const coordinates = new Float64Array(this.dimension);
     writePoint(coordinates, 0, p, this.dimension, "p");
-    check.noSurplus(surplus, "nearest", 1);
     const [segments, joints] = [this.#readSegments(), this.#joints];
     // The nearest start of a segment gives an upper bound; segments whose box is farther away are skipped.
     let max = Infinity;
@@ -605,9 +597,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectNurbs(this.#data, other) as any;
   }
 
@@ -615,8 +605,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The points that the curve passes twice, sorted by t; t < u. Joints and the start of a closed curve do not count as passed
    * twice; the end point of an open curve that ends at its start does. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     return selfIntersectNurbs(this.#data);
   }
 
@@ -627,8 +616,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
     const vertices = core().nurbs_flatten(this._write(), tolerance);
     return readPolyline(unwrapCount(vertices), this.dimension);

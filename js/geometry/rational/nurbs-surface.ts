@@ -385,8 +385,7 @@ export class NurbsSurface {
    * @param u the parameter, inside of the domain
    * @throws {RangeError} for any other u
    */
-  splitU(u: number, ...surplus: never[]): [NurbsSurface, NurbsSurface] {
-    check.noSurplus(surplus, "splitU", 1);
+  splitU(u: number): [NurbsSurface, NurbsSurface] {
     return this.#split("u", u);
   }
 
@@ -396,8 +395,7 @@ export class NurbsSurface {
    * @param v the parameter, inside of the domain
    * @throws {RangeError} for any other v
    */
-  splitV(v: number, ...surplus: never[]): [NurbsSurface, NurbsSurface] {
-    check.noSurplus(surplus, "splitV", 1);
+  splitV(v: number): [NurbsSurface, NurbsSurface] {
     return this.#split("v", v);
   }
 
@@ -461,8 +459,7 @@ export class NurbsSurface {
   }
 
   /** The smallest box that contains the surface: that of all patches, exact up to rounding. */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> {
     this.#write();
     return boxAt(readResult(0, core().nurbssurface_bounds()), 3);
   }

@@ -420,11 +420,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param t the parameter, from 0 to 1; others extrapolate
    * @throws {RangeError} outside of [0, 1] if a weight of a part would not be above 0
    */
-  split(t: number, ...surplus: never[]): [RationalCurve<D>, RationalCurve<D>];
+  split(t: number): [RationalCurve<D>, RationalCurve<D>];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): RationalCurve<D>[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): RationalCurve<D>[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): RationalCurve<D>[];
+  split(t: number | ArrayLike<number>): RationalCurve<D>[] {
     if (check.isList(t)) return partsAt<RationalCurve<D>>(this, t, 1);
     check.finite(t, "t");
     const length = unwrapCount(core().rational_split(this.#dimension, this._write(), t));
@@ -432,8 +431,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** Splits the curve at t = ½ into two. */
-  halve(...surplus: never[]): [RationalCurve<D>, RationalCurve<D>] {
-    check.noSurplus(surplus, "halve", 0, "split(t)");
+  halve(): [RationalCurve<D>, RationalCurve<D>] {
     return this.split(0.5);
   }
 
@@ -444,8 +442,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param t1 the parameter of the end
    * @throws {RangeError} as `split`
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): RationalCurve<D> {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): RationalCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     return this._read(core().rational_subsegment(this.#dimension, this._write(), t0, t1));
@@ -512,16 +509,14 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
     const vertices = core().rational_flatten(this.#dimension, this._write(), tolerance);
     return readPolyline(unwrapCount(vertices), this.#dimension);
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     core().rational_bounds(this.#dimension, this._write());
     return boxAt(readResult(0, 6), this.#dimension);
   }
@@ -533,8 +528,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.#dimension }, (_, axis) =>
       readResult(0, core().rational_extrema(this.#dimension, this._write(), axis)),
     );
@@ -554,8 +548,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @returns 0 if all control points are equal
    */
-  length(...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
+  length(): number {
     return core().rational_length(this.#dimension, this._write());
   }
 
@@ -580,8 +573,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -590,8 +582,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. The error is about
    * 10⁻¹⁴ of the square of the size for weights whose ratios are at most 2²⁰. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     return core().rational_area(this._write());
   }
@@ -602,11 +593,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const d = this.#dimension;
     const coordinates = new Float64Array(d);
     writePoint(coordinates, 0, p, d, "p");
-    check.noSurplus(surplus, "nearest", 1);
     return this._nearest(coordinates);
   }
 
@@ -638,9 +628,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectNurbs(nurbsOfRational(this.casteljauData()), other) as any;
   }
 
@@ -648,8 +636,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
    * Parts that the curve retraces are not reported; conics have none. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     return selfIntersectNurbs(nurbsOfRational(this.casteljauData()));
   }
 

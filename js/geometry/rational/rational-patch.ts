@@ -254,8 +254,7 @@ export class RationalPatch {
    * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @throws {RangeError} where a weight of a part would not be above 0
    */
-  splitU(u: number, ...surplus: never[]): [RationalPatch, RationalPatch] {
-    check.noSurplus(surplus, "splitU", 1);
+  splitU(u: number): [RationalPatch, RationalPatch] {
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -265,8 +264,7 @@ export class RationalPatch {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @throws {RangeError} where a weight of a part would not be above 0
    */
-  splitV(v: number, ...surplus: never[]): [RationalPatch, RationalPatch] {
-    check.noSurplus(surplus, "splitV", 1);
+  splitV(v: number): [RationalPatch, RationalPatch] {
     return this.#split(false, check.finite(v, "v"));
   }
 
@@ -281,8 +279,7 @@ export class RationalPatch {
    *
    * @throws {RangeError} at degree 64
    */
-  elevate(...surplus: never[]): RationalPatch {
-    check.noSurplus(surplus, "elevate", 0);
+  elevate(): RationalPatch {
     const [degreeU, degreeV] = this.#write();
     return this.#read(core().rationalpatch_elevate(degreeU, degreeV), degreeU + 1, degreeV + 1);
   }
@@ -303,8 +300,7 @@ export class RationalPatch {
   }
 
   /** The smallest box that contains the patch, exact up to rounding; see `Patch.bounds`. */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> {
     return boxAt(readResult(0, core().rationalpatch_bounds(...this.#write())), 3);
   }
 

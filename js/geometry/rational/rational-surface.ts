@@ -158,8 +158,7 @@ export class RationalSurface {
    * The surface as text in the format of `Surface.toText`, from which `parse` creates an equal surface. The net of a patch whose
    * weights are not all 1 is followed by rows of the letter w and the weights of a row of the net.
    */
-  toText(...surplus: never[]): string {
-    check.noSurplus(surplus, "toText", 0);
+  toText(): string {
     return rationalSurfaceText(this.#data);
   }
 
@@ -204,16 +203,14 @@ export class RationalSurface {
   }
 
   /** The smallest box that contains the surface, exact up to rounding; null without patches. */
-  bounds(...surplus: never[]): Bounds<3> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> | null {
     this.#write();
     const numbers = readResult(0, core().rationalsurface_bounds());
     return numbers.length ? boxAt(numbers, 3) : null;
   }
 
   /** The total area of all patches; regions that a patch covers twice count twice. */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this.#write();
     return readResult(0, core().rationalsurface_area())[0];
   }
@@ -222,8 +219,7 @@ export class RationalSurface {
    * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
    * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    */
-  volume(...surplus: never[]): number | null {
-    check.noSurplus(surplus, "volume", 0);
+  volume(): number | null {
     this.#write();
     return readResult(0, core().rationalsurface_volume())[0] ?? null;
   }
@@ -233,9 +229,8 @@ export class RationalSurface {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+  nearest(p: PointLike): SurfacePoint | null {
     const [coordinates] = coordinatesOf([p, "p"]);
-    check.noSurplus(surplus, "nearest", 1);
     this.#write(coordinates);
     return readPoints(readResult(0, core().rationalsurface_nearest()))[0] ?? null;
   }

@@ -364,15 +364,13 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param tolerance the largest distance, in the unit of the points
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
     return readPolyline(core().spline_flatten(this._write(), tolerance), this.dimension);
   }
 
   /** The smallest box that contains the spline. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     if (!this.#bounds) {
       core().spline_bounds(this._write(), true);
       this.#bounds = readResult(0, 6);
@@ -464,11 +462,10 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param t 0 to the number of segments; values outside extrapolate the first and the last segment
    * @throws {RangeError} for a t that is not finite
    */
-  split(t: number, ...surplus: never[]): [this, this];
+  split(t: number): [this, this];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): this[];
+  split(t: number | ArrayLike<number>): this[] {
     if (check.isList(t)) return partsAt(this, t, this.segmentCount);
     const { k, segment, rest } = this._locate(t);
     const count = this.segmentCount;
@@ -487,8 +484,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param t1 the parameter of the end
    * @throws {RangeError} for a value that is not finite
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): this {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     if (t0 > t1) return this.subsegment(t1, t0).reverse();
@@ -507,8 +503,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @throws {TypeError} in 3D
    */
-  hull(...surplus: never[]): Float64Array {
-    check.noSurplus(surplus, "hull", 0);
+  hull(): Float64Array {
     this._require2D("hull");
     const { flat } = this.casteljauData();
     writeArguments(flat);
@@ -520,8 +515,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param t 0 to the number of segments
    */
-  insert(t: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "insert", 1);
+  insert(t: number): this {
     check.finite(t, "t");
     return this._read(core().spline_insert(this._write(), t));
   }
@@ -574,8 +568,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param tolerance the largest error, in the unit of the points, if it is to be smaller
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1);
+  length(tolerance?: number): number {
     if (tolerance === undefined) return this._arcLengths[this.segmentCount];
     const maxError = check.optionalTolerance(tolerance);
     return readResult(0, core().spline_length(this._write(), maxError))[0];
@@ -613,8 +606,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -636,8 +628,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * The signed area swept by the line from the origin to the point of the spline, positive while that line turns
    * counter-clockwise (x right, y up). For a closed spline it is the enclosed area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     this._write();
     return core().spline_area();
@@ -652,9 +643,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const point = this._coordinates(p, "p");
-    check.noSurplus(surplus, "nearest", 1);
     this.#tree ??= new SegmentTree(this._index);
     const { k, found } = this.#tree.nearest(point) as { k: number; found: Nearest<D> };
     return { ...found, t: k + found.t };

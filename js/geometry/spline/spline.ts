@@ -104,8 +104,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
    * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
    */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     return splineExtrema(this._index, this.segments());
   }
 
@@ -223,9 +222,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    */
   intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     return intersectSplines(this.casteljauData(), other) as any;
   }
@@ -234,8 +231,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * The points that the spline passes twice, sorted by t; t < u. Joints and the start of a closed spline do not count
    * as passed twice; the end point of an open spline that ends at its start does. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     this._require2D("selfIntersections");
     return selfIntersectSpline(this.casteljauData());
   }

@@ -79,8 +79,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * `patches` and their number, then for each a row with its degrees in u and v, followed by its net, for each j a row
    * with the vertex numbers, from 0, of the points Pᵢⱼ.
    */
-  toText(...surplus: never[]): string {
-    check.noSurplus(surplus, "toText", 0);
+  toText(): string {
     return surfaceText(this.#network);
   }
 
@@ -235,14 +234,12 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * The smallest box that contains the surface, exact up to rounding; null without patches. The limit of steps of
    * `Patch.bounds` applies to each patch.
    */
-  bounds(...surplus: never[]): Bounds<3> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> | null {
     return queries.bounds(this.#writer(false));
   }
 
   /** The total area of all patches with a relative error below 1e-8; see `Patch.area`. */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     return queries.area(this.#writer(false));
   }
 
@@ -250,8 +247,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
    * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    */
-  volume(...surplus: never[]): number | null {
-    check.noSurplus(surplus, "volume", 0);
+  volume(): number | null {
     return queries.volume(this.#writer(true));
   }
 
@@ -261,9 +257,8 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+  nearest(p: PointLike): SurfacePoint | null {
     const found = queries.nearest(this.#writer(false), p);
-    check.noSurplus(surplus, "nearest", 1);
     return found;
   }
 
@@ -355,8 +350,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *   and if all pieces, including split ones, have more than 2²⁴ control points together and 128 for each of the
    *   surface (the lower limit for degrees above 5)
    */
-  subdivide(tolerance: number, ...surplus: never[]): FlatPiece[] {
-    check.noSurplus(surplus, "subdivide", 1);
+  subdivide(tolerance: number): FlatPiece[] {
     return subdivide(() => this._write(), tolerance);
   }
 
