@@ -70,6 +70,13 @@ export function finite(value: unknown, name: string): number {
   return value;
 }
 
+/** A finite number from 0. */
+export function nonNegative(value: unknown, name: string): number {
+  const number = finite(value, name);
+  if (number < 0) throw new RangeError(`${name}: expected a number from 0, got ${number}`);
+  return number;
+}
+
 /** A finite number greater than 0. */
 export function positive(value: unknown, name: string): number {
   const number = finite(value, name);

@@ -271,7 +271,7 @@ async function calledFunctions(entry) {
     plugins: [withoutGlue],
     ...options,
   });
-  const calls = outputFiles[0].text.matchAll(/(?:core\d*\([^()]*\)|exports)\.([a-z]+_\w+)/g);
+  const calls = outputFiles[0].text.matchAll(/\bexports\.([a-z]+_\w+)/g);
   return [...new Set([...calls].map(([, name]) => name))].sort();
 }
 

@@ -1,3 +1,5 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import * as shapes from "./path-shapes.js";
 import { pathData, requireJSON } from "../brand.js";
@@ -15,8 +17,6 @@ import { PathSegmentIndex } from "./path-segment-index.js";
 import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
-import { core } from "../../wasm/init.js";
-import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
 import { coreSplineOf, splineDataOf } from "../spline/core-spline.js";
 import { readSvg } from "../../io/svg-read.js";
 import { PathBuilder } from "./path-builder.js";
@@ -72,16 +72,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   constructor(splines: ArrayLike<CoreSpline | CoreCurve>) {
     if (!isShown) show();
-    const checked = splines as unknown;
-    if (checked instanceof CheckedPath) {
-      this.#packed = checked.packed;
-      return;
-    }
-    if (!Array.isArray(splines)) {
-      const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
-      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
-    }
-    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
+    this.#packed = checkedData<Float64Array>(splines) ?? packedList(splines);
   }
 
   /** The number of subpaths. */
@@ -432,8 +423,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   length(tolerance?: number): number {
     if (tolerance === undefined) return this.#segmentEnds().at(-1) as number;
     const maxError = check.optionalTolerance(tolerance);
-    writeArguments(this._packed);
-    return readResult(0, core().path_length(maxError))[0];
+    curvesModule.write(this._packed);
+    return curvesModule.read(0, curvesModule.exports.path_length(maxError))[0];
   }
 
   /**
@@ -446,8 +437,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
     if (tolerance !== undefined) {
-      writeArguments(this._packed);
-      return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+      curvesModule.write(this._packed);
+      return readTimes(curvesModule.exports.path_time_at_length(s, maxError))[0] ?? null;
     }
     const ends = this.#segmentEnds();
     const { count } = this.#index();
@@ -480,9 +471,9 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   equidistantTimes(segments: number): PathTime[] {
     check.segmentCount(segments);
-    writeArguments(this._packed);
-    const times = readTimes(core().path_equidistant_times(segments));
-    releaseMemory();
+    curvesModule.write(this._packed);
+    const times = readTimes(curvesModule.exports.path_equidistant_times(segments));
+    curvesModule.release();
     return times;
   }
 
@@ -507,8 +498,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   area(): number {
     if (this.#area === undefined) {
-      writeArguments(this._packed);
-      this.#area = core().path_area();
+      curvesModule.write(this._packed);
+      this.#area = curvesModule.exports.path_area();
     }
     return this.#area;
   }
@@ -538,8 +529,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   #windingNumber([x, y]: Float64Array): number {
     if (this.#asked) return this.#segmentTree().windingNumber(x, y);
     this.#asked = true;
-    writeArguments(this._packed);
-    return core().path_winding_number(x, y);
+    curvesModule.write(this._packed);
+    return curvesModule.exports.path_winding_number(x, y);
   }
 
   /**
@@ -562,9 +553,9 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
     check.positive(tolerance, "tolerance");
-    writeArguments(this._packed);
-    const numbers = readResult(0, core().path_flatten(tolerance));
-    releaseMemory();
+    curvesModule.write(this._packed);
+    const numbers = curvesModule.read(0, curvesModule.exports.path_flatten(tolerance));
+    curvesModule.release();
     const subpaths = extents(this._packed);
     const polylines: { points: Float64Array; ts: Float64Array; closed: boolean }[] = [];
     for (let at = 0; at < numbers.length; ) {
@@ -598,8 +589,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
 
   #segmentEnds() {
     if (!this.#ends) {
-      writeArguments(this._packed);
-      this.#ends = readResult(0, core().path_segment_ends());
+      curvesModule.write(this._packed);
+      this.#ends = curvesModule.read(0, curvesModule.exports.path_segment_ends());
     }
     return this.#ends;
   }
@@ -610,8 +601,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @internal
    */
   _box(exact: boolean) {
-    writeArguments(this._packed);
-    const numbers = readResult(0, core().path_bounds(exact));
+    curvesModule.write(this._packed);
+    const numbers = curvesModule.read(0, curvesModule.exports.path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
 
@@ -767,19 +758,6 @@ function corePathOf(packed: Float64Array): CorePath {
 }
 
 /**
- * A packed path that is already checked: the constructor accepts it from inside the package.
- *
- * @internal
- */
-export class CheckedPath {
-  packed: Float64Array;
-
-  constructor(packed: Float64Array) {
-    this.packed = packed;
-  }
-}
-
-/**
  * The coordinates of a 2D point.
  *
  * @internal
@@ -806,7 +784,15 @@ function copyOfBounds(box: Bounds<2> | null): Bounds<2> | null {
 export function pathFrom<P>(Class: PathClass<P>, packed: Float64Array): P {
   if (typeof Class !== "function")
     throw new TypeError("expected a call of a static method on its class, as Path.circle(…)");
-  return new Class(new CheckedPath(packed) as any);
+  return fromChecked(Class, packed);
+}
+
+function packedList(splines: ArrayLike<CoreSpline | CoreCurve>): Float64Array {
+  if (!Array.isArray(splines)) {
+    const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
+    throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
+  }
+  return packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
 }
 
 /**

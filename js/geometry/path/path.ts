@@ -1,3 +1,4 @@
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import { contoursToThree } from "../../io/three.js";
 import { CorePath, packedFrom, packedFromJSON, pathFrom } from "./core-path.js";
@@ -9,8 +10,6 @@ import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
 import { PathIndex } from "./path-index.js";
 import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
 import { pathData } from "../brand.js";
-import { core } from "../../wasm/init.js";
-import { readResult, writeArguments } from "../../wasm/transfer.js";
 import { splineOf } from "../spline/spline.js";
 import { packedPaths } from "../../wasm/packed-path.js";
 import type { PointLike } from "../check.js";
@@ -358,8 +357,8 @@ export class Path extends CorePath<Spline<2>> {
    */
   moments(options?: RegionOptions): Moments {
     if (hasFillRule(options)) return this.removeOverlaps(options).moments();
-    writeArguments(this._packed);
-    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
+    curvesModule.write(this._packed);
+    const [area, x, y, xx, xy, yy] = curvesModule.read(0, curvesModule.exports.path_moments());
     return { area, x, y, xx, xy, yy };
   }
 

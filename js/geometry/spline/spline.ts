@@ -1,10 +1,9 @@
+import { fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
-import { CoreSpline, joinCurves, CheckedSplineData, readSplineData, splineDataOf } from "./core-spline.js";
+import { CoreSpline, joinCurves, readSplineData, splineDataOf } from "./core-spline.js";
 import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
-import { unwrapCount } from "../../wasm/errors.js";
-import { core } from "../../wasm/init.js";
-import { releaseMemory, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
 import { fromBSpline, toBSpline } from "../bspline.js";
 import { curveOf } from "../curve/curve.js";
 import { interpolate } from "../interpolate.js";
@@ -96,7 +95,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const ts = frameTimes(where, this.segmentCount);
     const args = frameArguments(ts, options);
     this._write(args);
-    return readFrames(unwrapCount(core().spline_frames(ts.length, args.length > ts.length)));
+    return readFrames(curvesModule.count(curvesModule.exports.spline_frames(ts.length, args.length > ts.length)));
   }
 
   /**
@@ -205,9 +204,12 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const distance = check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
-    writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best), dimension);
-    releaseMemory();
+    curvesModule.write(flat);
+    const spline = readSpline(
+      curvesModule.exports.spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best),
+      dimension,
+    );
+    curvesModule.release();
     return spline as Spline<D>;
   }
 
@@ -263,7 +265,9 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const extrema = check.optionalBoolean(checked.extrema, "extrema");
     const decimals = precision === undefined ? -1 : check.whole(precision, "precision", 0, 15);
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
-    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best));
+    return this._read(
+      curvesModule.exports.spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best),
+    );
   }
 
   /**
@@ -280,7 +284,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const code = joinCode(join);
     const maxError = check.optionalTolerance(tolerance);
     this._write();
-    return this._read(core().spline_offset(distance, maxError, code));
+    return this._read(curvesModule.exports.spline_offset(distance, maxError, code));
   }
 
   /**
@@ -309,7 +313,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<D> {
-    return curveOf(new CheckedPoints(flat, this.dimension)) as Curve<D>;
+    return curveOf({ flat, dimension: this.dimension }) as Curve<D>;
   }
 
   /**
@@ -328,7 +332,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
  * @internal
  */
 export function splineOf(data: SplineData): Spline {
-  return new Spline(new CheckedSplineData(data) as any); // outside of the class, see curve.js
+  return fromChecked(Spline, data); // outside of the class, see curve.js
 }
 
 /**

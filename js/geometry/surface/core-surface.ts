@@ -1,15 +1,15 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { affine } from "../affine.js";
 import { coreCurveOf } from "../curve/core-curve.js";
 import { corePatchOf } from "../patch/core-patch.js";
-import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
+import { joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
 import { showInNode } from "../inspected.js";
 import { writePoint } from "../points.js";
 import { checkedNetwork, networkJSON, networkOfJSON, networkOfPatches } from "../surface-network.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import { surfaceText } from "../../io/surface-text.js";
-import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
 import { subdivide } from "../flat-pieces.js";
 import { readGrid } from "../grid-mesh.js";
 import { gridOptions, readMesh } from "../mesh.js";
@@ -65,12 +65,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     options?: { degreeU?: number; degreeV?: number },
   ) {
     if (!isShown) show();
-    const checked = data as unknown;
-    if (checked instanceof CheckedNetwork) {
-      this.#network = checked.network;
-      return;
-    }
-    this.#network = checkedNetwork(data, options, joinedOf);
+    this.#network = checkedData<Network>(data) ?? checkedNetwork(data, options, joinedOf);
   }
 
   /**
@@ -148,9 +143,9 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { vertices } = this.#network;
-    writeArguments(vertices, 12).set(affine(matrix), vertices.length);
-    const length = core().points_transform(3, vertices.length / 3);
-    return this._surfaceOf({ ...this.#network, vertices: readResult(0, length) });
+    surfacesModule.write(vertices, 12).set(affine(matrix), vertices.length);
+    const length = surfacesModule.exports.points_transform(3, vertices.length / 3);
+    return this._surfaceOf({ ...this.#network, vertices: surfacesModule.read(0, length) });
   }
 
   /**
@@ -201,7 +196,10 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const joinedAt = from + vertices.length + indices.length;
     const joinedCount = withJoined ? joined.length : 0;
     const at = joinedAt + joinedCount;
-    const view = writeArguments(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
+    const view = surfacesModule.write(
+      Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount),
+      at + extra,
+    );
     view.set(degrees, 3);
     view.set(vertices, from);
     view.set(indices, from + vertices.length);
@@ -227,7 +225,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    */
   topology(): Topology {
     this._write();
-    return readTopology(readResult(0, core().surface_topology()));
+    return readTopology(surfacesModule.read(0, surfacesModule.exports.surface_topology()));
   }
 
   /**
@@ -282,7 +280,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const checked = gridOptions(options);
     const { u, v, quads, differences } = checked;
     this._write(0, false);
-    unwrapCount(core().surface_grid(u, v, quads, differences));
+    surfacesModule.count(surfacesModule.exports.surface_grid(u, v, quads, differences));
     return readGrid(this.patchCount, checked);
   }
 
@@ -302,7 +300,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const { args, extra, into, ...kind } = tessellation(options);
     const end = this._write(extra.length);
     end.view.set(extra, end.at);
-    unwrapCount(core().surface_tessellate(...args));
+    surfacesModule.count(surfacesModule.exports.surface_tessellate(...args));
     return readMesh(into, kind);
   }
 
@@ -374,7 +372,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const tolerancePx = check.optionalTolerance(tolerance);
     const end = this._write(16);
     end.view.set(m, end.at);
-    unwrapCount(core().surface_trace(sink, lines, tolerancePx));
+    surfacesModule.count(surfacesModule.exports.surface_trace(sink, lines, tolerancePx));
   }
 
   /**
@@ -383,7 +381,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    return coreCurveOf(new CheckedPoints(flat, 3)) as unknown as C;
+    return coreCurveOf({ flat, dimension: 3 }) as unknown as C;
   }
 
   #writer(withJoined: boolean): (extra: number) => { view: Float64Array; at: number } {
@@ -475,7 +473,7 @@ function coreSurfaceOf(network: Network): CoreSurface {
 export function surfaceFrom<S>(Class: SurfaceClass<S>, network: Network): S {
   if (typeof Class !== "function")
     throw new TypeError("expected a call of a static method on its class, as Surface.teapot()");
-  return new Class(new CheckedNetwork(network) as any);
+  return fromChecked(Class, network);
 }
 
 /** What Node's console shows of a surface. */
