@@ -1,8 +1,7 @@
 // Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
 
-import { capture } from "./capture.js";
-
-export type Point2 = [number, number];
+import { dragHandle } from "./capture.js";
+import type { Point2 } from "./capture.js";
 
 /** What dragging needs to know and may do. */
 export interface DragOptions {
@@ -29,9 +28,9 @@ export interface DragOptions {
 
 export interface Drag {
   index: number;
-  grip: Point2;
   from: Point2;
   to: Point2 | null;
+  /** The last move */
   event?: PointerEvent;
   /** Stops following the pointer */
   stop: () => void;
@@ -77,7 +76,7 @@ export class Drags {
   /** Lets all points go where they are. */
   end() {
     if (!this.active) return;
-    this.#release();
+    this.release();
     this.#options.ended([...this.#moved]);
   }
 
@@ -88,12 +87,13 @@ export class Drags {
    */
   cancel(): boolean {
     if (!this.active) return false;
-    this.#release();
+    this.release();
     this.#options.cancelled();
     return true;
   }
 
-  #release() {
+  /** Lets all points go where they are, without a report. */
+  release() {
     for (const { stop } of this.#drags.values()) stop();
     this.#drags.clear();
   }
@@ -104,16 +104,17 @@ export class Drags {
     if (index === undefined) return;
     if (!this.active) this.#begin();
     const from = this.#options.placeOf(index);
-    const [x, y] = this.#options.toViewBox(event);
-    const stop = capture(
+    const stop = dragHandle(
       event,
       {
-        move: (now) => this.#move(now),
+        from,
+        placeOf: this.#options.toViewBox,
+        move: (to, now) => this.#move(to, now),
         end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
       },
       this.#options.elementOf(index),
     );
-    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null, stop });
+    this.#drags.set(event.pointerId, { index, from, to: null, stop });
     this.#options.grabbed(index);
   }
 
@@ -143,11 +144,10 @@ export class Drags {
     return index;
   }
 
-  #move(event: PointerEvent) {
+  #move(to: Point2, event: PointerEvent) {
     const drag = this.#drags.get(event.pointerId);
     if (!drag) return;
-    const [x, y] = this.#options.toViewBox(event);
-    drag.to = [x - drag.grip[0], y - drag.grip[1]];
+    drag.to = to;
     drag.event = event;
     if (!isNear(this.#lastPress, event)) this.#lastPress = null;
     this.#options.schedule();

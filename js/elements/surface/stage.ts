@@ -13,6 +13,8 @@ import type { Theme } from "./theme.js";
 
 /** What the stage reports to the element. */
 export interface StagePort {
+  /** At the beginning of each frame: pointers that have moved, and the panel */
+  render: () => void;
   /** After each frame; the size in CSS pixels */
   drawn: (facts: Facts, sight: CameraMatrices, width: number, height: number) => void;
   /** The core cannot make this mesh */
@@ -141,7 +143,11 @@ export class Stage {
   }
 
   #step(now: number) {
-    this.#frame = 0;
+    try {
+      this.#port.render(); // the scene that it shows is drawn in this frame
+    } finally {
+      this.#frame = 0;
+    }
     const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
     this.#before = now;
     if (this.#port.turning() && this.#scene && !this.#lost)
