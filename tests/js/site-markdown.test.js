@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { codeHighlighter } from "../../www/build/highlight.js";
 import { fileURLToPath } from "node:url";
 import { includeFiles } from "../../www/build/include.js";
-import { contentsOf, nextChapter, pathToRoot, readingTime } from "../../www/build/layout.js";
+import { contentsOf, pathToRoot, readingTime } from "../../www/build/layout.js";
 import { charactersOf } from "../../www/build/math-font.js";
 import { markdown } from "../../www/build/markdown.js";
 
@@ -92,16 +92,13 @@ test("a line with an include is replaced by the file, relative to the page", () 
   assert.throws(() => includeFiles({ page }, "<!-- include sections/none.md -->"), /ENOENT/);
 });
 
-test("reading time counts words and tasks, not code and formulas; chapters follow each other", () => {
+test("reading time counts words and tasks, not code and formulas", () => {
   const words = "word ".repeat(1800);
   const tasks = (/** @type {number} */ count) => '<lesson-task name="a"></lesson-task>'.repeat(count);
   const html = `<p>${words}</p><pre>${words}</pre><math>${words}</math><svg>${words}</svg>`;
   assert.deepEqual(["", words, html].map(readingTime), ["5 minutes", "15 minutes", "15 minutes"]);
   const times = [10, 15, 25, 36].map((count) => readingTime(words + tasks(count)));
   assert.deepEqual(times, ["45 minutes", "1 hour", "1½ hours", "2 hours"]);
-  const chapters = [{ data: { chapter: 1 } }, { data: { chapter: 2 } }];
-  assert.equal(nextChapter(chapters, 1), chapters[1]);
-  assert.equal(nextChapter(chapters, 2), undefined);
 });
 
 test("an inline formula stays on one line with its punctuation", () => {
