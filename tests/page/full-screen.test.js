@@ -44,7 +44,10 @@ test("a curve on the whole screen: larger, as sharp as the display, and its poin
 });
 
 test("a surface on the whole screen: a control point follows the pointer", async (t) => {
-  const page = await openPage(t, "/surfaces/", { viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" });
+  const page = await openPage(t, "/surfaces/patches/", {
+    viewport: { width: 1280, height: 720 },
+    reducedMotion: "reduce",
+  });
   const figure = page.locator("#figure-patch");
   await figure.scrollIntoViewIfNeeded();
   await figure.locator(".handle:visible").first().waitFor();

@@ -28,25 +28,26 @@ async function modulesOf(t, path) {
 }
 
 test("the module of surfaces is loaded where a surface is, and not for other elements", async (t) => {
-  for (const path of ["/teapot/", "/surfaces/", "/embed.html?element=bezier-surface"])
+  for (const path of ["/teapot/", "/surfaces/patches/", "/embed.html?element=bezier-surface"])
     assert.ok((await modulesOf(t, path)).includes("surfaces"), path);
-  for (const path of ["/easing/", "/ink/", "/glyph/", "/curves/", "/texts/", "/embed.html"]) {
+  for (const path of ["/easing/", "/ink/", "/glyph/", "/curves/", "/curves/parameter/", "/texts/", "/embed.html"]) {
     const modules = await modulesOf(t, path);
     assert.ok(!modules.includes("surfaces"), `${path}: ${modules.join(", ")}`);
   }
 });
 
-test("the module of rational curves is loaded when a figure that has them is near", async (t) => {
-  for (const [path, name] of [
-    ["/curves/", "fig-conic"],
-    ["/figures/", "fig-conic"],
-    ["/surfaces/", "fig-octant"],
+test("the module of rational curves is loaded where a figure that has them is near", async (t) => {
+  for (const [first, path, name] of [
+    ["/curves/parameter/", "/curves/rational-curves/", "fig-conic"],
+    ["/figures/", "/figures/", "fig-conic"],
+    ["/surfaces/patches/", "/surfaces/revolution/", "fig-octant"],
   ]) {
-    const page = await openPage(t, path, { fresh: true });
+    const page = await openPage(t, first, { fresh: true });
     await settled(page);
     await intersectionsReported(page);
     await page.waitForFunction(() => customElements.get("lesson-task") || customElements.get("fig-parabola"));
-    assert.ok(!(await loaded(page)).includes("nurbs"), `${path} at first`);
+    assert.ok(!(await loaded(page)).includes("nurbs"), `${first} at first`);
+    if (path !== first) await page.goto(path);
     await page.locator(name).scrollIntoViewIfNeeded();
     await page.locator(`${name} .frame`).waitFor();
     assert.ok((await loaded(page)).includes("nurbs"), path);
