@@ -65,8 +65,11 @@ export function moved({ ends, middle, handles }, part, to) {
   };
 }
 
-/** The baselines of names, in CSS pixels from their points. */
-const [NAME_ABOVE, NAME_BELOW] = [12, 23];
+/** The places of names, in CSS pixels from their points: below those on the curve, beside the others. */
+const [NAME_BELOW, NAME_BESIDE] = [
+  [0, 23],
+  [20, 5],
+];
 
 /** `<fig-compare>`, `<fig-compare shape="s">` */
 export class FigCompare extends Figure {
@@ -148,8 +151,8 @@ export class FigCompare extends Figure {
           <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
           ${parts.map(({ at, name, kind: mark }) => {
             const [x, y] = place(at);
-            const label = y > height / 2 ? y + NAME_BELOW : y - NAME_ABOVE;
-            return svg`${(mark === "on" ? disc : square)(x, y)}<text class="strong haloed middle" x=${x} y=${label}>${name}</text>`;
+            const [dx, dy] = mark === "on" ? NAME_BELOW : NAME_BESIDE;
+            return svg`${(mark === "on" ? disc : square)(x, y)}<text class="strong haloed middle" x=${x + dx} y=${y + dy}>${name}</text>`;
           })}
         </svg>
         ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.notifyChange() }))}
