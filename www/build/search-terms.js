@@ -14,13 +14,13 @@ export const TERMS = {
   "curves/splines/":
     "catmull-rom, b-spline, natural spline, cardinal spline, interpolating spline, tension, hermite, matrix form, basis matrix",
   "curves/fitting/":
-    "fit, curve fitting, least squares, simplify, simplification, fewer points, Douglas-Peucker, Schneider, noise",
+    "curve fitting, least squares, simplify, simplification, fewer points, Douglas-Peucker, Schneider, noise",
   "curves/recursive-rendering/": "flattening, polyline, tolerance",
   "curves/arc-length/": "constant speed, even spacing, reparametrize",
   "curves/bounding-boxes/": "bounding box, extrema, points at extrema",
   "curves/nearest-point/": "closest point, projection, distance to a curve",
   "curves/offsets/": "parallel curve, offset, stroke, thickness, outline",
-  "curves/varying-width/": "variable width, varying width, nib, brush, pressure, taper, calligraphy, thickness",
+  "curves/varying-width/": "variable width, varying width, taper, calligraphy, pressure",
   "curves/circles/": "kappa, 0.5523, 0.5522847498, 0.551915, magic number, circle, circular arc",
   "curves/rational-curves/": "nurbs, conic, weight, rational, knots",
   "curves/boolean-operations/": "pathfinder, union, winding number, fill rule",
@@ -45,6 +45,7 @@ export const TERMS = {
   "api/path/#stroke": "thickness, line width, stroke-width, outline stroke",
   "api/path/#flatten": "polyline, polygon",
   "api/curve/#flatten": "polyline",
+  "api/spline/#fit": "fit, fit points, curve through noisy points",
   "api/curve/#offset": "parallel curve",
   "api/surface/#tessellate": "triangulate, triangulation, triangles",
   "api/inkstroke/#constructor": "nib, pen",
