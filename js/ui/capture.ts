@@ -33,9 +33,9 @@ export function capture(
   };
   target.setPointerCapture(id);
   listen(target, "pointermove", move);
-  for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(target, type, finish);
   // An element that was removed gets no more events.
-  for (const type of ["pointerup", "pointercancel"]) listen(target.ownerDocument, type, finish);
+  for (const on of [target, target.ownerDocument])
+    for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(on, type, finish);
   return () => {
     listening.abort();
     if (target.hasPointerCapture(id)) target.releasePointerCapture(id);

@@ -40,8 +40,7 @@ export interface Drag {
 const SAME_PLACE_PX = 4;
 
 export class Drags {
-  /** By pointerId */
-  #drags: Map<number, Drag> = new Map();
+  #drags: Set<Drag> = new Set();
   /** Points that have moved since the first pointer came down. */
   #moved: Set<number> = new Set();
   /** The last press that has not moved anything. */
@@ -64,7 +63,7 @@ export class Drags {
    * @returns whether any has moved
    */
   apply(): boolean {
-    const waiting = [...this.#drags.values()].filter(({ to }) => to);
+    const waiting = [...this.#drags].filter(({ to }) => to);
     for (const drag of waiting) {
       this.#moved.add(drag.index);
       this.#options.move(drag.index, drag.to ?? drag.from, drag);
@@ -94,44 +93,43 @@ export class Drags {
 
   /** Lets all points go where they are, without a report. */
   release() {
-    for (const { stop } of this.#drags.values()) stop();
+    for (const { stop } of this.#drags) stop();
     this.#drags.clear();
   }
 
   #down(event: PointerEvent) {
-    if (event.button !== 0 || this.#drags.has(event.pointerId)) return;
+    if (event.button !== 0) return;
     const index = this.#choose(this.#stackUnder(event), event);
     if (index === undefined) return;
-    if (!this.active) this.#begin();
+    if (!this.active) {
+      this.#moved.clear();
+      this.#options.started();
+    }
     const from = this.#options.placeOf(index);
     const stop = dragHandle(
       event,
       {
         from,
         placeOf: this.#options.toViewBox,
-        move: (to, now) => this.#move(to, now),
-        end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
+        move: (to, now) => this.#move(drag, to, now),
+        end: (_, released) => this.#end(drag, released),
       },
       this.#options.elementOf(index),
     );
-    this.#drags.set(event.pointerId, { index, from, to: null, stop });
+    const drag: Drag = { index, from, to: null, stop };
+    this.#drags.add(drag);
     this.#options.grabbed(index);
-  }
-
-  #begin() {
-    this.#moved.clear();
-    this.#options.started();
   }
 
   /** The free handles whose boxes contain the pointer, the nearest first. */
   #stackUnder({ clientX, clientY }: PointerEvent): number[] {
-    const taken = new Set([...this.#drags.values()].map(({ index }) => index));
     const found: { index: number; distance: number }[] = [];
     for (let index = 0; index < this.#options.count(); index++) {
+      if ([...this.#drags].some((drag) => drag.index === index)) continue;
       const { left, top, width, height } = this.#options.elementOf(index).getBoundingClientRect();
       const [dx, dy] = [clientX - left - width / 2, clientY - top - height / 2];
       const inside = Math.abs(dx) <= width / 2 && Math.abs(dy) <= height / 2;
-      if (inside && !taken.has(index)) found.push({ index, distance: Math.hypot(dx, dy) });
+      if (inside) found.push({ index, distance: Math.hypot(dx, dy) });
     }
     return found.sort((a, b) => a.distance - b.distance).map(({ index }) => index);
   }
@@ -144,26 +142,19 @@ export class Drags {
     return index;
   }
 
-  #move(to: Point2, event: PointerEvent) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
+  #move(drag: Drag, to: Point2, event: PointerEvent) {
     drag.to = to;
     drag.event = event;
     if (!isNear(this.#lastPress, event)) this.#lastPress = null;
     this.#options.schedule();
   }
 
-  #up(event: PointerEvent) {
-    this.apply();
-    this.#drags.delete(event.pointerId);
-    if (!this.active) this.#options.ended([...this.#moved]);
-  }
-
-  #lost(event: PointerEvent) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
-    if (this.#drags.size === 1) return void this.cancel();
-    this.#drags.delete(event.pointerId);
+  #end(drag: Drag, released: boolean) {
+    if (released) this.apply();
+    else if (this.#drags.size === 1) return void this.cancel();
+    this.#drags.delete(drag);
+    if (!this.active) return this.#options.ended([...this.#moved]);
+    if (released) return;
     this.#options.move(drag.index, drag.from, { from: drag.from }); // others are still moving
     this.#options.schedule();
   }

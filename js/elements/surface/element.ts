@@ -319,7 +319,7 @@ export class BezierSurface extends LitElement {
   #build({ Gestures, Handles, Labels, Stage }: Drawing) {
     const find = (selector: string) => this.renderRoot.querySelector(selector) as any;
     const canvas = find("canvas");
-    this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
+    this.#stage = new Stage(canvas, find(".overlay"), find(".probe"), this.#camera, {
       render: () => this.#renderNow(),
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);

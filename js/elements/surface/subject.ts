@@ -1,7 +1,7 @@
 // What `<bezier-surface>` shows, without its picture: the editor, and the settings, the surface and the scene of its state.
 import { Editor } from "../../editor/editor.js";
+import { Memo } from "../../editor/memo.js";
 import { frameOf } from "./camera.js";
-import { Memo } from "./memo.js";
 import { framingPoints, surfaceNamed } from "./models.js";
 import { ATTRIBUTE_NAMES, SettingsReader } from "./settings.js";
 import { firstState, TRANSIENT, withoutMoves } from "./state.js";
@@ -17,8 +17,6 @@ export class Subject {
   rational: Rational | null = null;
   #memo = new Memo();
   #reader;
-  /** The surface of the last moves. */
-  #moved: { base: Surface; moves: State["moves"]; surface: Surface } | null = null;
 
   /** @param report is called with what is wrong with an attribute */
   constructor(report: (problem: string) => void) {
@@ -58,14 +56,7 @@ export class Subject {
       () => given ?? surfaceNamed(settings, this.rational),
     );
     if (moves.size === 0) return base;
-    let known = this.#moved;
-    if (known?.moves === moves && known.base === base) return known.surface;
-    const isContinued = known?.base === base && [...known.moves.keys()].every((vertex) => moves.has(vertex));
-    known = isContinued ? known : null;
-    const changed = [...moves].filter(([vertex, to]) => known?.moves.get(vertex) !== to);
-    const surface = changed.reduce((moved, [vertex, to]) => moved.movePoint(vertex, to), known?.surface ?? base);
-    this.#moved = { base, moves, surface };
-    return surface;
+    return this.#memo.get("moved", [base, moves], (before?: Moved) => moved(base, moves, before)).surface;
   }
 
   /**
@@ -84,4 +75,14 @@ export class Subject {
     const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;
     return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));
   }
+}
+
+type Moved = { base: Surface; moves: State["moves"]; surface: Surface };
+
+/** @param before is continued where it has no other moves */
+function moved(base: Surface, moves: State["moves"], before?: Moved): Moved {
+  const isContinued = before?.base === base && [...before.moves.keys()].every((vertex) => moves.has(vertex));
+  const known = isContinued ? before : { moves: new Map(), surface: base };
+  const changed = [...moves].filter(([vertex, to]) => known.moves.get(vertex) !== to);
+  return { base, moves, surface: changed.reduce((at, [vertex, to]) => at.movePoint(vertex, to), known.surface) };
 }
