@@ -1,4 +1,4 @@
-import { farthest, polygonCrosses, splineOf } from "../figures/lib/families.js";
+import { farthest, splineOf } from "../figures/lib/families.js";
 import { verdict } from "./utils/curves.js";
 
 /** A spline passes through points from which it is closer than this, in the units of the figure. */
@@ -13,8 +13,6 @@ export const predict = {
 
 /** @param {unknown} _figure @param {{ points: [number, number][], family: any, tension: number }} element */
 export function check(_figure, { points, family, tension }) {
-  if (polygonCrosses(points))
-    return verdict(false, "The lines between the points cross. Move them so that they do not.");
   if (!splineOf("catmull-rom", points, 0).selfIntersections().length)
     return verdict(false, "The Catmull–Rom spline of these points does not cross itself yet.");
   if (family === "catmull-rom")
