@@ -8,7 +8,7 @@ export const predict = {
   options: ["the natural spline", "the centripetal spline", "both"],
   answer: 1,
   because:
-    "Both the uniform spline and the natural spline give each piece the same time. A short piece gets velocities that suit its long neighbours, so its handles are much too long for it. The centripetal spline gives a short piece less time.",
+    "Both the Catmull–Rom spline and the natural spline give each piece the same time. A short piece gets velocities that suit its long neighbours, so its handles are much too long for it. The centripetal spline gives a short piece less time.",
 };
 
 /** @param {unknown} _figure @param {{ points: [number, number][], family: any, tension: number }} element */
