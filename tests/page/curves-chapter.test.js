@@ -7,13 +7,13 @@ import { done, goTo, nearApplet as near, openCurves as open, sectionsOf, task } 
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS =
-  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles rational-curves boolean-operations uses basis-matrix cost-and-numerical-stability".split(
+  "parameter quadratic de-casteljau bernstein splitting derivatives properties shapes joining higher-degrees splines fitting recursive-rendering arc-length bounding-boxes nearest-point intersections offsets varying-width circles rational-curves boolean-operations uses cost-and-numerical-stability".split(
     " ",
   );
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
 const FIGURES =
-  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-speed, fig-stroke, fig-velocity)";
+  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-families, fig-fit, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-simplify, fig-speed, fig-stroke, fig-taper, fig-velocity)";
 
 test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
   const page = await open(t);
@@ -89,7 +89,7 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
   await near(page, "recursion");
   assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 14\.5\d px/);
   await task(page, "enough-pieces", 2);
-  await page.getByRole("slider", { name: "Tolerance" }).fill("-4");
+  await page.getByRole("slider", { name: "Tolerance, px" }).fill("-4");
   assert.match(await done(page, "enough-pieces"), /^32 pieces/);
   assert.equal(await page.locator("#recursion").getAttribute("tolerance"), "0.0625");
 
@@ -165,7 +165,8 @@ test("what can be seen before the scripts: pictures of the applets, the text, th
     await page.goto(path);
     count += await page.locator("bezier-applet > svg path").count();
     assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
-    assert.equal(await page.locator("lesson-sample pre:visible").count(), 2, "both languages");
+    const samples = await page.locator("lesson-sample").count();
+    assert.equal(await page.locator("lesson-sample pre:visible").count(), 2 * samples, "both languages");
     assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
     for (const picture of await page.locator("bezier-applet > svg:first-of-type").all()) {
       const { width, height } = await boxOf(picture);

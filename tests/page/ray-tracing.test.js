@@ -68,14 +68,21 @@ test("a smaller picture and larger micropolygons are fewer micropolygons, and th
   await goTo(page, "figure-reyes");
   const figure = page.locator("reyes-dicing");
   await figure.scrollIntoViewIfNeeded();
-  await task(page, "micropolygons", 1);
+  await task(page, "micropolygons", 2);
   const count = async () => Number(await figure.locator("[data-micropolygons]").getAttribute("data-micropolygons"));
   await page.waitForFunction(() => document.querySelector("reyes-dicing").figure.micropolygons > 0);
   const first = await count();
   await figure.getByRole("slider", { name: "Zoom" }).fill("0.5");
-  assert.match(await done(page, "micropolygons"), /At this zoom there are .* You predicted it/);
+  await page
+    .locator('lesson-task[name="micropolygons"]')
+    .getByText(/At the zoom 0\.50 there are/)
+    .waitFor();
+  assert.equal(await page.locator('lesson-task[name="micropolygons"]').getAttribute("data-state"), "open");
   const small = await count();
   assert.ok(small < first / 2 && small > first / 8, `${small} of ${first}`);
+  await figure.getByRole("slider", { name: "Zoom" }).fill("0.6");
+  assert.match(await done(page, "micropolygons"), /At the zoom 0\.60 there are .* You predicted it/);
+  await figure.getByRole("slider", { name: "Zoom" }).fill("0.5");
   await figure.getByRole("slider", { name: "Micropolygon size" }).fill("32");
   await page.waitForFunction((small) => document.querySelector("reyes-dicing").figure.micropolygons < small, small);
   const pixels = () =>

@@ -4,7 +4,7 @@ import { controlGroups } from "../attribute-text.js";
 import { Announcer, setText } from "../../ui/announcer.js";
 import { Drags } from "../../ui/drag.js";
 import { listenToFiles, save } from "../../ui/files.js";
-import { addKeyTarget, keyTarget } from "../../ui/key-targets.js";
+import { listenToPageKeys } from "../../ui/key-targets.js";
 import { arrowStep, historyStep, isForText, isPlain, keyOf } from "../../ui/keys.js";
 import { Player } from "../../ui/playback.js";
 import { onDoubleTap } from "../../ui/taps.js";
@@ -27,7 +27,7 @@ import { Picture } from "./picture.js";
 import type { ActionName } from "../../editor/actions.js";
 import type { Language } from "../../editor/code.js";
 import type { Point2, State } from "../../editor/state.js";
-import type { LayerMessage } from "../../layers/index.js";
+import type { LayerMessage } from "../../layers/draw-figure.js";
 import type { ControlGroups } from "../attribute-text.js";
 import type { AppletHost, Rational } from "./model.js";
 
@@ -330,22 +330,12 @@ export class AppletController {
    */
   #listenToPage(): () => void {
     const { host } = this;
-    const page = host.ownerDocument;
-    const removeTarget = addKeyTarget(host);
-    const listener = (event: KeyboardEvent) => {
+    return listenToPageKeys(host, (event, target) => {
       const action = actionOfKey(keyOf(event));
       const counts = host.hotkeys !== "off" && isPlain(event) && !isForText(event);
-      if (!action || !PAGE_WIDE.includes(action) || !counts) return;
-      const target = keyTarget(event, page);
-      if (target.focused || target.host !== host) return;
-      event.preventDefault();
-      this.#runByKey(action);
-    };
-    page.addEventListener("keydown", listener);
-    return () => {
-      removeTarget();
-      page.removeEventListener("keydown", listener);
-    };
+      if (!counts || !action || !PAGE_WIDE.includes(action) || target() !== "page") return false;
+      return this.#runByKey(action);
+    });
   }
 
   #runByKey(name: ActionName): true {
