@@ -30,6 +30,10 @@ export const TARGETS = {
   "again-contains": { max: 2_000 },
   "again-nearest-of": { max: 100_000 },
 
+  "scroll-curves": { max: 50_000_000 }, // ns
+  "scroll-surfaces": { max: 50_000_000 },
+  "scroll-ink": { max: 50_000_000 },
+
   "path-paper": { minRatio: 8 },
   "path-properties": { minRatio: 20 },
 

@@ -66,7 +66,7 @@ test("a scene has a figure, the text that leads to it, and the text and tasks be
     assert.equal(outline(render(`## A\n\n${text}`, 1)), `scene before ${expected}`, text);
   const moved = render(`## A\n\n${figure("f")}${figure("g")}${task("g")}::: task half-pixel for=f\n:::`, 1);
   const numbers = Array.from(
-    moved.matchAll(/<lesson-task name="([\w-]+)"[^>]*data-number="([\d.]+)"/g),
+    moved.matchAll(/<lesson-task id="[\w-]+" name="([\w-]+)"[^>]*data-number="([\d.]+)"/g),
     ([, name, number]) => [name, number],
   );
   assert.deepEqual(
@@ -90,7 +90,7 @@ test("a link to a figure without text says its number", () => {
 test("tasks and samples; what is missing is named", () => {
   assert.match(
     render("::: task half-height for=parabola\nHow high?\n:::", 2),
-    /<lesson-task name="half-height" for="parabola" data-number="2\.1">\s*<p>How high\?<\/p>\s*<\/lesson-task>/,
+    /<lesson-task id="task-half-height" name="half-height" for="parabola" data-number="2\.1">\s*<p>How high\?<\/p>\s*<\/lesson-task>/,
   );
   assert.match(render("::: sample grid\n:::"), /<pre tabindex="0" data-language="js"><code>.*class="keyword"/s);
   assert.throws(() => render("::: sample nowhere\n:::"), /expected the sample www\/samples\/nowhere\.js/);

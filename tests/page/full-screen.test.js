@@ -64,3 +64,25 @@ test("a surface on the whole screen: a control point follows the pointer", async
   const to = await boxOf(handle);
   assert.ok(Math.abs(to.x - from.x - 30) <= 1.5 && Math.abs(to.y - from.y + 20) <= 1.5, JSON.stringify([from, to]));
 });
+
+test("on the whole screen, Page Down and Page Up step through the figures of the section, and the button leaves it", async (t) => {
+  const page = await openPage(t, "/curves/quadratic/", {
+    viewport: { width: 1280, height: 720 },
+    reducedMotion: "reduce",
+  });
+  const shown = () => page.evaluate(() => document.fullscreenElement?.id);
+  const waitFor = (/** @type {string} */ id) => page.waitForFunction((id) => document.fullscreenElement?.id === id, id);
+  await fill(page, page.locator("#figure-lerp"));
+  await page.keyboard.press("PageUp");
+  assert.equal(await shown(), "figure-lerp", "the first one");
+  await page.keyboard.press("PageDown");
+  await waitFor("figure-steps");
+  await page.keyboard.press("PageDown");
+  await waitFor("figure-quadratic");
+  const { width } = await boxOf(page.locator("#figure-quadratic canvas"));
+  assert.ok(width > 600, `${width} px`);
+  await page.keyboard.press("PageUp");
+  await waitFor("figure-steps");
+  await page.getByRole("button", { name: "Exit full screen" }).click();
+  await page.waitForFunction(() => !document.fullscreenElement);
+});

@@ -254,6 +254,25 @@ test("without storage tasks work, and progress lasts as long as the page", async
   await page.locator("lesson-progress").getByText("1 of", { exact: false }).waitFor();
 });
 
+test("all tasks of a chapter are on one page, and their answers where one asks for them", async (t) => {
+  for (const chapter of /** @type {const} */ (["curves", "surfaces"])) {
+    const page = await open(t, `/${chapter}/tasks/`, { fresh: true });
+    const names = sectionsOf(chapter).flatMap(({ tasks }) => tasks);
+    await page.locator("#answers:enabled").waitFor();
+    const questions = page.locator("[data-task]");
+    assert.deepEqual(await questions.evaluateAll((all) => all.map(({ dataset }) => dataset.task)), names);
+    assert.equal(await page.locator(".answer:visible").count(), 0);
+    await page.getByRole("checkbox", { name: "Show the answers" }).check();
+    assert.equal(await page.locator(".answer:visible").count(), names.length);
+    const [first] = names;
+    await questions
+      .first()
+      .getByRole("link", { name: /^Task \d\.1$/ })
+      .click();
+    await page.waitForURL((url) => url.pathname === pageOf(chapter, first) && url.hash === `#task-${first}`);
+  }
+});
+
 test("a section leads to its neighbours, and a chapter to the next one", async (t) => {
   const page = await open(t, "/curves/parameter/");
   await page.goto("/curves/");

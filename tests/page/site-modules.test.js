@@ -1,8 +1,10 @@
 // Which modules of the package a page of the site loads.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { intersectionsReported, openPage } from "./browser.js";
-import { loadFigures } from "./chapter-page.js";
+import { gzipSync } from "node:zlib";
+import { intersectionsReported, openPage, root } from "./browser.js";
+import { loadFigures, sectionsOf } from "./chapter-page.js";
 import { settled } from "./site-pages.js";
 
 /** The scripts with more than so many characters have a wasm module inside. */
@@ -68,4 +70,25 @@ test("/recipes/ loads the modules of surfaces and of weights when a recipe that 
   await recipe.scrollIntoViewIfNeeded();
   await page.waitForFunction(() => document.querySelector("#vase-surface").surface?.patchCount === 36);
   assert.deepEqual(await isLoaded(), [true, true]);
+});
+
+/** The most that a section may take over the network, with the scripts of all of its figures. */
+const MAX_SECTION_KB = 450;
+
+test(`a section takes at most ${MAX_SECTION_KB} kB, compressed`, async (t) => {
+  const page = await openPage(t, "/curves/parameter/", { messages: /^$/ });
+  const large = [];
+  for (const { path } of [...sectionsOf("curves"), ...sectionsOf("surfaces")]) {
+    await page.goto(path);
+    await settled(page);
+    await loadFigures(page);
+    const files = await page.evaluate(() =>
+      performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname),
+    );
+    const all = new Set([`${path}index.html`, ...files].filter((name) => /\.(html|js|css|woff2)$/.test(name)));
+    const bytes = [...all].reduce((sum, name) => sum + gzipSync(readFileSync(`${root}site${name}`), { level: 9 }).length, 0);
+    t.diagnostic(`${path} ${(bytes / 1000).toFixed(0)} kB`);
+    if (bytes > 1000 * MAX_SECTION_KB) large.push(`${path}: ${(bytes / 1000).toFixed(0)} kB`);
+  }
+  assert.deepEqual(large, []);
 });

@@ -18,12 +18,14 @@ import { mathText } from "./math-text.js";
  * @property {string} html
  * @property {string[]} ids of everything in it
  * @property {string[]} tasks their names
+ * @property {{ name: string, number: string, html: string }[]} questions what the tasks ask
  * @property {{ id: string, title: string }[]} parts its headings
  */
 /** @typedef {{ path: string, heading: string, html: string, tasks: string[], sections: Section[] }} Chapter path: "curves/" */
 
 const www = fileURLToPath(new URL("../", import.meta.url));
 const PATHS = ["curves/", "surfaces/"];
+const TASK = /<lesson-task [^>]*name="([^"]+)"[^>]*data-number="([^"]+)"[^>]*>(.*?)<\/lesson-task>/gs;
 const FIRST_SECTION = /^(?:## |<!-- include )/m;
 
 /** The text of a chapter before its first section, with its front matter. @param {string} text */
@@ -101,6 +103,11 @@ function sectionOf(html, path, chapter, index) {
   const [, number = "", words = title] = /^<span class="nr">([\d.]+)<\/span>\s*(.*)$/s.exec(title) ?? [];
   const content = html.replace(/^<section [^>]*>|<\/section>\s*$/g, "");
   const ids = [id, ...all(/\sid="([^"]+)"/g, content)];
+  const questions = Array.from(content.matchAll(TASK), ([, name, number, html]) => ({
+    name,
+    number,
+    html: linksOf(html, `${path}${id}/`, []),
+  }));
   return {
     id,
     url: `/${path}${id}/`,
@@ -112,7 +119,8 @@ function sectionOf(html, path, chapter, index) {
     description: descriptionOf(content),
     html: raised(linksOf(content, path, ids)).replace("<h1", `<h1 id="${id}"`),
     ids,
-    tasks: all(/<lesson-task name="([^"]+)"/g, content),
+    tasks: questions.map(({ name }) => name),
+    questions,
     parts: Array.from(content.matchAll(/<h3 id="([^"]+)"[^>]*>(.*?) <a class="permalink"/gs), ([, id, title]) => ({
       id,
       title,
