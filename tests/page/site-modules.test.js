@@ -86,7 +86,10 @@ test(`a section takes at most ${MAX_SECTION_KB} kB, compressed`, async (t) => {
       performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname),
     );
     const all = new Set([`${path}index.html`, ...files].filter((name) => /\.(html|js|css|woff2)$/.test(name)));
-    const bytes = [...all].reduce((sum, name) => sum + gzipSync(readFileSync(`${root}site${name}`), { level: 9 }).length, 0);
+    const bytes = [...all].reduce(
+      (sum, name) => sum + gzipSync(readFileSync(`${root}site${name}`), { level: 9 }).length,
+      0,
+    );
     t.diagnostic(`${path} ${(bytes / 1000).toFixed(0)} kB`);
     if (bytes > 1000 * MAX_SECTION_KB) large.push(`${path}: ${(bytes / 1000).toFixed(0)} kB`);
   }
