@@ -12,7 +12,7 @@ import { frame } from "./frame.js";
 import { missing } from "../loading.js";
 import { loadDrawing, loadRational } from "./loading.js";
 import { isRational } from "./settings.js";
-import { whenIdle } from "./start-queue.js";
+import { whenIdle } from "../start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { AutoRotation } from "./auto-rotation.js";
