@@ -13,7 +13,7 @@ import { frame } from "./frame.js";
 import { missing } from "../loading.js";
 import { loadDrawing, loadRational } from "./loading.js";
 import { ATTRIBUTE_NAMES, isRational } from "./settings.js";
-import { whenIdle } from "./start-queue.js";
+import { whenIdle } from "../start-queue.js";
 import { withoutMoves, withPointAt, withSurface } from "./state.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
