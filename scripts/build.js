@@ -121,7 +121,7 @@ export const types = () =>
       name: "types",
       inputs: [
         ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)), // these have no types
-        ...["tsconfig.json", "package-lock.json", "xtask/types.js"],
+        ...["tsconfig.json", "package-lock.json"],
       ],
       outputs: ["index", "core", "surfaces", "nurbs", "easing", "applet/classic"].map(
         (name) => `dist/types/${name}.d.ts`,
@@ -130,7 +130,6 @@ export const types = () =>
     async () => {
       await rm(join(root, "dist/types"), { recursive: true, force: true }); // declarations of deleted files
       await node("node_modules/typescript/bin/tsc", "--project", "tsconfig.json");
-      await node("xtask/types.js");
     },
   );
 
@@ -142,7 +141,7 @@ const custom = () =>
       inputs: [
         ...filesBelow("js").filter((name) => !/(-bytes\.js|\.wasm)$/.test(name)),
         ...filesBelow("custom"),
-        ...["xtask/pieces.js", "xtask/types.js", "tsconfig.json", "package.json", "package-lock.json"],
+        ...["xtask/pieces.js", "tsconfig.json", "package.json", "package-lock.json"],
       ],
       outputs: ["command.js", "needs.json", "pieces.json"].map((name) => `dist/custom/${name}`),
     },

@@ -1,7 +1,7 @@
 // The pages of the site: Markdown and Nunjucks below www/. Vite takes the HTML from memory (build/pages.js).
+import { chapterLinks, introductionOf, readChapters } from "./build/chapters.js";
 import { addGallery } from "./build/gallery.js";
-import { includeFiles } from "./build/include.js";
-import { contentsOf, nextChapter, pathToRoot, readingTime } from "./build/layout.js";
+import { contentsOf, pathToRoot, readingTime } from "./build/layout.js";
 import { addAppletPosters } from "./build/posters.js";
 import { sampleCode } from "./build/samples.js";
 import { siteBar } from "./build/site-bar.js";
@@ -10,14 +10,6 @@ import { codeHighlighter } from "./build/highlight.js";
 import { homeData } from "./build/home.js";
 import { markdown } from "./build/markdown.js";
 import { NAVIGATION } from "./build/navigation.js";
-
-/** @typedef {{ data: { chapter?: number } }} Page */
-
-/** The chapters in order. @param {Page[]} pages */
-function chapters(pages) {
-  const number = (/** @type {Page} */ { data }) => data.chapter ?? 0;
-  return pages.filter(number).sort((a, b) => number(a) - number(b));
-}
 
 /** @param {any} eleventy */
 export default async function configure(eleventy) {
@@ -36,10 +28,21 @@ export default async function configure(eleventy) {
     (/** @type {string} */ code, /** @type {string} */ language) =>
       `<pre tabindex="0"><code>${highlight(code, language)}</code></pre>`,
   );
-  eleventy.addPreprocessor("include", "md", includeFiles);
+  const chapters = readChapters(md);
+  eleventy.addGlobalData("chapters", chapters);
+  eleventy.addGlobalData(
+    "sections",
+    chapters.flatMap(({ sections }) => sections),
+  );
+  eleventy.addPreprocessor(
+    "introduction",
+    "md",
+    (/** @type {{ chapter?: number }} */ { chapter }, /** @type {string} */ text) =>
+      chapter ? introductionOf(text) : text,
+  );
+  eleventy.addTransform("chapter-links", chapterLinks(chapters));
   eleventy.addFilter("pathToRoot", pathToRoot);
   eleventy.addFilter("readingTime", readingTime);
-  eleventy.addFilter("nextChapter", nextChapter);
   eleventy.addFilter("siteBar", siteBar);
   eleventy.addGlobalData("navigation", () => NAVIGATION);
   // build/pages.js says whether dist/ is there to be measured.
@@ -47,9 +50,6 @@ export default async function configure(eleventy) {
   eleventy.addFilter("contentsOf", contentsOf);
   eleventy.addTransform("gallery", addGallery);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));
-  eleventy.addCollection("chapters", (/** @type {{ getAll(): Page[] }} */ collections) =>
-    chapters(collections.getAll()),
-  );
   eleventy.setTemplateFormats(["md", "njk", "11ty.js"]);
   eleventy.ignores.add("**/api/entries/**"); // read by api/build/entries.js
   eleventy.ignores.add("**/sections/**"); // included in their chapter

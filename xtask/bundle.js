@@ -60,6 +60,20 @@ const coreSurfaces = {
   },
 };
 
+/** Makes the bundle of the small applet, which exposes no curves, use the classes of casteljau/core. */
+const coreClasses = {
+  name: "core-classes",
+  setup(build) {
+    const replace = (folder, name) =>
+      build.onLoad({ filter: new RegExp(`[\\\\/]js[\\\\/]geometry[\\\\/]${folder}[\\\\/]${folder}\\.ts$`) }, () => ({
+        contents: `export { Core${name} as ${name} } from "./core-${folder}.js";`,
+        resolveDir: resolve(sources, "geometry", folder),
+      }));
+    replace("curve", "Curve");
+    replace("spline", "Spline");
+  },
+};
+
 /** Leaves surfaces.js and nurbs.js, whose bundles stand alone, imports of the elements that use them. */
 const standaloneExternal = {
   name: "standalone-external",
@@ -280,7 +294,10 @@ await Promise.all([
   // What casteljau/react, casteljau/vue and casteljau/svelte are when a program runs: nothing.
   bundle("elements/react.ts", "types-only.js"),
   bundle("index.ts", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau", plugins: modules() }),
-  bundle("applet/classic.ts", "bezier-app.js", { ...CLASSIC, plugins: modules(useModules({ curves: "applet" })) }),
+  bundle("applet/classic.ts", "bezier-app.js", {
+    ...CLASSIC,
+    plugins: [coreClasses, ...modules(useModules({ curves: "applet" }))],
+  }),
 ]);
 await transpile();
 await writeFile("dist/THIRD-PARTY-NOTICES.txt", await noticesText([...inputs]));

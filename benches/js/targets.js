@@ -30,6 +30,10 @@ export const TARGETS = {
   "again-contains": { max: 2_000 },
   "again-nearest-of": { max: 100_000 },
 
+  "scroll-curves": { max: 50_000_000 }, // ns
+  "scroll-surfaces": { max: 50_000_000 },
+  "scroll-ink": { max: 50_000_000 },
+
   "path-paper": { minRatio: 8 },
   "path-properties": { minRatio: 20 },
 
@@ -66,6 +70,7 @@ export const TARGETS = {
   size: { max: 365_000 }, // bytes
   "size-elements": { max: 45_000 },
   frame: { max: 4e6 }, // ns
+  scroll: { max: 50e6 }, // ns
 
   "growth-segments": { max: 1.25 },
   "growth-patches": { max: 1.25 },

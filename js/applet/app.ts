@@ -1,12 +1,12 @@
 import { finiteNumber, pointPair } from "../editor/check.js";
-import { continuityAtP3 } from "./derive.js";
+import { appended, randomized } from "../editor/commands.js";
+import { allPointsToggled } from "../editor/state.js";
+import * as changes from "./changes.js";
 import { Engine } from "./engine.js";
-import { generator } from "../editor/random.js";
-import * as states from "./state.js";
-import type { JointMode } from "./state.js";
-import type { Layers } from "./state.js";
-import type { Continuity } from "./derive.js";
+import { continuityAtP3 } from "./words.js";
+import type { Continuity } from "../editor/figure.js";
 import type { Box } from "../editor/plane.js";
+import type { JointMode, Layers } from "./changes.js";
 
 /**
  * The applet on one canvas, as `bezierApp` returns it.
@@ -38,11 +38,11 @@ export class BezierApp extends EventTarget {
    * @returns a copy
    */
   get points(): [number, number][] {
-    return states.pointsOf(this.#engine.state);
+    return this.#engine.state.points.map(([x, y]) => [x, y]);
   }
 
   set points(points) {
-    this.#engine.command((state) => states.withPoints(state, points));
+    this.#engine.command((state) => changes.withPoints(state, points));
   }
 
   /** How many points are shown: 4, 7, 10 …, at most as many as there are. */
@@ -51,7 +51,7 @@ export class BezierApp extends EventTarget {
   }
 
   set mode(count) {
-    this.#engine.command((state) => states.withShown(state, count));
+    this.#engine.command((state) => changes.withShown(state, count));
   }
 
   /**
@@ -59,11 +59,11 @@ export class BezierApp extends EventTarget {
    * P3 half-way ("c1"). Setting it moves P4 to where it must be.
    */
   get joint(): JointMode {
-    return this.#engine.state.joint;
+    return this.#engine.state.joints[0] as JointMode;
   }
 
   set joint(mode) {
-    this.#engine.command((state) => states.withJoint(state, mode));
+    this.#engine.command((state) => changes.withJoint(state, mode));
   }
 
   /** The parameter from 0 to 1, applied to every segment shown: each has its point, its construction and its halves at t. */
@@ -72,7 +72,7 @@ export class BezierApp extends EventTarget {
   }
 
   set t(t) {
-    this.#engine.set(states.withT(this.#engine.state, t));
+    this.#engine.set(changes.withT(this.#engine.state, t));
   }
 
   /**
@@ -80,16 +80,16 @@ export class BezierApp extends EventTarget {
    * change: `app.layers = { hull: true }`.
    */
   get layers(): Readonly<Layers> {
-    return this.#engine.state.layers;
+    return changes.layersOf(this.#engine.state);
   }
 
-  set layers(changes: Partial<Layers>) {
-    this.#engine.set(states.withLayers(this.#engine.state, changes));
+  set layers(some: Partial<Layers>) {
+    this.#engine.set(changes.withLayers(this.#engine.state, some));
   }
 
   /** What holds at P3 now, as `Spline.continuity` reports it; null in the 4-point mode. */
   get continuity(): Continuity | null {
-    return continuityAtP3(this.#engine.state);
+    return continuityAtP3(this.#engine.figure);
   }
 
   /**
@@ -100,18 +100,18 @@ export class BezierApp extends EventTarget {
   randomize(seed?: number) {
     const integer = finiteNumber(seed ?? Math.floor(Math.random() * 2 ** 32), "seed", "an integer");
     if (!Number.isInteger(integer)) throw new RangeError(`seed: expected an integer, got ${integer}`);
-    this.#engine.command((state) => states.randomized(state, generator(integer)));
+    this.#engine.command((state) => randomized(state, integer));
   }
 
   /** Shows four points only; called again, all of them. Nothing is deleted. */
   toggleMode() {
-    this.#engine.command(states.allPointsToggled);
+    this.#engine.command(allPointsToggled);
   }
 
   /** Appends a segment that ends at a point, with two automatic handles; then all points are shown. */
   append(point: [number, number]) {
     const checked = pointPair(point, "point");
-    this.#engine.command((state) => states.appended(state, checked));
+    this.#engine.command((state) => appended(state, checked));
   }
 
   /** Takes back the last change; what the page set before the first action of the user stays. */

@@ -1,21 +1,20 @@
 // The bar below the picture: native form controls that call the applet and are set from its state.
-import { element } from "../ui/dom.js";
-import { FEWEST_POINTS, JOINT_MODES, pointCount } from "./state.js";
+import { append, randomize, redo, toggle, undo } from "../editor/actions.js";
 import { translated, translatedTable } from "../editor/translations.js";
-import type { State } from "./state.js";
-import type { JointMode } from "./state.js";
-import type { Layers } from "./state.js";
+import { element } from "../ui/dom.js";
+import { JOINT_MODES, LAYER_NAMES, MIN_POINTS } from "./changes.js";
+import type { Action } from "../editor/actions.js";
+import type { State } from "../editor/state.js";
+import type { JointMode, Layers } from "./changes.js";
 
 /** What the controls do. */
 export interface ControlPort {
-  randomize: () => void;
-  toggle: () => void;
-  append: () => void;
-  undo: () => void;
-  redo: () => void;
+  run: (action: Action) => void;
   setJoint: (mode: JointMode) => void;
-  setT: (t: number, done: boolean) => void;
   setLayer: (name: keyof Layers, on: boolean) => void;
+  setT: (t: number) => void;
+  /** Completes what `setT` has begun */
+  commit: () => void;
 }
 
 export interface Controls {
@@ -25,7 +24,7 @@ export interface Controls {
 }
 
 /** Whether there are steps to undo and to redo. */
-export type Can = { undo: boolean; redo: boolean };
+export type Can = { canUndo: boolean; canRedo: boolean };
 
 const JOINT_NAMES: Record<JointMode, string> = translatedTable({ free: "Free", g1: "G1", c1: "C1" });
 const JOINT_TITLES: Record<JointMode, string> = translatedTable({
@@ -33,7 +32,7 @@ const JOINT_TITLES: Record<JointMode, string> = translatedTable({
   g1: "P2, P3 and P4 stay aligned",
   c1: "P2, P3 and P4 stay aligned, and P3 stays half-way",
 });
-const LAYER_NAMES: Record<keyof Layers, string> = translatedTable({
+const LAYER_TITLES: Record<keyof Layers, string> = translatedTable({
   polygon: "control polygon",
   hull: "hull",
   construction: "de Casteljau at t",
@@ -67,22 +66,23 @@ export function createControls(bar: HTMLElement, port: ControlPort): Controls {
 }
 
 function pointButtons(page: Document, port: ControlPort) {
-  const button = (key: string, onclick: () => void, ...words: (Node | string)[]) =>
-    element(page, "button", { type: "button", onclick, ...(key && { "aria-keyshortcuts": key }) }, ...words);
-  const key = (letter: string) => element(page, "kbd", {}, letter);
+  const button = (action: Action, shortcut = action.key, ...words: Node[]) =>
+    element(
+      page,
+      "button",
+      { type: "button", onclick: () => port.run(action), ...(shortcut && { "aria-keyshortcuts": shortcut }) },
+      ...(words.length ? words : [action.label()]),
+      ...(action.key ? [" ", element(page, "kbd", {}, action.key)] : []),
+    );
   const label = element(page, "span");
-  const toggle = button("m", port.toggle, label, " ", key("m"));
-  const randomize = button("r", port.randomize, translated("Randomize"), " ", key("r"));
-  const undo = button("Control+Z", port.undo, translated("Undo"));
-  const redo = button("Control+Y", port.redo, translated("Redo"));
-  const add = button("", port.append, translated("Add a point"));
-  const row = element(page, "div", { className: "row" }, randomize, toggle, add, undo, redo);
-  const update = (state: State, can: Can) => {
-    undo.disabled = !can.undo;
-    redo.disabled = !can.redo;
-    const max = pointCount(state);
-    label.textContent = translated("Show {0} points", state.shown === FEWEST_POINTS ? max : FEWEST_POINTS);
-    toggle.disabled = max === FEWEST_POINTS;
+  const toggler = button(toggle, toggle.key, label);
+  const steps = [button(undo, "Control+Z"), button(redo, "Control+Y")];
+  const row = element(page, "div", { className: "row" }, button(randomize), toggler, button(append), ...steps);
+  const update = ({ points, shown }: State, { canUndo, canRedo }: Can) => {
+    steps[0].disabled = !canUndo;
+    steps[1].disabled = !canRedo;
+    label.textContent = translated("Show {0} points", shown === MIN_POINTS ? points.length : MIN_POINTS);
+    toggler.disabled = points.length === MIN_POINTS;
   };
   return { row, update };
 }
@@ -98,15 +98,15 @@ function jointSwitch(page: Document, port: ControlPort) {
   const group = element(page, "fieldset", {}, legend, ...labels);
   const update = (state: State) => {
     legend.textContent = state.shown > TWO_CUBICS ? translated("At every joint hold") : translated("At P3 hold");
-    for (const radio of radios) radio.checked = radio.value === state.joint;
+    for (const radio of radios) radio.checked = radio.value === state.joints[0];
   };
   return { group, update };
 }
 
 function tSlider(page: Document, port: ControlPort) {
   const slider = element(page, "input", { type: "range", min: "0", max: "1", step: String(T_STEP), "aria-label": "t" });
-  slider.addEventListener("input", () => port.setT(Number(slider.value), false));
-  slider.addEventListener("change", () => port.setT(Number(slider.value), true));
+  slider.addEventListener("input", () => port.setT(Number(slider.value)));
+  slider.addEventListener("change", () => port.commit());
   const output = element(page, "span", { className: "value", "aria-hidden": "true" }); // the slider announces its value itself
   const label = element(page, "label", { className: "t" }, element(page, "i", {}, "t"), slider, output);
   const update = ({ t }: State) => {
@@ -117,14 +117,13 @@ function tSlider(page: Document, port: ControlPort) {
 }
 
 function layerBoxes(page: Document, port: ControlPort) {
-  const names = Object.keys(LAYER_NAMES) as (keyof Layers)[];
-  const boxes = names.map((name) => {
+  const boxes = LAYER_NAMES.map((name) => {
     const box = element(page, "input", { type: "checkbox", name });
     box.addEventListener("change", () => port.setLayer(name, box.checked));
     return box;
   });
-  const labels = names.map((name, i) => element(page, "label", {}, boxes[i], LAYER_NAMES[name]));
+  const labels = LAYER_NAMES.map((name, i) => element(page, "label", {}, boxes[i], LAYER_TITLES[name]));
   const group = element(page, "fieldset", {}, element(page, "legend", {}, translated("Show")), ...labels);
-  const update = ({ layers }: State) => names.forEach((name, i) => (boxes[i].checked = layers[name]));
+  const update = ({ layers }: State) => LAYER_NAMES.forEach((name, i) => (boxes[i].checked = layers.has(name)));
   return { group, update };
 }

@@ -1,59 +1,66 @@
-// The middle of the applet: holds the state, lets the user change it, shows it at most once a frame.
+// What the user does in the applet: pointers, keys and controls become changes of the editor's state; controls and picture are rendered
+// together in the next frame.
+import { append, randomize, redo, toggle, undo } from "../editor/actions.js";
+import { appended, withPointAt } from "../editor/commands.js";
 import { Editor } from "../editor/editor.js";
+import { bezierFigure } from "../editor/figure.js";
 import { clamped } from "../editor/plane.js";
-import { createControls } from "./controls.js";
-import { derive } from "./derive.js";
+import { firstState } from "../editor/state.js";
+import * as base from "../layers/base.js";
+import * as construction from "../layers/construction.js";
+import { drawFigure } from "../layers/draw-figure.js";
+import { ROLES } from "../layers/theme.js";
+import { Announcer, setText } from "../ui/announcer.js";
+import { followSize } from "../ui/canvas-size.js";
 import { Drags } from "../ui/drag.js";
-import { draw } from "./draw.js";
 import { Handles } from "../ui/handles.js";
-import { arrowStep } from "../ui/keys.js";
-import { listenToKeys } from "./keys.js";
-import { generator } from "../editor/random.js";
-import * as states from "./state.js";
+import { listenToPageKeys } from "../ui/key-targets.js";
+import { arrowStep, historyStep, isForText, isPlain, keyOf } from "../ui/keys.js";
 import { onDoubleTap } from "../ui/taps.js";
 import { followTheme, readTheme } from "../ui/theme.js";
+import { MIN_POINTS, withJoint, withLayers, withT } from "./changes.js";
+import { createControls } from "./controls.js";
 import { createView } from "./view.js";
-import { followSize } from "../ui/canvas-size.js";
-import { Voice } from "./voice.js";
-import { isOnCurve, place, shownWords } from "./words.js";
-import { translated } from "../editor/translations.js";
-import type { Nature } from "../ui/handles.js";
-import type { State } from "./state.js";
+import { description, jointLabel, place } from "./words.js";
+import type { Action } from "../editor/actions.js";
+import type { Figure } from "../editor/figure.js";
 import type { Box } from "../editor/plane.js";
-import type { KeyPort } from "./keys.js";
-import type { DragOptions } from "../ui/drag.js";
-import type { ControlPort } from "./controls.js";
+import type { Point2, State } from "../editor/state.js";
+import type { KeyTarget } from "../ui/key-targets.js";
 
-export type Point2 = [number, number];
-
-/** What the handles are called, and whether their points lie on the curve. */
-const NATURE: Nature = {
-  nameOf: (index) => `P${index}`,
-  kindOf: (index) => (isOnCurve(index) ? "on" : "off"),
-};
+/** From the back to the front. */
+const LAYERS = [
+  construction.hull,
+  construction.polygon,
+  base.curve,
+  construction.halves,
+  base.handles,
+  construction.construction,
+  base.points,
+  base.atT,
+];
 
 export class Engine {
   /** Undo what was done to the page, in this order. */
   endings: (() => void)[] = [];
   #editor: Editor<State>;
-  /** What Esc returns to. */
-  #before: State;
   /** The length of a CSS pixel in the view box. */
   #px = 1;
   #frame = 0;
+  /** What is drawn. */
+  #drawn: State | null = null;
+  /** What has been said of P3; it is not said again. */
+  #announced = "";
   #canvas;
   #context;
-  #fire;
   #view;
   #handles;
   #drags;
   #controls;
-  #voice;
+  #announcer;
   #theme;
 
-  /**
-   * @param fire dispatches the event for what the user does
-   */
+  /** @param fire dispatches the event for what the user does */
   constructor(
     canvas: HTMLCanvasElement,
     context: CanvasRenderingContext2D,
@@ -62,33 +69,42 @@ export class Engine {
   ) {
     this.#canvas = canvas;
     this.#context = context;
-    this.#fire = fire;
-    this.#before = states.firstState(box);
-    this.#editor = new Editor(this.#before);
-    this.#editor.subscribe((event) => event === "state" && this.#schedule());
+    this.#editor = new Editor(firstState(box));
+    this.#editor.subscribe((event) => (event === "state" ? this.#schedule() : fire(event)));
     this.#view = createView(canvas, box);
     this.#handles = new Handles(this.#view.overlay, box);
-    this.#drags = new Drags(this.#view.overlay, this.#dragOptions());
-    this.#controls = createControls(this.#view.controls, this.#controlPort());
-    this.#voice = new Voice(this.#view);
-    this.#theme = readTheme(this.#view.probe);
+    this.#drags = this.#createDrags();
+    this.#controls = createControls(this.#view.controls, {
+      run: (action) => this.#run(action),
+      setJoint: (mode) => this.#editor.dispatch((state) => withJoint(state, mode), { origin: "user" }),
+      setLayer: (name, on) => this.#editor.dispatch((state) => withLayers(state, { [name]: on }), { origin: "user" }),
+      setT: (t) => this.#changePart((state) => withT(state, t)),
+      commit: () => this.#editor.commit(),
+    });
+    this.#announcer = new Announcer(this.#view.live, () => this.#describe());
+    this.#theme = readTheme(this.#view.probe, ROLES);
     this.#listen();
     this.#render();
+    this.#describe(); // what is there from the start is described, not announced
   }
 
   get state() {
     return this.#editor.state;
   }
 
+  get figure(): Figure {
+    return bezierFigure(this.state);
+  }
+
   set(state: State) {
     this.#editor.replaceState(state);
   }
 
-  /** A change of which points there are: fingers let go first. What is refused changes nothing. */
-  command(change: (state: State) => State, origin: "page" | "user" = "page") {
+  /** A change by the page of which points there are: fingers let go first. What is refused changes nothing. */
+  command(change: (state: State) => State) {
     change(this.state);
     this.#drags.end();
-    this.#editor.dispatch(change, { origin, initial: true });
+    this.#editor.dispatch(change, { origin: "page", initial: true });
   }
 
   undo() {
@@ -107,31 +123,57 @@ export class Engine {
   }
 
   #listen() {
-    const { overlay } = this.#view;
+    const { overlay, probe, host } = this.#view;
     overlay.addEventListener("keydown", (event) => this.#arrow(event));
     overlay.addEventListener("input", (event) => this.#slide(event.target as HTMLInputElement));
-    for (const type of ["keyup", "change", "focusout"]) overlay.addEventListener(type, () => this.#closeStep());
+    for (const type of ["keyup", "change", "focusout"])
+      overlay.addEventListener(type, () => void (this.#drags.active || this.#editor.commit()));
     onDoubleTap(overlay, (event) => this.#appendByPointer(event));
-    this.endings.push(
-      followTheme(this.#view.probe, (theme) => {
+    const followed = followTheme(
+      probe,
+      (theme) => {
         this.#theme = theme;
         this.#schedule();
-      }),
-      followSize(this.#canvas, this.#view.overlay, (width) => this.#resized(width)),
-      listenToKeys(this.#keyPort()),
-      () => this.#voice.end(),
+      },
+      ROLES,
+    );
+    this.endings.push(
+      followed,
+      followSize(this.#canvas, overlay, (width) => this.#resized(width)),
+      listenToPageKeys(host, (event, target) => this.#press(event, target)),
+      () => this.#announcer.end(),
       () => cancelAnimationFrame(this.#frame),
       () => this.#view.unwrap(),
     );
   }
+
+  #createDrags() {
+    return new Drags(this.#view.overlay, {
+      placeOf: (index) => this.#placeOf(index),
+      toViewBox: (event) => this.#toViewBox(event),
+      elementOf: (index) => this.#handles.boxOf(index),
+      count: () => this.#handles.count,
+      grabbed: (index) => this.#handles.focus(index),
+      schedule: () => this.#schedule(),
+      move: (index, to) => this.#move(index, to),
+      started: () => this.#editor.commit(),
+      cancelled: () => this.#editor.revert(),
+      ended: (moved) => {
+        this.#editor.commit();
+        if (moved.length) this.#announcer.say(moved.map((index) => place(this.figure, index)).join(". "));
+      },
+    });
+  }
+
+  // Pictures
 
   #schedule() {
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#nextFrame());
   }
 
   #nextFrame() {
+    this.#drags.apply();
     this.#frame = 0;
-    if (this.#drags.apply()) this.#fire("input");
     this.#render();
   }
 
@@ -142,35 +184,75 @@ export class Engine {
   }
 
   #render() {
-    const state = this.state;
-    const derived = derive(state);
+    const { state, figure } = this;
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
-    draw({ ctx: this.#context, theme: this.#theme, px: this.#px }, state, derived);
-    this.#handles.update(derived.points, state.box, NATURE);
-    this.#controls.update(state, { undo: this.#editor.canUndo, redo: this.#editor.canRedo });
-    this.#voice.show(state, derived);
+    drawFigure({ ctx: this.#context, theme: this.#theme, px: this.#px }, state, figure, LAYERS);
+    const { names, kinds, points } = figure;
+    this.#handles.update(points, state.box, { nameOf: (i) => names[i], kindOf: (i) => kinds[i] });
+    this.#controls.update(state, this.#editor);
+    const { verdict, text } = jointLabel(figure);
+    setText(this.#view.verdict, verdict);
+    this.#view.verdict.dataset.verdict = verdict;
+    setText(this.#view.label, text);
+    if (this.#drawn && this.#drawn !== state) this.#announcer.say();
+    this.#drawn = state;
   }
 
-  /** A part of what the user is doing; `#closeStep` completes the undo step. */
-  #change(change: (state: State) => State) {
+  /** @returns what is to be announced besides what the user has done */
+  #describe(): string {
+    const { figure } = this;
+    setText(this.#view.description, description(figure, this.state.t));
+    const { verdict, text } = jointLabel(figure);
+    const news = verdict === this.#announced || this.#announced === "" ? "" : text;
+    this.#announced = verdict;
+    return news;
+  }
+
+  // Changes
+
+  /** A part of what the user is doing. */
+  #changePart(change: (state: State) => State) {
     this.#editor.dispatch(change, { origin: "user", merge: true });
   }
 
   /** Moves a point as far as the picture goes. */
   #move(index: number, to: Point2) {
-    this.#change((state) => states.withPointAt(state, index, clamped(state.box, to)));
+    this.#changePart((state) => withPointAt(state, index, clamped(state.box, to)));
+  }
+
+  #moveByKey(index: number, to: Point2) {
+    this.#move(index, to);
+    this.#announcer.say(place(this.figure, index));
+  }
+
+  #run(action: Action) {
+    this.#drags.end();
+    this.#editor.commit();
+    const isOff = action === toggle && this.state.points.length === MIN_POINTS;
+    if (isOff || action.enabled?.(this.#editor) === false) return;
+    action.run(this.#editor);
+    this.#announcer.say(action.done(this.state));
   }
 
   /** Where a point stands on the screen: at the edge if it is outside. */
   #placeOf(index: number): Point2 {
-    return clamped(this.state.box, states.pointsOf(this.state)[index]);
+    return clamped(this.state.box, this.state.points[index]);
   }
 
   #toViewBox({ clientX, clientY }: MouseEvent): Point2 {
     const { left, top, width, height } = this.#view.overlay.getBoundingClientRect();
     const { box } = this.state;
     return [((clientX - left) / width) * box.width, ((clientY - top) / height) * box.height];
+  }
+
+  #appendByPointer(event: MouseEvent) {
+    const at = clamped(this.state.box, this.#toViewBox(event));
+    this.#drags.end();
+    this.#editor.dispatch((state) => appended(state, at), { origin: "user" });
+    this.#announcer.say(append.done(this.state));
+    this.#render(); // so that the new point's handle is there to be focused
+    this.#handles.focus(this.#handles.count - 1);
   }
 
   #arrow(event: KeyboardEvent) {
@@ -190,119 +272,16 @@ export class Engine {
     this.#moveByKey(index, input.dataset.axis === "x" ? [value, y] : [x, this.state.box.height - value]);
   }
 
-  #closeStep() {
-    if (!this.#drags.active) this.#editor.commit();
-  }
-
-  #moveByKey(index: number, to: Point2) {
-    this.#move(index, to);
-    this.#voice.say(place(this.#placeOf(index), index));
-    this.#fire("input");
-    this.#fire("change");
-  }
-
-  #updateByUser(change: (state: State) => State, words: (state: State) => string) {
-    this.command(change, "user");
-    this.#voice.say(words(this.state));
-    this.#fire("input");
-    this.#fire("change");
-  }
-
-  #append(at: Point2) {
-    const added = (state: State) => `${translated("Point added")}. ${shownWords(state)}`;
-    this.#updateByUser((state) => states.appended(state, at), added);
-  }
-
-  #appendByPointer(event: MouseEvent) {
-    this.#append(clamped(this.state.box, this.#toViewBox(event)));
-    this.#render(); // so that the new point's handle is there to be focused
-    this.#handles.focus(this.#handles.count - 1);
-  }
-
-  #randomize() {
-    const seed = Math.floor(Math.random() * 2 ** 32);
-    this.#updateByUser(
-      (state) => states.randomized(state, generator(seed)),
-      () => translated("Points randomized"),
-    );
-  }
-
-  #toggle() {
-    if (states.pointCount(this.state) > states.FEWEST_POINTS) this.#updateByUser(states.allPointsToggled, shownWords);
-  }
-
-  #stepByUser(name: "undo" | "redo") {
-    const { canUndo, canRedo, isOpen } = this.#editor;
-    if (!(name === "undo" ? canUndo || isOpen : canRedo)) return;
-    this[name]();
-    this.#voice.say(name === "undo" ? translated("Undone") : translated("Redone"));
-    this.#fire("input");
-    this.#fire("change");
-  }
-
-  #keyPort(): KeyPort {
-    return {
-      host: this.#view.host,
-      pageWide: () => this.#controls.pageWide(),
-      randomize: () => this.#randomize(),
-      toggle: () => this.#toggle(),
-      undo: () => this.#stepByUser("undo"),
-      redo: () => this.#stepByUser("redo"),
-      escape: () => this.#drags.cancel(),
-    };
-  }
-
-  #dragOptions(): DragOptions {
-    return {
-      placeOf: (index) => this.#placeOf(index),
-      toViewBox: (event) => this.#toViewBox(event),
-      elementOf: (index) => this.#handles.boxOf(index),
-      count: () => this.#handles.count,
-      grabbed: (index) => this.#handles.focus(index),
-      schedule: () => this.#schedule(),
-      move: (index, to) => this.#move(index, to),
-      started: () => {
-        this.#editor.commit();
-        this.#before = this.state;
-      },
-      cancelled: () => {
-        const { state } = this;
-        this.#editor.revert();
-        this.set({ ...state, spline: this.#before.spline });
-        this.#fire("input");
-      },
-      ended: (moved) => {
-        this.#closeStep();
-        if (!moved.length) return;
-        this.#voice.say(moved.map((index) => place(this.#placeOf(index), index)).join(". "));
-        this.#fire("input");
-        this.#fire("change");
-      },
-    };
-  }
-
-  #controlPort(): ControlPort {
-    return {
-      randomize: () => this.#randomize(),
-      toggle: () => this.#toggle(),
-      append: () => this.#append(states.roomiestPlace(this.state)),
-      undo: () => this.#stepByUser("undo"),
-      redo: () => this.#stepByUser("redo"),
-      setJoint: (mode) =>
-        this.#updateByUser(
-          (state) => states.withJoint(state, mode),
-          () => "",
-        ),
-      setLayer: (name, on) =>
-        this.#updateByUser(
-          (state) => states.withLayers(state, { [name]: on }),
-          () => "",
-        ),
-      setT: (t, done) => {
-        this.#change((state) => states.withT(state, t));
-        if (done) this.#closeStep();
-        this.#fire(done ? "change" : "input");
-      },
-    };
+  /** @returns whether the key was used */
+  #press(event: KeyboardEvent, target: () => KeyTarget): boolean {
+    if (event.key === "Escape") return this.#drags.cancel();
+    const step = historyStep(event);
+    const letters = isPlain(event) ? [randomize, toggle] : [];
+    const action = step ? { undo, redo }[step] : letters.find(({ key }) => key === keyOf(event));
+    if (!action || isForText(event)) return false;
+    const where = target();
+    const counts = where === "focus" || (where === "page" && !step && this.#controls.pageWide());
+    if (counts) this.#run(action);
+    return counts;
   }
 }

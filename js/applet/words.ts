@@ -1,9 +1,7 @@
 // What the applet says: the label at P3, the description of the figure, the announcements.
-import { FEWEST_POINTS } from "./state.js";
-import { POINTS_PER_SEGMENT } from "../editor/plane.js";
+import { placeWords } from "../editor/descriptions.js";
 import { translated } from "../editor/translations.js";
-import type { State } from "./state.js";
-import type { Derived } from "./derive.js";
+import type { Continuity, Figure } from "../editor/figure.js";
 
 export type Label = { verdict: "C1" | "G1" | "C0" | ""; text: string };
 
@@ -17,8 +15,15 @@ export const instructions = () =>
       "The arrow keys move a point by 1 pixel, with Shift by 10, with Alt by a tenth.",
   );
 
+/** What holds at P3; null where P3 is an end. */
+export function continuityAtP3({ spline }: Figure): Continuity | null {
+  return spline && spline.segmentCount > 1 ? spline.continuity(1) : null;
+}
+
 /** What is true at P3, and nothing else. */
-export function jointLabel({ continuity, points }: Derived): Label {
+export function jointLabel(figure: Figure): Label {
+  const { points } = figure;
+  const continuity = continuityAtP3(figure);
   if (!continuity) return { verdict: "", text: translated("One cubic Bézier curve: P0 to P3, no joint.") };
   if (continuity.c1)
     return { verdict: "C1", text: translated("P2, P3, P4 aligned and |P2P3| = |P3P4|: G1 and C1 at P3.") };
@@ -36,7 +41,7 @@ export function jointLabel({ continuity, points }: Derived): Label {
   return { verdict: "C0", text };
 }
 
-function distance(a: number[], b: number[]): string {
+function distance(a: readonly number[], b: readonly number[]): string {
   return String(Math.round(10 * Math.hypot(a[0] - b[0], a[1] - b[1])) / 10);
 }
 
@@ -46,35 +51,26 @@ function degrees(radians: number): string {
   return `${value >= 10 ? Math.round(value) : Number(value.toPrecision(2))}°`;
 }
 
-export function isOnCurve(index: number): boolean {
-  return index % POINTS_PER_SEGMENT === 0;
-}
-
 /** The picture in words. */
-export function description(state: State, derived: Derived): string {
-  const { points } = derived;
-  const segments = (points.length - 1) / POINTS_PER_SEGMENT;
-  const anchors = points.map(place).filter((_, i) => isOnCurve(i));
-  const handles = points.map(place).filter((_, i) => !isOnCurve(i));
-  const places = [anchors.join(", "), handles.join(", ")];
+export function description(figure: Figure, t: number): string {
+  const { points, pieces, kinds } = figure;
+  const placesOf = (kind: string) =>
+    points
+      .map((_, i) => place(figure, i))
+      .filter((_, i) => kinds[i] === kind)
+      .join(", ");
+  const places = [placesOf("on"), placesOf("off")];
   const kind =
-    segments === 1
+    pieces.length === 1
       ? translated("One cubic Bézier curve through {0}, with {1} off the curve.", ...places)
       : translated(
           "{2} cubic Bézier curves joined end to end through {0}, with {1} off the curve.",
           ...places,
-          segments,
+          pieces.length,
         );
-  return `${kind} ${jointLabel(derived).text} ${translated("t is {0}", state.t.toFixed(2))}.`;
+  return `${kind} ${jointLabel(figure).text} ${translated("t is {0}", t.toFixed(2))}.`;
 }
 
-export function place([x, y]: number[], index: number): string {
-  return translated("{0} at {1}", `P${index}`, `${Math.round(x)}, ${Math.round(y)}`);
-}
-
-/** How many points are shown, for the button and the announcement. */
-export function shownWords(state: State): string {
-  return state.shown === FEWEST_POINTS
-    ? translated("4 points shown: one cubic")
-    : translated("{0} points shown", state.shown);
+export function place({ names, points }: Figure, index: number): string {
+  return translated("{0} at {1}", names[index], placeWords(points[index]));
 }

@@ -21,57 +21,63 @@ export interface Action {
 }
 
 /** A change by the user that is complete. */
-const changeBy = (change: (state: State) => State) => (editor: Editor<State>) =>
+const dispatch = (editor: Editor<State>, change: (state: State) => State) =>
   editor.dispatch(change, { origin: "user" });
 
-export const ACTIONS = {
-  undo: {
-    label: () => translated("Undo"),
-    help: () => ["Ctrl Z", translated("undo (⌘ Z)")],
-    done: () => translated("Undone"),
-    enabled: (editor) => editor.canUndo,
-    run: (editor) => editor.undo("user"),
-  },
-  redo: {
-    label: () => translated("Redo"),
-    help: () => ["Ctrl Y", translated("redo (⌘ Shift Z)")],
-    done: () => translated("Done again"),
-    enabled: (editor) => editor.canRedo,
-    run: (editor) => editor.redo("user"),
-  },
-  append: {
-    label: () => translated("Add a point"),
-    done: () => translated("Point added"),
-    run: changeBy((state) => commands.appended(state, roomiestAmong(state.box, state.points))),
-  },
-  insert: {
-    label: () => translated("Split at t"),
-    key: "i",
-    help: () => ["i", translated("cut the segment at t")],
-    done: () => translated("Split at t"),
-    enabled: (editor) => commands.canInsert(editor.state),
-    run: changeBy((state) => commands.inserted(state)),
-  },
-  toggle: {
-    label: () => translated("Fewer points"),
-    key: "m",
-    help: () => ["m", translated("few points, all points")],
-    done: ({ shown }) => translated("{0} points shown", shown),
-    run: changeBy(allPointsToggled),
-  },
-  randomize: {
-    label: () => translated("Randomize"),
-    key: "r",
-    help: () => ["r", translated("randomize")],
-    done: () => translated("Points randomized"),
-    run: changeBy((state) => commands.randomized(state, Math.floor(Math.random() * 2 ** 32))),
-  },
-  reset: {
-    label: () => translated("Reset"),
-    done: () => translated("As at first"),
-    run: (editor) => editor.dispatch(() => editor.initialState, { origin: "user" }),
-  },
-} satisfies Record<string, Action>;
+export const undo: Action = {
+  label: () => translated("Undo"),
+  help: () => ["Ctrl Z", translated("undo (⌘ Z)")],
+  done: () => translated("Undone"),
+  enabled: (editor) => editor.canUndo,
+  run: (editor) => editor.undo("user"),
+};
+
+export const redo: Action = {
+  label: () => translated("Redo"),
+  help: () => ["Ctrl Y", translated("redo (⌘ Shift Z)")],
+  done: () => translated("Done again"),
+  enabled: (editor) => editor.canRedo,
+  run: (editor) => editor.redo("user"),
+};
+
+export const append: Action = {
+  label: () => translated("Add a point"),
+  done: () => translated("Point added"),
+  run: (editor) => dispatch(editor, (state) => commands.appended(state, roomiestAmong(state.box, state.points))),
+};
+
+export const insert: Action = {
+  label: () => translated("Split at t"),
+  key: "i",
+  help: () => ["i", translated("cut the segment at t")],
+  done: () => translated("Split at t"),
+  enabled: (editor) => commands.canInsert(editor.state),
+  run: (editor) => dispatch(editor, (state) => commands.inserted(state)),
+};
+
+export const toggle: Action = {
+  label: () => translated("Fewer points"),
+  key: "m",
+  help: () => ["m", translated("few points, all points")],
+  done: ({ shown }) => translated("{0} points shown", shown),
+  run: (editor) => dispatch(editor, allPointsToggled),
+};
+
+export const randomize: Action = {
+  label: () => translated("Randomize"),
+  key: "r",
+  help: () => ["r", translated("randomize")],
+  done: () => translated("Points randomized"),
+  run: (editor) => dispatch(editor, (state) => commands.randomized(state, Math.floor(Math.random() * 2 ** 32))),
+};
+
+export const reset: Action = {
+  label: () => translated("Reset"),
+  done: () => translated("As at first"),
+  run: (editor) => editor.dispatch(() => editor.initialState, { origin: "user" }),
+};
+
+export const ACTIONS = { undo, redo, append, insert, toggle, randomize, reset } satisfies Record<string, Action>;
 
 export type ActionName = keyof typeof ACTIONS;
 

@@ -8,7 +8,7 @@ import type { State, JointMode } from "./state.js";
 import type { Continuity, Figure } from "./figure.js";
 import type { Curve } from "../index.js";
 
-export const MODE_NAMES: Record<JointMode, string> = translatedTable({
+export const MODE_NAMES: Record<JointMode, string> = /* @__PURE__ */ translatedTable({
   free: "free",
   g1: "G1",
   c1: "C1",

@@ -117,6 +117,11 @@ export class Editor<State extends object> {
     this.#notify("change");
   }
 
+  /** Forgets all steps; the state stays. */
+  clearHistory() {
+    this.#history.clear();
+  }
+
   /** Returns to the initial state, as a step. */
   reset() {
     this.dispatch(() => this.initialState, { origin: "page" });

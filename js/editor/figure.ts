@@ -65,6 +65,22 @@ export function figureOf(state: State, Rational: typeof RationalCurve | null = n
   return { points, pieces, rational: [], weights, spline, kinds, names, degree, matrix };
 }
 
+/** The figure of Bézier curves without weights, without code for other bases. */
+export function bezierFigure(state: State): Figure {
+  const points = state.points.slice(0, state.shown);
+  const degree = degreeOf(state);
+  const names = points.map((_, i) => nameOf(state.labels, i));
+  return {
+    points,
+    ...bezierPlan(points, degree, state.points),
+    rational: [],
+    weights: null,
+    names,
+    degree,
+    matrix: null,
+  };
+}
+
 function rationalPieces(
   Rational: typeof RationalCurve,
   points: readonly Point2[],
@@ -132,11 +148,7 @@ const PLANS: Record<
   State["basis"],
   (points: Point2[], degree: number, matrix: number[], all: readonly Point2[]) => Plan
 > = {
-  bezier: (points, degree, _, all) => {
-    const groups = groupsOf(points, degree);
-    const spline = groups.length ? splineOf(all, degree, groups.length) : null;
-    return { pieces: joined(spline?.segments() ?? [], groups), spline, kinds: kindsOf(points, groups, degree) };
-  },
+  bezier: (points, degree, _, all) => bezierPlan(points, degree, all),
   hermite: byGroups,
   matrix: byGroups,
   "b-spline": (points, degree) => {
@@ -152,6 +164,12 @@ const PLANS: Record<
   natural: (points) => through(points, "natural"),
   centripetal: (points) => through(points, "catmull-rom"),
 };
+
+function bezierPlan(points: readonly Point2[], degree: number, all: readonly Point2[]): Plan {
+  const groups = groupsOf(points, degree);
+  const spline = groups.length ? splineOf(all, degree, groups.length) : null;
+  return { pieces: joined(spline?.segments() ?? [], groups), spline, kinds: kindsOf(points, groups, degree) };
+}
 
 /** Groups of four points that share ends, blended by a matrix. */
 function byGroups(points: Point2[], _: number, matrix: number[]): Plan {

@@ -65,6 +65,11 @@ export class History<State extends object> {
     return before && this.#withKept(before, state);
   }
 
+  /** Forgets all steps, also the open one. */
+  clear() {
+    [this.#past, this.#future, this.#open] = [[], [], null];
+  }
+
   /**
    * @param state the present one
    * @returns the state before the last step; the same state if there is no step

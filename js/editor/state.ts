@@ -51,7 +51,7 @@ export interface State {
 export type DrawnState = State & { pointer?: Point2 | null };
 
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"] as const;
-export const BASIS_NAMES: Record<Basis, string> = translatedTable({
+export const BASIS_NAMES: Record<Basis, string> = /* @__PURE__ */ translatedTable({
   bezier: "Bézier",
   hermite: "Hermite",
   "b-spline": "B-spline",
@@ -103,11 +103,11 @@ const WIDEST = 100;
 const BEZIER: readonly number[] = [-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0];
 
 /** The two cubics of the web lesson. */
-export function firstState(): State {
-  const points = firstPoints(DEFAULT_BOX);
+export function firstState(box: State["box"] = DEFAULT_BOX): State {
+  const points = firstPoints(box);
   return {
-    box: DEFAULT_BOX,
-    view: { x: 0, y: 0, ...DEFAULT_BOX },
+    box,
+    view: { x: 0, y: 0, ...box },
     points,
     shown: points.length,
     basis: "bezier",

@@ -1,7 +1,6 @@
 // Arc length of curves, and points at arc lengths.
+import { curvesModule } from "../wasm/curves-module.js";
 import * as check from "./check.js";
-import { core } from "../wasm/init.js";
-import { writeArguments, readResult } from "../wasm/transfer.js";
 import type { Point } from "./points.js";
 
 /** A point of a curve or a spline at an arc length: its parameter, the point, the unit tangent and the unit normal. */
@@ -36,11 +35,11 @@ export function curveLength(p: Float64Array, dimension: 2 | 3, tolerance: number
   // The coordinates of a 2D cubic, the most common kind of curve, are passed as arguments; this function has no
   // tolerance.
   if (tolerance === undefined && p.length === 8 && dimension === 2) {
-    return core().cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
+    return curvesModule.exports.cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
   }
   const maxError = check.optionalTolerance(tolerance);
-  writeArguments(p);
-  return readResult(0, core().curve_length(dimension, p.length / dimension, maxError))[0];
+  curvesModule.write(p);
+  return curvesModule.read(0, curvesModule.exports.curve_length(dimension, p.length / dimension, maxError))[0];
 }
 
 /**
@@ -51,6 +50,9 @@ export function curveLength(p: Float64Array, dimension: 2 | 3, tolerance: number
 export function curveTimeAtLength(p: Float64Array, dimension: 2 | 3, s: number, tolerance: number | undefined): number {
   check.finite(s, "s");
   const maxError = check.optionalTolerance(tolerance);
-  writeArguments(p);
-  return readResult(0, core().curve_time_at_length(dimension, p.length / dimension, s, maxError))[0];
+  curvesModule.write(p);
+  return curvesModule.read(
+    0,
+    curvesModule.exports.curve_time_at_length(dimension, p.length / dimension, s, maxError),
+  )[0];
 }

@@ -1,7 +1,7 @@
+import { curvesModule } from "../wasm/curves-module.js";
 import { numbers, oneOf, options as checkedOptions } from "./check.js";
 import { flatten } from "./points.js";
-import { core } from "../wasm/init.js";
-import { CheckedPoints, readResult, writeArguments } from "../wasm/transfer.js";
+import type { ControlPoints } from "./brand.js";
 import type { PointsLike } from "./check.js";
 
 /** The name of a basis of cubics. */
@@ -24,7 +24,7 @@ export const BASES: readonly BasisName[] = ["bezier", "hermite", "b-spline", "ca
  */
 export function basisNumbers(basis: BasisLike): Float64Array {
   if (typeof basis === "string") {
-    return readResult(0, core().basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
+    return curvesModule.read(0, curvesModule.exports.basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
   }
   const rows = Array.isArray(basis) && Array.isArray(basis[0]) ? basis.flat() : basis;
   const matrix = numbers(rows, "basis");
@@ -37,12 +37,12 @@ export function basisNumbers(basis: BasisLike): Float64Array {
  *
  * @internal
  */
-export function pointsInBasis(basis: BasisLike, points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {
+export function pointsInBasis(basis: BasisLike, points: PointsLike, options?: { dimension?: 2 | 3 }): ControlPoints {
   const matrix = basisNumbers(basis);
   const { flat, dimension } = flatten(points, checkedOptions(options, ["dimension"]).dimension, 2);
   if (flat.length !== 4 * dimension) {
     throw new RangeError(`points: expected 4 points, got ${flat.length / dimension}`);
   }
-  writeArguments(flat, 16).set(matrix, flat.length);
-  return new CheckedPoints(readResult(0, core().curve_from_basis(dimension)), dimension);
+  curvesModule.write(flat, 16).set(matrix, flat.length);
+  return { flat: curvesModule.read(0, curvesModule.exports.curve_from_basis(dimension)), dimension };
 }

@@ -11,6 +11,13 @@ import { describe, EMPTY } from "./describe.js";
 export type SplineData = { flat: Float64Array; dimension: 2 | 3; degrees: readonly number[]; closed: boolean };
 
 /**
+ * Control points: the data of a curve, whose degree is one less than their number.
+ *
+ * @internal
+ */
+export type ControlPoints = Pick<SplineData, "flat" | "dimension">;
+
+/**
  * The data of a patch: its net and its degrees.
  *
  * @internal

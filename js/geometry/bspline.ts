@@ -1,8 +1,7 @@
 // Conversion between B-splines and splines of Bézier curves.
+import { curvesModule } from "../wasm/curves-module.js";
 import * as check from "./check.js";
-import { core } from "../wasm/init.js";
 import { flatten } from "./points.js";
-import { writeArguments } from "../wasm/transfer.js";
 import type { PointsLike } from "./check.js";
 import type { SplineData } from "./brand.js";
 
@@ -42,8 +41,11 @@ export function fromBSpline(points: PointsLike, options?: BSplineOptions): { len
     const needed = count + 1 + (closed ? 0 : degree);
     throw new RangeError(`knots: expected ${needed} (for ${count} points of degree ${degree}), got 0`);
   }
-  writeArguments(flat, knots.length).set(knots, flat.length);
-  return { length: core().spline_from_bspline(dimension, count, degree, closed, knots.length), dimension };
+  curvesModule.write(flat, knots.length).set(knots, flat.length);
+  return {
+    length: curvesModule.exports.spline_from_bspline(dimension, count, degree, closed, knots.length),
+    dimension,
+  };
 }
 
 /**

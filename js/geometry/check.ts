@@ -4,7 +4,7 @@ import { describe, shorten } from "./describe.js";
 import { similarName } from "./options.js";
 
 export { describe } from "./describe.js";
-export { noSurplus, optionalBoolean, options } from "./options.js";
+export { optionalBoolean, options } from "./options.js";
 
 /** A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint. */
 export type PointLike = ArrayLike<number> | { x: number; y: number; z?: number };
@@ -68,6 +68,13 @@ export function finite(value: unknown, name: string): number {
   if (typeof value !== "number") throw new TypeError(`${name}: expected a number, got ${describe(value)}`);
   if (!Number.isFinite(value)) throw new RangeError(`${name}: expected a finite number, got ${value}`);
   return value;
+}
+
+/** A finite number from 0. */
+export function nonNegative(value: unknown, name: string): number {
+  const number = finite(value, name);
+  if (number < 0) throw new RangeError(`${name}: expected a number from 0, got ${number}`);
+  return number;
 }
 
 /** A finite number greater than 0. */

@@ -1,9 +1,7 @@
 // Queries of curves: nearest points, parameters of given coordinates, extrema, tangents, distances.
-import { arena } from "../wasm/arena.js";
+import { curvesModule } from "../wasm/curves-module.js";
 import { describe, finite, object } from "./check.js";
-import { core, cubicEval } from "../wasm/init.js";
 import { pointAt, writePoint } from "./points.js";
-import { writeArguments, readResult } from "../wasm/transfer.js";
 import type { PointLike } from "./check.js";
 import type { Point } from "./points.js";
 
@@ -24,8 +22,8 @@ export interface Nearest<D extends 2 | 3 = 2 | 3> {
  */
 export function nearest<D extends 2 | 3>(flat: Float64Array, dimension: D, p: PointLike): Nearest<D> {
   if (flat.length === 8) return nearestOnCubic(flat, p) as Nearest<D>;
-  writePoint(writeArguments(flat, dimension), flat.length, p, dimension, "p");
-  core().curve_nearest(dimension, flat.length / dimension);
+  writePoint(curvesModule.write(flat, dimension), flat.length, p, dimension, "p");
+  curvesModule.exports.curve_nearest(dimension, flat.length / dimension);
   return readNearest(dimension);
 }
 
@@ -42,8 +40,8 @@ function nearestOnCubic(c: Float64Array, p: PointLike): Nearest<2> {
     writePoint(checked, 0, p, 2, "p");
     [x, y] = checked;
   }
-  const t = core().cubic_nearest(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], x, y);
-  const at = cubicEval();
+  const t = curvesModule.exports.cubic_nearest(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], x, y);
+  const at = curvesModule.cubicEval;
   const point = { x: at(c[0], c[2], c[4], c[6], t), y: at(c[1], c[3], c[5], c[7], t) };
   const [dx, dy] = [point.x - x, point.y - y];
   const square = dx * dx + dy * dy; // Math.hypot takes as long as the rest of this function
@@ -56,7 +54,7 @@ function nearestOnCubic(c: Float64Array, p: PointLike): Nearest<2> {
  * @internal
  */
 export function readNearest<D extends 2 | 3>(dimension: D): Nearest<D> {
-  const numbers = arena(5);
+  const numbers = curvesModule.arena(5);
   return { t: numbers[0], point: pointAt(numbers, 2, dimension), distance: numbers[1] };
 }
 
@@ -73,8 +71,8 @@ const AXES = ["x", "y", "z"] as const;
  */
 export function extrema(flat: Float64Array, dimension: 2 | 3): Extrema {
   const timesOf = (_: string, axis: number) => {
-    writeArguments(flat);
-    return readResult(0, core().curve_extrema(dimension, flat.length / dimension, axis));
+    curvesModule.write(flat);
+    return curvesModule.read(0, curvesModule.exports.curve_extrema(dimension, flat.length / dimension, axis));
   };
   const [x, y, z] = AXES.slice(0, dimension).map(timesOf);
   return dimension === 2 ? { x, y } : { x, y, z };
@@ -91,8 +89,11 @@ export function timesAtCoordinate(
   where: { x: number } | { y: number } | { z: number },
 ): Float64Array {
   const [axis, value] = requestedCoordinate(where, dimension);
-  writeArguments(flat);
-  return readResult(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
+  curvesModule.write(flat);
+  return curvesModule.read(
+    0,
+    curvesModule.exports.curve_times_at_coordinate(dimension, flat.length / dimension, axis, value),
+  );
 }
 
 /**
@@ -136,8 +137,8 @@ export const CURVE_KINDS: readonly CurveKind[] = [
  * @internal
  */
 export function tangentsFrom(flat: Float64Array, p: PointLike): Float64Array {
-  writePoint(writeArguments(flat, 2), flat.length, p, 2, "p");
-  return readResult(0, core().curve_tangents_from(flat.length / 2));
+  writePoint(curvesModule.write(flat, 2), flat.length, p, 2, "p");
+  return curvesModule.read(0, curvesModule.exports.curve_tangents_from(flat.length / 2));
 }
 
 /** The smallest distance of two curves, and where it occurs: at t on the first, at u on the second. */
@@ -149,9 +150,9 @@ export type Distance = { distance: number; t: number; u: number };
  * @internal
  */
 export function distance(flat: Float64Array, other: Float64Array, dimension: 2 | 3): Distance {
-  writeArguments(flat, other.length).set(other, flat.length);
-  core().curve_distance(dimension, flat.length / dimension, other.length / dimension);
-  const numbers = arena(3);
+  curvesModule.write(flat, other.length).set(other, flat.length);
+  curvesModule.exports.curve_distance(dimension, flat.length / dimension, other.length / dimension);
+  const numbers = curvesModule.arena(3);
   return { distance: numbers[0], t: numbers[1], u: numbers[2] };
 }
 
@@ -161,6 +162,6 @@ export function distance(flat: Float64Array, other: Float64Array, dimension: 2 |
  * @internal
  */
 export function hausdorff(flat: Float64Array, other: Float64Array, dimension: 2 | 3): number {
-  writeArguments(flat, other.length).set(other, flat.length);
-  return core().curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
+  curvesModule.write(flat, other.length).set(other, flat.length);
+  return curvesModule.exports.curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
 }

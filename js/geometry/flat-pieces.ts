@@ -1,5 +1,5 @@
 // Recursive subdivision of a surface into flat pieces.
-import { core, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
+import { surfacesModule } from "../wasm/surfaces-module.js";
 import * as check from "./check.js";
 
 /**
@@ -19,8 +19,8 @@ const PIECE_LENGTH = HEADER_LENGTH + 12;
 export function subdivide(writeSurface: () => unknown, tolerance: number): FlatPiece[] {
   check.positive(tolerance, "tolerance");
   writeSurface();
-  const numbers = readResult(0, core().surface_subdivide(tolerance));
-  releaseMemory();
+  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_subdivide(tolerance));
+  surfacesModule.release();
   return Array.from({ length: numbers.length / PIECE_LENGTH }, (_, k) => {
     const at = k * PIECE_LENGTH;
     const [patch, u0, u1, v0, v1] = numbers.subarray(at, at + HEADER_LENGTH);

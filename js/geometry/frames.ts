@@ -1,7 +1,7 @@
 // Rotation-minimising frames of 3D curves and splines.
+import { curvesModule } from "../wasm/curves-module.js";
 import * as check from "./check.js";
 import { writePoint } from "./points.js";
-import { readResult, releaseMemory } from "../wasm/transfer.js";
 import type { PointLike } from "./check.js";
 
 /**
@@ -63,7 +63,7 @@ export function frameArguments(ts: Float64Array, options: FrameOptions | undefin
  * @internal
  */
 export function readFrames(count: number): Frames {
-  const [points, tangents, normals, binormals] = [0, 3, 6, 9].map((k) => readResult(k * count, (k + 3) * count));
-  releaseMemory();
+  const [points, tangents, normals, binormals] = [0, 3, 6, 9].map((k) => curvesModule.read(k * count, (k + 3) * count));
+  curvesModule.release();
   return { points, tangents, normals, binormals };
 }

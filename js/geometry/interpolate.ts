@@ -1,8 +1,7 @@
 // Interpolating splines.
+import { curvesModule } from "../wasm/curves-module.js";
 import * as check from "./check.js";
-import { core } from "../wasm/init.js";
 import { flatten } from "./points.js";
-import { writeArguments } from "../wasm/transfer.js";
 import type { PointsLike } from "./check.js";
 
 /**
@@ -39,10 +38,10 @@ export function interpolate(points: PointsLike, options?: InterpolateOptions): {
     throw new RangeError(`alpha: expected a number from 0 to 1, got ${exponent}`);
   }
   const { flat, dimension } = flatten(points, requested, 2);
-  writeArguments(flat);
+  curvesModule.write(flat);
   const count = flat.length / dimension;
   return {
-    length: core().spline_interpolate(dimension, count, closed, kind === "natural" ? -1 : exponent),
+    length: curvesModule.exports.spline_interpolate(dimension, count, closed, kind === "natural" ? -1 : exponent),
     dimension,
   };
 }

@@ -1,11 +1,9 @@
 // Intersections of curves, splines and paths, read from the arena.
-import { arena } from "../wasm/arena.js";
+import { curvesModule } from "../wasm/curves-module.js";
 import { packedPath, splineData, typeOf } from "./brand.js";
 import { require2D } from "./check.js";
 import { packedShape, subpathsOf } from "./path/packed-shape.js";
 import { packedSplines } from "../wasm/packed-path.js";
-import { core } from "../wasm/init.js";
-import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
 import type { SplineData } from "./brand.js";
 import type { PathTime } from "./path/path-queries.js";
 import type { Point } from "./points.js";
@@ -60,7 +58,7 @@ const PATH_RECORD_LENGTH = RECORD_LENGTH + 2;
  * @internal
  */
 export function readIntersections(length: number): Intersection[] {
-  const view = arena(length);
+  const view = curvesModule.arena(length);
   const intersections: Intersection[] = [];
   for (let i = 0; i < length; i += RECORD_LENGTH) {
     const t = view[i];
@@ -70,7 +68,7 @@ export function readIntersections(length: number): Intersection[] {
     if (kind === 2) intersections.push({ t, u, point, kind: "overlap", tEnd: view[i + 5], uEnd: view[i + 6] });
     else intersections.push({ t, u, point, kind: kind === 1 ? "tangent" : "cross" });
   }
-  releaseMemory();
+  curvesModule.release();
   return intersections;
 }
 
@@ -105,7 +103,7 @@ export function intersectSplines(spline: SplineData, other: unknown): Intersecti
   const data = splineData(other, "other", "a Curve, a Spline or a Path");
   require2D("intersections", typeOf(other) as string, data.dimension);
   writeSplines([spline, data]);
-  return readIntersections(core().spline_intersect());
+  return readIntersections(curvesModule.exports.spline_intersect());
 }
 
 /**
@@ -115,7 +113,7 @@ export function intersectSplines(spline: SplineData, other: unknown): Intersecti
  */
 export function selfIntersectSpline(spline: SplineData): SelfIntersection[] {
   writeSplines([spline]);
-  return readSelfIntersections(core().spline_self_intersections());
+  return readSelfIntersections(curvesModule.exports.spline_self_intersections());
 }
 
 /**
@@ -141,8 +139,8 @@ export function intersectPathWith(packed: Float64Array, other: unknown): Interse
  * @internal
  */
 export function selfIntersectPath(packed: Float64Array): PathIntersection[] {
-  writeArguments(packed);
-  return readPathIntersections(core().path_intersect(false), timeOnPath, timeOnPath);
+  curvesModule.write(packed);
+  return readPathIntersections(curvesModule.exports.path_intersect(false), timeOnPath, timeOnPath);
 }
 
 /**
@@ -179,8 +177,8 @@ function intersectPacked<T, U>(
   timeOnA: (subpath: number, t: number) => T,
   timeOnB: (subpath: number, t: number) => U,
 ): Intersection<T, U>[] {
-  writeArguments(a, b.length).set(b, a.length);
-  return readPathIntersections(core().path_intersect(true), timeOnA, timeOnB);
+  curvesModule.write(a, b.length).set(b, a.length);
+  return readPathIntersections(curvesModule.exports.path_intersect(true), timeOnA, timeOnB);
 }
 
 function readPathIntersections<T, U>(
@@ -188,8 +186,8 @@ function readPathIntersections<T, U>(
   timeOnA: (subpath: number, t: number) => T,
   timeOnB: (subpath: number, t: number) => U,
 ): Intersection<T, U>[] {
-  const numbers = readResult(0, length);
-  releaseMemory();
+  const numbers = curvesModule.read(0, length);
+  curvesModule.release();
   return Array.from({ length: length / PATH_RECORD_LENGTH }, (_, k) => {
     const record = numbers.subarray(PATH_RECORD_LENGTH * k, PATH_RECORD_LENGTH * (k + 1));
     const [t, u, x, y, kind, tEnd, uEnd, a, b] = record;
@@ -202,7 +200,7 @@ function readPathIntersections<T, U>(
 
 function writeSplines(splines: SplineData[]) {
   const length = splines.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 0);
-  const view = writeArguments(new Float64Array(0), length);
+  const view = curvesModule.write(new Float64Array(0), length);
   let at = 0;
   for (const { flat, degrees, closed } of splines) {
     view[at] = degrees.length;

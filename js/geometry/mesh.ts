@@ -1,10 +1,10 @@
+import { surfacesModule } from "../wasm/surfaces-module.js";
 import * as check from "./check.js";
 import { showInNode } from "./inspected.js";
 import { meshToOBJ } from "../io/obj.js";
 import { meshToSTL } from "../io/stl.js";
 import { meshToGLB } from "../io/glb.js";
 import { meshToThree } from "../io/three.js";
-import { core } from "../wasm/surfaces-transfer.js";
 import type { Three } from "../io/three.js";
 
 /** The range of one patch in the arrays of a mesh. */
@@ -141,8 +141,7 @@ export class Mesh {
    *
    * @throws {RangeError} above 1 GiB, for positions that overflow f32, and as `toOBJ`
    */
-  toSTL(...surplus: never[]): Uint8Array<ArrayBuffer> {
-    check.noSurplus(surplus, "toSTL", 0);
+  toSTL(): Uint8Array<ArrayBuffer> {
     return meshToSTL(this);
   }
 
@@ -153,8 +152,7 @@ export class Mesh {
    *
    * @throws {RangeError} as `toSTL`
    */
-  toGLB(...surplus: never[]): Uint8Array<ArrayBuffer> {
-    check.noSurplus(surplus, "toGLB", 0);
+  toGLB(): Uint8Array<ArrayBuffer> {
     return meshToGLB(this);
   }
 
@@ -228,7 +226,7 @@ export function readMesh(
 ): Mesh {
   const [positions, normals] = isF64 ? [F64_POSITIONS, F64_NORMALS] : [POSITIONS, NORMALS];
   const Real = (isF64 ? Float64Array : Float32Array) as any;
-  const wide = core().mesh_length(positions) / 3 > 0x10000;
+  const wide = surfacesModule.exports.mesh_length(positions) / 3 > 0x10000;
   const Indices: any = wide ? Uint32Array : Uint16Array;
   const data = {
     positions: readBuffer(positions, Real, into?.positions) as Float32Array | Float64Array,
@@ -236,12 +234,12 @@ export function readMesh(
     uvs: separatePatches ? readBuffer(UVS, Float32Array, into?.uvs) : null,
     patchIds: separatePatches ? readBuffer(PATCH_IDS, Uint32Array, into?.patchIds) : null,
     indices: readBuffer(INDICES, Indices, into?.indices) as Uint16Array | Uint32Array,
-    quads: core().mesh_length(QUADS)
+    quads: surfacesModule.exports.mesh_length(QUADS)
       ? (readBuffer(QUADS, Indices, into?.quads) as Uint16Array | Uint32Array)
       : undefined,
     patchRanges: readPatchRanges(into?.patchRanges ?? []),
   };
-  if (data.positions.byteLength > LARGE_MESH) core().mesh_drop();
+  if (data.positions.byteLength > LARGE_MESH) surfacesModule.exports.mesh_drop();
   return into ? Object.assign(into, data) : new Mesh(data);
 }
 
@@ -251,7 +249,7 @@ function readBuffer<T extends Float32Array | Float64Array | Uint16Array | Uint32
   Type: new (length: number) => T,
   into: Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined,
 ): T {
-  const array = copyBuffer(buffer, reuseOrAllocate(Type, core().mesh_length(buffer), into));
+  const array = copyBuffer(buffer, reuseOrAllocate(Type, surfacesModule.exports.mesh_length(buffer), into));
   gridLayouts.delete(array.buffer);
   return array;
 }
@@ -279,7 +277,7 @@ export function copyBuffer<T extends Float32Array | Float64Array | Uint16Array |
   buffer: number,
   array: T,
 ): T {
-  core().mesh_copy(buffer, array);
+  surfacesModule.exports.mesh_copy(buffer, array);
   return array;
 }
 

@@ -1,7 +1,8 @@
 // Nets of patches as arguments: flat lists of points, or rows of points.
+import * as check from "./check.js";
 import { describe } from "./describe.js";
-import { isList } from "./check.js";
 import { flatten } from "./points.js";
+import type { PatchData } from "./brand.js";
 import type { PointsLike } from "./check.js";
 
 /**
@@ -19,7 +20,7 @@ export type NetLike = PointsLike | ArrayLike<PointsLike>;
 export function degreeOfRows(net: unknown, direction: "u" | "v"): number {
   if (!isNested(net)) return 3;
   const list = direction === "v" ? net : net[0];
-  return isList(list) && list.length >= 2 && list.length <= 65 ? list.length - 1 : 3;
+  return check.isList(list) && list.length >= 2 && list.length <= 65 ? list.length - 1 : 3;
 }
 
 /**
@@ -50,7 +51,7 @@ export function netNumbers(net: NetLike, degreeU: number, degreeV: number): Floa
  */
 export function isNested(net: unknown): net is ArrayLike<unknown> {
   if (!Array.isArray(net) || !Array.isArray(net[0])) return false;
-  return isList(net[0][0]) || (typeof net[0][0] === "object" && net[0][0] !== null);
+  return check.isList(net[0][0]) || (typeof net[0][0] === "object" && net[0][0] !== null);
 }
 
 /**
@@ -62,7 +63,8 @@ export function flatRows(rows: ArrayLike<unknown>, columns: number, name: string
   const all = new Float64Array(3 * columns * rows.length);
   for (let j = 0; j < rows.length; j++) {
     const row = rows[j];
-    if (!isList(row)) throw new TypeError(`${name}[${j}]: expected a row of ${columns} points, got ${describe(row)}`);
+    if (!check.isList(row))
+      throw new TypeError(`${name}[${j}]: expected a row of ${columns} points, got ${describe(row)}`);
     const { flat } = flatten(row as PointsLike, 3, 3, `${name}[${j}]`);
     if (flat.length !== 3 * columns) {
       throw new RangeError(`${name}[${j}]: expected a row of ${columns} points, got ${flat.length / 3}`);
@@ -70,4 +72,19 @@ export function flatRows(rows: ArrayLike<unknown>, columns: number, name: string
     all.set(flat, 3 * columns * j);
   }
   return all;
+}
+
+/**
+ * The net and the degrees of the arguments of a constructor.
+ *
+ * @internal
+ */
+export function netData(net: NetLike, options?: { degreeU?: number; degreeV?: number }): PatchData {
+  const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
+    "degreeU",
+    "degreeV",
+  ]);
+  check.whole(degreeU, "degreeU", 1, 64);
+  check.whole(degreeV, "degreeV", 1, 64);
+  return { flat: netNumbers(net, degreeU, degreeV), degreeU, degreeV };
 }

@@ -1,4 +1,4 @@
-// Checks of options and of the number of arguments: what would be ignored silently is a TypeError.
+// Checks of options: an unknown one, which would be ignored silently, is a TypeError.
 import { describe, shorten } from "./describe.js";
 
 /**
@@ -42,21 +42,6 @@ function hintForOption(value: unknown, known: readonly PropertyKey[]): string {
   const names = LIKELY_OPTIONS[Number.isInteger(value) ? "integer" : typeof value];
   const name = names?.find((option) => known.includes(option));
   return name ? `; did you mean { ${name}: ${describe(value)} }?` : "";
-}
-
-/**
- * Refuses arguments after the last parameter, which JavaScript ignores. Only methods call it for which such an argument
- * has a plausible meaning (`split(0.2, 0.6)`); all others can be passed to `map`, which passes three arguments.
- *
- * @param surplus the arguments after the last parameter; undefined counts as absent
- * @param expected the number of parameters
- * @param instead the call that was probably intended
- */
-export function noSurplus(surplus: readonly unknown[], method: string, expected: number, instead?: string) {
-  if (surplus.every((value) => value === undefined)) return;
-  const count = `${expected || "no"} argument${expected === 1 ? "" : "s"}`;
-  const hint = instead ? `; did you mean ${instead}?` : "";
-  throw new TypeError(`${method}: expected ${count}, got ${expected + surplus.length}${hint}`);
 }
 
 /** An option that is true or false. */

@@ -1,4 +1,4 @@
-import { coordinate, finite, isCoordinate, isList, optionalDimension, describe } from "./check.js";
+import { coordinate, isCoordinate, isList, nonNegative, optionalDimension, describe } from "./check.js";
 import type { PointsLike } from "./check.js";
 
 /** A point in a result: `{x, y}` in 2D, `{x, y, z}` in 3D. Where the dimension is not known, `z` may be missing. */
@@ -157,8 +157,7 @@ export function nested(flat: Float64Array, dimension: number): number[][] {
  * @internal
  */
 export function samePoints(a: Float64Array, b: Float64Array, dimension: number, tolerance: unknown): boolean {
-  const maxDistance = finite(tolerance, "tolerance");
-  if (maxDistance < 0) throw new RangeError(`tolerance: expected a number from 0, got ${maxDistance}`);
+  const maxDistance = nonNegative(tolerance, "tolerance");
   if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; i += dimension) {
     const z = dimension === 3 ? a[i + 2] - b[i + 2] : 0;

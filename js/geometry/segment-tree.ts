@@ -1,7 +1,6 @@
+import { curvesModule } from "../wasm/curves-module.js";
 import { BoxTree, writeBox } from "./box-tree.js";
 import { nearest } from "./curve-queries.js";
-import { core } from "../wasm/init.js";
-import { writeArguments } from "../wasm/transfer.js";
 import type { Nearest } from "./curve-queries.js";
 
 /**
@@ -70,8 +69,8 @@ export class SegmentTree {
       else if (to - from > 1) return true;
       else {
         const points = this.#pointsOf(from);
-        writeArguments(points);
-        sum += core().curve_crossings(points.length / 2, x, y);
+        curvesModule.write(points);
+        sum += curvesModule.exports.curve_crossings(points.length / 2, x, y);
       }
       return false;
     });

@@ -1,7 +1,7 @@
 // Queries of patches and surfaces: a patch is passed to the core as a surface of one patch.
+import { surfacesModule } from "../wasm/surfaces-module.js";
 import * as check from "./check.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
-import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
 import type { MatrixLike, PointLike } from "./check.js";
 import type { Bounds, Point } from "./points.js";
 
@@ -39,7 +39,7 @@ export function patchWriter(flat: Float64Array, degreeU: number, degreeV: number
   const count = flat.length / 3;
   const at = 5 + 4 * count;
   return (extra) => {
-    const view = writeArguments(Float64Array.of(count, 1, 0, degreeU, degreeV), at + extra - 5);
+    const view = surfacesModule.write(Float64Array.of(count, 1, 0, degreeU, degreeV), at + extra - 5);
     view.set(flat, 5);
     for (let i = 0; i < count; i++) view[5 + 3 * count + i] = i;
     return { view, at };
@@ -53,7 +53,7 @@ export function patchWriter(flat: Float64Array, degreeU: number, degreeV: number
  */
 export function bounds(write: SurfaceWriter): Bounds<3> | null {
   write(0);
-  const numbers = readResult(0, core().surface_bounds());
+  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_bounds());
   return numbers.length ? boxAt(numbers, 3) : null;
 }
 
@@ -64,7 +64,7 @@ export function bounds(write: SurfaceWriter): Bounds<3> | null {
  */
 export function area(write: SurfaceWriter): number {
   write(0);
-  return readResult(0, core().surface_area())[0];
+  return surfacesModule.read(0, surfacesModule.exports.surface_area())[0];
 }
 
 /**
@@ -74,7 +74,7 @@ export function area(write: SurfaceWriter): number {
  */
 export function volume(write: SurfaceWriter): number | null {
   write(0);
-  return readResult(0, core().surface_volume())[0] ?? null;
+  return surfacesModule.read(0, surfacesModule.exports.surface_volume())[0] ?? null;
 }
 
 /**
@@ -86,7 +86,7 @@ export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | 
   const [p] = coordinatesOf([point, "point"]);
   const { view, at } = write(3);
   view.set(p, at);
-  return readPoints(readResult(0, core().surface_nearest()))[0] ?? null;
+  return readPoints(surfacesModule.read(0, surfacesModule.exports.surface_nearest()))[0] ?? null;
 }
 
 /**
@@ -99,7 +99,7 @@ export function intersectRay(write: SurfaceWriter, origin: PointLike, direction:
   const { view, at } = write(6);
   view.set(start, at);
   view.set(along, at + 3);
-  return readPoints(readResult(0, core().surface_ray()));
+  return readPoints(surfacesModule.read(0, surfacesModule.exports.surface_ray()));
 }
 
 /**

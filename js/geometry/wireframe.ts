@@ -1,8 +1,8 @@
 // Isocurves of a surface, and meshes of tubes or ribbons along them.
+import { surfacesModule } from "../wasm/surfaces-module.js";
 import * as check from "./check.js";
 import { meshInto, readMesh } from "./mesh.js";
 import type { Mesh } from "./mesh.js";
-import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
 
 /** Lines as tubes. */
 export interface TubeOptions {
@@ -45,8 +45,8 @@ const MAX_SIDES = 0xffffffff;
 export function isocurves(writeSurface: () => unknown, options?: { lines?: number }): Float64Array[] {
   const lines = linesOf(options);
   writeSurface();
-  const numbers = readResult(0, core().surface_isocurves(lines));
-  releaseMemory();
+  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_isocurves(lines));
+  surfacesModule.release();
   const curves: Float64Array[] = [];
   for (let at = 0; at < numbers.length; ) {
     const end = at + 1 + 3 * numbers[at];
@@ -73,7 +73,7 @@ export function linesOf(options: { lines?: number } | undefined): number {
 export function wireframe(writeSurface: () => unknown, options: WireframeOptions): Mesh {
   const { args, into } = wireframeArguments(options);
   writeSurface();
-  unwrapCount(core().surface_wireframe(...args));
+  surfacesModule.count(surfacesModule.exports.surface_wireframe(...args));
   return readMesh(into, { separatePatches: false });
 }
 

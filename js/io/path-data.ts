@@ -1,7 +1,8 @@
 // Paths as lists of segments (the `getPathData` of browsers) and as the `shape()` of CSS.
 import * as check from "../geometry/check.js";
 import { checkTolerance, draw, roundTrip, shortNumber } from "./svg-write.js";
-import { ARGUMENT_COUNTS, PathBuilder } from "./svg-read.js";
+import { CommandBuilder } from "./command-builder.js";
+import { ARGUMENT_COUNTS } from "./svg-read.js";
 import type { FillRule } from "../geometry/path/fill-rule.js";
 
 /** One command of path data: its letter and its numbers. */
@@ -31,7 +32,7 @@ export function readPathData(segments: ArrayLike<PathSegment>, tolerance: number
   if (!Array.isArray(segments)) {
     throw new TypeError(`segments: expected an array of {type, values}, got ${check.describe(segments)}`);
   }
-  const builder = new PathBuilder(tolerance);
+  const builder = new CommandBuilder(tolerance);
   for (const [k, segment] of segments.entries()) {
     const name = `segments[${k}]`;
     const { type, values } = Object(segment) as { type?: unknown; values?: unknown };
@@ -51,8 +52,8 @@ export function readPathData(segments: ArrayLike<PathSegment>, tolerance: number
       throw new RangeError(`${name}: expected coordinates from -2^500 to 2^500 (3.27e150), got ${numbers.join(" ")}`);
     }
   }
-  builder.endOpen();
-  return builder.packer.packed();
+  builder.end(false);
+  return builder.packed();
 }
 
 const COMMANDS = ["", "L", "Q", "C"];

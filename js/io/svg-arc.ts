@@ -47,6 +47,27 @@ export function directionOfDegrees(degrees: number): Pair {
   }
 }
 
+/** A rounded angle may exceed a number of quarter turns by this part of a quarter turn. */
+const ANGLE_ROUNDING = 1e-12;
+
+/**
+ * The least number of arcs of at most a quarter turn.
+ *
+ * @internal
+ */
+export function quarterTurns(radians: number): number {
+  return Math.ceil(Math.abs(radians) / (Math.PI / 2) - ANGLE_ROUNDING);
+}
+
+/**
+ * An angle in degrees, exact for the multiples of π/2 that f64 rounds to.
+ *
+ * @internal
+ */
+export function degreesOf(radians: number): number {
+  return (radians * 180) / Math.PI;
+}
+
 /**
  * The angle of a unit vector in the first quadrant.
  *

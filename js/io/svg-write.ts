@@ -1,10 +1,8 @@
 // Drawing paths and writing them as SVG path data; src/io/svg_write.rs writes the same text.
+import { curvesModule } from "../wasm/curves-module.js";
 import type { CircularArc } from "../geometry/path/path-arcs.js";
 import * as check from "../geometry/check.js";
-import { core } from "../wasm/init.js";
 import { extents } from "../wasm/packed-path.js";
-import { unwrapCount } from "../wasm/errors.js";
-import { writeArguments, readResult } from "../wasm/transfer.js";
 
 /** From this value on, numbers have no digits after the decimal point, and `String` writes them with an exponent. */
 const MIN_EXPONENTIAL = 1e21;
@@ -90,8 +88,8 @@ function leftToClose(packed: Float64Array, points: number, at: number) {
 }
 
 function drawCubics(sink: PathSink, curve: Float64Array, tolerance: number) {
-  writeArguments(curve);
-  const list = readResult(0, core().curve_cubics(curve.length / 2, tolerance));
+  curvesModule.write(curve);
+  const list = curvesModule.read(0, curvesModule.exports.curve_cubics(curve.length / 2, tolerance));
   for (let at = 0; at < list.length; at += 6) sink.curve(3, list, at);
 }
 
@@ -106,7 +104,7 @@ export function checkTolerance(packed: Float64Array, tolerance: number) {
   let size = 0;
   for (const { points, end } of extents(packed))
     for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
-  unwrapCount(core().path_check_tolerance(tolerance, size));
+  curvesModule.count(curvesModule.exports.path_check_tolerance(tolerance, size));
 }
 
 /**

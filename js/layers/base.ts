@@ -26,9 +26,12 @@ export const curve = {
   draw(context: DrawContext, curves: Curve[]) {
     along(context, curves);
     pen.stroke(context, context.theme.curve, pen.CURVE_WIDTH);
+    const steps = Math.ceil(CURVE_PLACES / curves.length);
     for (const each of curves.slice(0, CURVE_PLACES)) {
-      const flat = each.sample(Math.ceil(CURVE_PLACES / curves.length));
-      for (let i = 0; i < flat.length; i += 2) reserve(context, context.lens.place(flat[i], flat[i + 1]), CURVE_ROOM);
+      for (let i = 0; i <= steps; i++) {
+        const { x, y } = each.eval(i / steps);
+        reserve(context, context.lens.place(x, y), CURVE_ROOM);
+      }
     }
   },
 };

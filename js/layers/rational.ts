@@ -11,7 +11,7 @@ import { ALL_LAYERS } from "./index.js";
 import { selected, weights } from "./weights.js";
 import type { DrawContext } from "./draw-context.js";
 import type { Figure } from "../editor/figure.js";
-import type { Layer } from "./index.js";
+import type { Layer } from "./draw-figure.js";
 import type { Piece } from "../editor/figure.js";
 import type { State } from "../editor/state.js";
 

@@ -1,7 +1,8 @@
 // The same picture as SVG: what is drawn is written down instead.
 import { FONT_FAMILY, LIGHT } from "../ui/tokens.js";
-import { drawFigure } from "./index.js";
-import type { Layer } from "./index.js";
+import { drawFigure } from "./draw-figure.js";
+import { ALL_LAYERS } from "./index.js";
+import type { Layer } from "./draw-figure.js";
 import { LEVELS } from "./theme.js";
 import type { Theme } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
@@ -22,7 +23,7 @@ export interface SvgOptions {
 export function svgFigure(
   state: DrawnState,
   figure: Figure,
-  { theme, label = "Bézier curve", opaque = false, layers }: SvgOptions = {},
+  { theme, label = "Bézier curve", opaque = false, layers = ALL_LAYERS }: SvgOptions = {},
 ): string {
   const colours = { ...lightTheme(), ...theme } as Theme;
   const recorder = new Recorder();

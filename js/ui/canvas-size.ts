@@ -23,7 +23,7 @@ export function followSize(
 }
 
 /** Observes the size in device pixels where the browser knows it: then a window that moves to another display is noticed, too. */
-export function observeDevicePixels(observer: ResizeObserver, canvas: HTMLCanvasElement) {
+function observeDevicePixels(observer: ResizeObserver, canvas: HTMLCanvasElement) {
   try {
     observer.observe(canvas, { box: "device-pixel-content-box" });
   } catch {
@@ -38,7 +38,7 @@ export const cssZoom = (element: Element): number => (element as any).currentCSS
  * The exact number of device pixels, where the browser reports it. While developer tools emulate another display, Chromium
  * reports CSS pixels: a number that differs from the ratio by more than rounding is not used.
  */
-export function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
+function devicePixels(canvas: HTMLCanvasElement, entry: ResizeObserverEntry): { width: number; height: number } {
   const ratio = (canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1) * cssZoom(canvas);
   const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
   const reported = entry.devicePixelContentBoxSize?.[0];

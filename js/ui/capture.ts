@@ -34,10 +34,49 @@ export function capture(
   target.setPointerCapture(id);
   listen(target, "pointermove", move);
   for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(target, type, finish);
-  // An element that was removed gets no more events.
+  // An element that was removed gets no more events; its drag goes on until the pointer is released.
   for (const type of ["pointerup", "pointercancel"]) listen(target.ownerDocument, type, finish);
   return () => {
     listening.abort();
     if (target.hasPointerCapture(id)) target.releasePointerCapture(id);
   };
+}
+
+export type Point2 = [number, number];
+
+export interface HandleListener {
+  /** Where the handle is */
+  from: readonly [number, number];
+  /** A pointer's place in the same coordinates */
+  placeOf: (event: PointerEvent) => readonly [number, number];
+  /** A move of the pointer, and where the handle is then */
+  move: (to: Point2, event: PointerEvent) => void;
+  end?: CaptureListener["end"];
+}
+
+/**
+ * Captures a pointer that has been pressed on a handle, which keeps its place under the pointer.
+ *
+ * @param target as of `capture`
+ * @returns ends it without a report
+ */
+export function dragHandle(
+  start: PointerEvent,
+  { from, placeOf, move, end }: HandleListener,
+  target?: Element,
+): () => void {
+  const [x, y] = placeOf(start);
+  let hasMoved = false;
+  return capture(
+    start,
+    {
+      move: (event) => {
+        hasMoved ||= event.clientX !== start.clientX || event.clientY !== start.clientY; // not only the pressure of a pen
+        const [toX, toY] = placeOf(event);
+        if (hasMoved) move([from[0] + toX - x, from[1] + toY - y], event);
+      },
+      end,
+    },
+    target,
+  );
 }

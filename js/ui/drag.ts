@@ -1,8 +1,7 @@
 // Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
 
-import { capture } from "./capture.js";
-
-export type Point2 = [number, number];
+import { dragHandle } from "./capture.js";
+import type { Point2 } from "./capture.js";
 
 /** What dragging needs to know and may do. */
 export interface DragOptions {
@@ -29,9 +28,9 @@ export interface DragOptions {
 
 export interface Drag {
   index: number;
-  grip: Point2;
   from: Point2;
   to: Point2 | null;
+  /** The last move */
   event?: PointerEvent;
   /** Stops following the pointer */
   stop: () => void;
@@ -41,8 +40,7 @@ export interface Drag {
 const SAME_PLACE_PX = 4;
 
 export class Drags {
-  /** By pointerId */
-  #drags: Map<number, Drag> = new Map();
+  #drags: Set<Drag> = new Set();
   /** Points that have moved since the first pointer came down. */
   #moved: Set<number> = new Set();
   /** The last press that has not moved anything. */
@@ -65,7 +63,7 @@ export class Drags {
    * @returns whether any has moved
    */
   apply(): boolean {
-    const waiting = [...this.#drags.values()].filter(({ to }) => to);
+    const waiting = [...this.#drags].filter(({ to }) => to);
     for (const drag of waiting) {
       this.#moved.add(drag.index);
       this.#options.move(drag.index, drag.to ?? drag.from, drag);
@@ -77,7 +75,7 @@ export class Drags {
   /** Lets all points go where they are. */
   end() {
     if (!this.active) return;
-    this.#release();
+    this.release();
     this.#options.ended([...this.#moved]);
   }
 
@@ -88,49 +86,50 @@ export class Drags {
    */
   cancel(): boolean {
     if (!this.active) return false;
-    this.#release();
+    this.release();
     this.#options.cancelled();
     return true;
   }
 
-  #release() {
-    for (const { stop } of this.#drags.values()) stop();
+  /** Lets all points go where they are, without a report. */
+  release() {
+    for (const { stop } of this.#drags) stop();
     this.#drags.clear();
   }
 
   #down(event: PointerEvent) {
-    if (event.button !== 0 || this.#drags.has(event.pointerId)) return;
+    if (event.button !== 0) return;
     const index = this.#choose(this.#stackUnder(event), event);
     if (index === undefined) return;
-    if (!this.active) this.#begin();
+    if (!this.active) {
+      this.#moved.clear();
+      this.#options.started();
+    }
     const from = this.#options.placeOf(index);
-    const [x, y] = this.#options.toViewBox(event);
-    const stop = capture(
+    const stop = dragHandle(
       event,
       {
-        move: (now) => this.#move(now),
-        end: (last, released) => (released ? this.#up(last) : this.#lost(last)),
+        from,
+        placeOf: this.#options.toViewBox,
+        move: (to, now) => this.#move(drag, to, now),
+        end: (_, released) => this.#end(drag, released),
       },
       this.#options.elementOf(index),
     );
-    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null, stop });
+    const drag: Drag = { index, from, to: null, stop };
+    this.#drags.add(drag);
     this.#options.grabbed(index);
-  }
-
-  #begin() {
-    this.#moved.clear();
-    this.#options.started();
   }
 
   /** The free handles whose boxes contain the pointer, the nearest first. */
   #stackUnder({ clientX, clientY }: PointerEvent): number[] {
-    const taken = new Set([...this.#drags.values()].map(({ index }) => index));
     const found: { index: number; distance: number }[] = [];
     for (let index = 0; index < this.#options.count(); index++) {
+      if ([...this.#drags].some((drag) => drag.index === index)) continue;
       const { left, top, width, height } = this.#options.elementOf(index).getBoundingClientRect();
       const [dx, dy] = [clientX - left - width / 2, clientY - top - height / 2];
       const inside = Math.abs(dx) <= width / 2 && Math.abs(dy) <= height / 2;
-      if (inside && !taken.has(index)) found.push({ index, distance: Math.hypot(dx, dy) });
+      if (inside) found.push({ index, distance: Math.hypot(dx, dy) });
     }
     return found.sort((a, b) => a.distance - b.distance).map(({ index }) => index);
   }
@@ -143,27 +142,19 @@ export class Drags {
     return index;
   }
 
-  #move(event: PointerEvent) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
-    const [x, y] = this.#options.toViewBox(event);
-    drag.to = [x - drag.grip[0], y - drag.grip[1]];
+  #move(drag: Drag, to: Point2, event: PointerEvent) {
+    drag.to = to;
     drag.event = event;
     if (!isNear(this.#lastPress, event)) this.#lastPress = null;
     this.#options.schedule();
   }
 
-  #up(event: PointerEvent) {
-    this.apply();
-    this.#drags.delete(event.pointerId);
-    if (!this.active) this.#options.ended([...this.#moved]);
-  }
-
-  #lost(event: PointerEvent) {
-    const drag = this.#drags.get(event.pointerId);
-    if (!drag) return;
-    if (this.#drags.size === 1) return void this.cancel();
-    this.#drags.delete(event.pointerId);
+  #end(drag: Drag, released: boolean) {
+    if (released) this.apply();
+    else if (this.#drags.size === 1) return void this.cancel();
+    this.#drags.delete(drag);
+    if (!this.active) return this.#options.ended([...this.#moved]);
+    if (released) return;
     this.#options.move(drag.index, drag.from, { from: drag.from }); // others are still moving
     this.#options.schedule();
   }

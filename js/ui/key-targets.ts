@@ -10,15 +10,38 @@ function targetsOf(page: Document): Set<HTMLElement> {
   return owner[TARGETS];
 }
 
-/** Adds an applet; returns the function that removes it. */
-export function addKeyTarget(host: HTMLElement): () => void {
-  const targets = targetsOf(host.ownerDocument);
+/** Whether a key is for an applet: because it has the focus, or because of its place on the page. */
+export type KeyTarget = "focus" | "page" | null;
+
+/**
+ * Listens to the keys of the page.
+ *
+ * @param press gets a function, as the answer asks for the layout; returns whether it has used the key
+ * @returns stops listening
+ */
+export function listenToPageKeys(
+  host: HTMLElement,
+  press: (event: KeyboardEvent, target: () => KeyTarget) => boolean,
+): () => void {
+  const page = host.ownerDocument;
+  const targets = targetsOf(page);
+  const listener = (event: KeyboardEvent) => {
+    const target = () => {
+      const found = keyTarget(event, page);
+      return found.host !== host ? null : found.focused ? "focus" : "page";
+    };
+    if (press(event, target)) event.preventDefault();
+  };
   targets.add(host);
-  return () => void targets.delete(host);
+  page.addEventListener("keydown", listener);
+  return () => {
+    targets.delete(host);
+    page.removeEventListener("keydown", listener);
+  };
 }
 
 /** The applet that has the focus, else the one under the pointer, else the only one in view. */
-export function keyTarget(event: KeyboardEvent, page: Document): { host: HTMLElement | null; focused: boolean } {
+function keyTarget(event: KeyboardEvent, page: Document): { host: HTMLElement | null; focused: boolean } {
   const targets = targetsOf(page);
   const focused = event.composedPath().find((each) => targets.has(each as HTMLElement));
   if (focused) return { host: focused as HTMLElement, focused: true };

@@ -69,6 +69,22 @@ export const TOKENS = `
 *, ::after { box-sizing: border-box; }
 `;
 
+/**
+ * After TOKENS: more colours of an element, and its attribute `theme`.
+ *
+ * @param light those of a light page
+ * @param dark those of a dark page
+ */
+export const themeColours = (light = "", dark = "") => `
+:host { ${light} }
+@media screen and (prefers-color-scheme: dark) { :host { ${dark} } }
+@media screen and (forced-colors: none) {
+  :host([theme="light"]) { color-scheme: light; ${LIGHT} ${light} }
+  :host([theme="dark"]) { color-scheme: dark; ${DARK} ${dark} }
+}
+:host([hidden]) { display: none; }
+`;
+
 /** Buttons, labels, the ring of the focus, and what only screen readers find. */
 export const CONTROLS = `
 fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; align-items: center; }

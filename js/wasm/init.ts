@@ -1,7 +1,5 @@
-import { curvesModule } from "./curves-module.js";
-import { wasmModules } from "./wasm-module.js";
-import type { CubicEval, WasmModule } from "./wasm-module.js";
-import type { Functions } from "../glue/functions.js";
+import { refusal, wasmModules } from "./wasm-module.js";
+import type { WasmModule } from "./wasm-module.js";
 
 /**
  * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
@@ -21,72 +19,11 @@ export type WasmSource = WebAssembly.Module | BufferSource | Response | URL;
  */
 export async function init(source?: WasmSource | PromiseLike<WasmSource>): Promise<void> {
   const awaited = await source; // always awaited, so that a failed fetch never is an unhandled rejection
-  const uncompiled = wasmModules.filter((wasmModule) => !wasmModule.functions);
+  const uncompiled = wasmModules.filter((wasmModule) => !wasmModule.isInstantiated);
   if (awaited === undefined) return void (await Promise.all(uncompiled.map(compileInlined)));
   if (!uncompiled.length) return;
   const module = await compile(awaited);
-  for (const wasmModule of uncompiled) if (!wasmModule.functions) instantiate(wasmModule, module);
-}
-
-/**
- * The functions of the Rust core, which is instantiated by the first call. A count of −1 means an error (see
- * `unwrapCount`).
- *
- * @internal
- * @throws {Error} with `casteljau/slim`, before the promise of `init` is fulfilled
- */
-export function core(wasmModule: WasmModule = curvesModule): Functions {
-  return wasmModule.functions ?? instantiateSync(wasmModule);
-}
-
-/**
- * The only function of the core that is called without the wrapper of wasm-bindgen.
- *
- * @internal
- */
-export function cubicEval(): CubicEval {
-  if (!curvesModule.cubicEval) instantiateSync(curvesModule);
-  return curvesModule.cubicEval as CubicEval;
-}
-
-/**
- * The core's memory. When it grows, its views are detached: never keep a view across a call.
- *
- * @internal
- */
-export function memory(wasmModule: WasmModule = curvesModule): WebAssembly.Memory {
-  if (!wasmModule.memory) instantiateSync(wasmModule);
-  return wasmModule.memory as WebAssembly.Memory;
-}
-
-function instantiateSync(wasmModule: WasmModule): Functions {
-  if (!wasmModule.bytes) {
-    throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
-  }
-  return instantiate(wasmModule, compileSync(wasmModule.bytes()));
-}
-
-/** @param bytes inlined ones */
-function compileSync(bytes: BufferSource) {
-  try {
-    return new WebAssembly.Module(bytes);
-  } catch (cause) {
-    throw refusal(cause);
-  }
-}
-
-/** The error for inlined bytes that are not compiled. They are valid, so a policy forbids it. */
-function refusal(cause: unknown) {
-  const policy = "a Content-Security-Policy needs script-src 'wasm-unsafe-eval'";
-  return new Error(`casteljau: WebAssembly is refused here; ${policy}`, { cause });
-}
-
-function instantiate(wasmModule: WasmModule, module: WebAssembly.Module): Functions {
-  const exports = wasmModule.link({ module }) as any;
-  wasmModule.memory = exports.memory;
-  wasmModule.cubicEval = exports.cubic_eval;
-  wasmModule.functions = exports;
-  return exports;
+  for (const wasmModule of uncompiled) if (!wasmModule.isInstantiated) wasmModule.instantiate(module);
 }
 
 async function compileInlined(wasmModule: WasmModule) {
@@ -96,7 +33,7 @@ async function compileInlined(wasmModule: WasmModule) {
   const module = await compile(wasmModule.bytes()).catch((cause) => {
     throw refusal(cause);
   });
-  if (!wasmModule.functions) instantiate(wasmModule, module); // a synchronous first call may have instantiated it meanwhile
+  if (!wasmModule.isInstantiated) wasmModule.instantiate(module); // a synchronous first call may have instantiated it meanwhile
 }
 
 async function compile(source: WasmSource): Promise<WebAssembly.Module> {

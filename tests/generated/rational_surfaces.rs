@@ -67,7 +67,16 @@ pub(crate) fn solid_of_revolution(
     );
     let topology = solid.topology();
     has_all_sides(&topology, solid.patch_count())?;
-    holds!(topology.open.is_empty(), "open edges {:?}", topology.open)
+    ensure!(topology.open.is_empty(), "open edges {:?}", topology.open);
+    // The sign of a volume that almost vanishes, as of a thin loop, is noise.
+    let size = solid
+        .control_bounds()
+        .map_or(0.0, |b| b.min.abs().max(b.max.abs()).max_element());
+    let noise = 1e-6 * solid.area() * size;
+    holds!(
+        solid.volume().is_none_or(|volume| volume >= -noise),
+        "normals point inwards"
+    )
 }
 
 pub(crate) fn accessors(data: SurfaceData) -> Checked {

@@ -2,14 +2,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pointPair } from "#js/editor/check.js";
-import { continuityAtP3, derive } from "#js/applet/derive.js";
-import { clamped, DEFAULT_BOX } from "#js/editor/plane.js";
-import { generator } from "#js/editor/random.js";
-import * as states from "#js/applet/state.js";
-import { description, jointLabel, place, shownWords } from "#js/applet/words.js";
+import { withJoint, withLayers, withPoints, withShown, withT } from "#js/applet/changes.js";
+import { continuityAtP3, description, jointLabel, place } from "#js/applet/words.js";
+import { appended, randomized, withPointAt } from "#js/editor/commands.js";
+import { bezierFigure, figureOf } from "#js/editor/figure.js";
+import { clamped } from "#js/editor/plane.js";
+import { roomiestAmong } from "#js/editor/random.js";
+import { allPointsToggled, firstState } from "#js/editor/state.js";
 
-const first = states.firstState(DEFAULT_BOX);
-const { pointsOf, withJoint, withPointAt, withPoints } = states;
+const first = firstState();
+const pointsOf = (/** @type {{ points: readonly (readonly number[])[] }} */ { points }) =>
+  points.map((point) => [...point]);
 /** The first state with some points moved, without a joint mode. */
 const moved = (/** @type {[number, [number, number]][]} */ ...moves) =>
   moves.reduce((state, [index, to]) => withPointAt(state, index, to), first);
@@ -78,25 +81,22 @@ test("random points are inside the box, differ from those before, keep the joint
   for (const mode of ["free", "g1", "c1"]) {
     const state = withJoint(first, mode);
     for (let seed = 0; seed < 60; seed++) {
-      const points = pointsOf(states.randomized(state, generator(seed)));
-      assert.deepEqual(pointsOf(states.randomized(state, generator(seed))), points);
+      const points = pointsOf(randomized(state, seed));
+      assert.deepEqual(pointsOf(randomized(state, seed)), points);
       assert.ok(points.every(([x, y], i) => x >= 0 && x <= 670 && y >= 0 && y <= 480 && x !== pointsOf(state)[i][0]));
       if (mode !== "free") aligned(points);
       if (mode === "c1") near(joint(points).before, joint(points).after);
     }
   }
-  assert.notDeepEqual(
-    pointsOf(states.randomized(first, generator(7))),
-    pointsOf(states.randomized(first, generator(8))),
-  );
+  assert.notDeepEqual(pointsOf(randomized(first, 7)), pointsOf(randomized(first, 8)));
 });
 
 test("the joint mode holds at a hidden joint and at a joint that is added later", () => {
-  const few = states.allPointsToggled(withJoint(first, "c1"));
+  const few = allPointsToggled(withJoint(first, "c1"));
   const hidden = withPointAt(few, 2, [215, 135]);
-  assert.deepEqual([hidden.shown, states.allPointsToggled(hidden).shown], [4, 7]);
+  assert.deepEqual([hidden.shown, allPointsToggled(hidden).shown], [4, 7]);
   aligned(pointsOf(hidden));
-  let longer = states.appended(hidden, [300, 60]);
+  let longer = appended(hidden, [300, 60]);
   assert.equal(longer.shown, 10);
   for (let k = 0; k < 2; k++) {
     const last = pointsOf(longer).slice(3);
@@ -116,21 +116,21 @@ test("a new point is placed where there is room", () => {
   let state = first;
   for (let k = 0; k < 2; k++) {
     const others = pointsOf(state);
-    const [x, y] = states.roomiestPlace(state);
+    const [x, y] = roomiestAmong(state.box, state.points);
     const room = Math.min(...others.map(([px, py]) => Math.hypot(x - px, y - py)));
     assert.ok(room > 60, `${room} pixels`);
-    state = states.appended(state, [x, y]);
+    state = appended(state, [x, y]);
     assert.deepEqual(pointsOf(state).slice(0, others.length), others);
   }
 });
 
 test("the points fit a box of any size; huge, tiny and coincident points are accepted", () => {
-  const small = pointsOf(states.firstState({ width: 300, height: 200 }));
+  const small = pointsOf(firstState({ width: 300, height: 200 }));
   assert.ok(small.every(([x, y]) => x > 0 && x < 300 && y > 0 && y < 200));
   for (const value of [1e149, 1e-300, 0, -1e12]) {
     const state = withPoints(first, new Array(7).fill([value, value]));
     assert.deepEqual(pointsOf(state)[3], [value, value]);
-    assert.doesNotMatch(jointLabel(derive(state)).text, /NaN/);
+    assert.doesNotMatch(jointLabel(bezierFigure(state)).text, /NaN/);
   }
 });
 
@@ -146,11 +146,11 @@ const REFUSED = [
   [() => withPoints(first, seven.with(2, /** @type {any} */ ([1])))],
   [() => withPoints(first, seven.with(2, /** @type {any} */ (["1", 2])))],
   [() => withPoints(first, new Array(7))],
-  ...[5, 10, NaN, "7"].map((mode) => /** @type {[() => unknown]} */ ([() => states.withShown(first, mode)])),
+  ...[5, 10, NaN, "7"].map((mode) => /** @type {[() => unknown]} */ ([() => withShown(first, mode)])),
   ...["G9", 1].map((mode) => /** @type {[() => unknown]} */ ([() => withJoint(first, mode)])),
-  ...[2, NaN, "half"].map((t) => /** @type {[() => unknown]} */ ([() => states.withT(first, t)])),
+  ...[2, NaN, "half"].map((t) => /** @type {[() => unknown]} */ ([() => withT(first, t)])),
   ...[{ bones: true }, { hull: 1 }, null, { toString: true }].map(
-    (layers) => /** @type {[() => unknown]} */ ([() => states.withLayers(first, layers)]),
+    (layers) => /** @type {[() => unknown]} */ ([() => withLayers(first, layers)]),
   ),
   ...[[1], [NaN, 0], "x"].map((point) => /** @type {[() => unknown]} */ ([() => pointPair(point, "point")])),
 ];
@@ -166,31 +166,32 @@ test("what cannot be used is refused by name", () => {
 });
 
 test("the label of the joint states continuity, angle and lengths", () => {
-  for (const [state, verdict, words] of /** @type {[states.State, string, RegExp][]} */ ([
+  for (const [state, verdict, words] of /** @type {[import("#js/editor/state.js").State, string, RegExp][]} */ ([
     [first, "G1", /^P2, P3, P4 aligned: G1 at P3\. C1 when .*; now 142\.\d and 170\.\d\.$/],
     [withJoint(first, "c1"), "C1", /^P2, P3, P4 aligned and \|P2P3\| = \|P3P4\|: G1 and C1 at P3\.$/],
     [from("0,200 50,200 100,200 200,200 200,300 350,300 400,400"), "C0", /^Broken at P3: the tangent turns by 90°/],
-    [states.allPointsToggled(first), "", /^One cubic Bézier curve: P0 to P3, no joint\.$/],
+    [allPointsToggled(first), "", /^One cubic Bézier curve: P0 to P3, no joint\.$/],
   ])) {
-    const label = jointLabel(derive(state));
+    const label = jointLabel(bezierFigure(state));
     assert.equal(label.verdict, verdict);
     assert.match(label.text, words);
-    assert.equal(continuityAtP3(state)?.g1 ?? null, verdict === "" ? null : verdict !== "C0");
+    assert.equal(continuityAtP3(bezierFigure(state))?.g1 ?? null, verdict === "" ? null : verdict !== "C0");
   }
 });
 
 test("descriptions and announcements are made of the values", () => {
+  const figure = bezierFigure(moved([1, [195, 80]]));
   assert.match(
-    description(moved([1, [195, 80]]), derive(moved([1, [195, 80]]))),
+    description(figure, 0.5),
     /^2 cubic Bézier curves joined end to end through P0 at 70, 330, P3 at .* with P1 at 195, 80, .* t is 0\.50\.$/,
   );
-  assert.match(
-    description(states.allPointsToggled(first), derive(states.allPointsToggled(first))),
-    /^One cubic Bézier curve through P0/,
-  );
-  assert.equal(place([12.4, 7.6], 3), "P3 at 12, 8");
-  assert.deepEqual([first, states.allPointsToggled(first)].map(shownWords), [
-    "7 points shown",
-    "4 points shown: one cubic",
-  ]);
+  assert.match(description(bezierFigure(allPointsToggled(first)), 0.5), /^One cubic Bézier curve through P0/);
+  assert.equal(place(bezierFigure(moved([3, [12.44, 7.6]])), 3), "P3 at 12.4, 7.6");
+});
+
+test("the figure of Bézier curves is that of all bases, but for the matrix", () => {
+  for (const state of [first, allPointsToggled(first), moved([3, [12, 7]])]) {
+    const [figure, all] = [bezierFigure(state), figureOf(state)];
+    assert.deepEqual({ ...figure, matrix: all.matrix }, all);
+  }
 });

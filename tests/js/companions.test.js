@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Curve, easing, Spline } from "#js/index.js";
 import { RationalCurve } from "#js/nurbs.js";
 import { quoted, readNumber, readPoints, shown, shownFraction } from "#js/ui/numbers.js";
-import { ownMatrix, ownSubject } from "#js/elements/companions/own.js";
+import { ownMatrix, standaloneCurve } from "#js/elements/companions/own.js";
 import { ownPoints, pointsText } from "#js/elements/companions/points.js";
 import { plotOf, tAt, xOf, yOf } from "#js/elements/companions/plot.js";
 import { inPoints, subjectOf } from "#js/elements/companions/subject.js";
@@ -158,14 +158,17 @@ test("alone: attributes that cannot be used are named, and the defaults stand in
     problems.push(name);
     return fallback;
   };
-  const bad = ownSubject({ given: "1,2 3", t: NaN, degree: 99, basis: "nurbs", matrix: "1 2" }, check);
+  const bad = standaloneCurve({ given: "1,2 3", t: NaN, degree: 99, basis: "nurbs", matrix: "1 2" }, check);
   assert.deepEqual(problems.sort(), ["basis", "degree", "points", "t"]);
   assert.deepEqual([bad.basis, bad.degree, bad.t, bad.points], ["bezier", 3, 0.5, POINTS]);
   const strict = (name, value, usable) => {
     assert.ok(usable, name);
     return value;
   };
-  const alone = ownSubject({ given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" }, strict).degree;
+  const alone = standaloneCurve(
+    { given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" },
+    strict,
+  ).degree;
   assert.equal(alone, 2);
   for (const given of [7, [[1]], pointsOf("1,NaN 2,3"), {}])
     assert.equal(ownPoints(/** @type {any} */ (given), check), ownPoints(null, check));
@@ -175,19 +178,19 @@ test("alone: attributes that cannot be used are named, and the defaults stand in
 
 test("the plot: every line inside, the peaks labelled apart, t back from its place", () => {
   for (const each of ["bezier 1", "bezier 3", "bezier 64", "hermite 3", "catmull-rom 3"]) {
-    const { frame, lines } = plotOf({ ...named(each), t: 0.5 });
+    const { range, lines } = plotOf({ ...named(each), t: 0.5 });
     assert.equal(lines.length, named(each).degree + 1);
     const outside = lines.flatMap(({ points }) => pointsOf(points).flat()).filter((x) => !(x >= 0 && x <= 400));
     assert.deepEqual(outside, [], each);
     const labels = lines.filter(({ labelled }) => labelled).map(({ peak }) => peak);
     labels.forEach((a, i) => labels.slice(i + 1).forEach((b) => assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 17)));
     assert.ok(lines[0].labelled && lines.at(-1)?.labelled);
-    for (const t of [0, 0.123, 1]) near(tAt(frame, xOf(frame, t)), t);
+    for (const t of [0, 0.123, 1]) near(tAt(range, xOf(range, t)), t);
   }
   const cubic = plotOf({ ...named("bezier 3"), t: 0.5 });
-  near(cubic.lines[1].peak.x, xOf(cubic.frame, 1 / 3), 0.01);
-  near(cubic.lines[1].peak.y, yOf(cubic.frame, 4 / 9), 0.001);
-  assert.deepEqual(plotOf({ ...named("bezier 3"), t: 1.2 }).frame.x, [0, 1.25]);
+  near(cubic.lines[1].peak.x, xOf(cubic.range, 1 / 3), 0.01);
+  near(cubic.lines[1].peak.y, yOf(cubic.range, 4 / 9), 0.001);
+  assert.deepEqual(plotOf({ ...named("bezier 3"), t: 1.2 }).range.x, [0, 1.25]);
 });
 
 test("timing functions: read, written, refused", () => {
@@ -221,7 +224,10 @@ test("a subject of its own: each message is about an attribute that was given", 
       if (!usable) messages.push(`${name}: expected ${expected}, got ${value}; ${fallback}`);
       return usable ? value : fallback;
     };
-    const subject = ownSubject({ given: null, t: 0.5, degree: null, basis: "bezier", matrix: "", ...given }, check);
+    const subject = standaloneCurve(
+      { given: null, t: 0.5, degree: null, basis: "bezier", matrix: "", ...given },
+      check,
+    );
     return { messages, degree: subject.degree };
   };
   const three = "1,2 3,4 5,6";

@@ -12,7 +12,7 @@ import { pointsOf } from "./reference.js";
 
 /** The control points of the site's figures, and what the tasks see of these. */
 const UNEVEN = pointsOf("12,66 12,52 36,8 118,28");
-const BEND = pointsOf("12,61 29,58 53,48 43,38");
+const BEND = pointsOf("14,62 43,57 84,40 67,23");
 const curveOf = (points, t) => ({
   t,
   points,
@@ -107,7 +107,7 @@ testTasks([
   [
     "sharpest-bend",
     () => curveOf(BEND, 0),
-    [{ t: 0.5 }, { t: 0.82 }, { t: 1 }, { t: 0.25, points: pointsOf("12,61 29,5 53,48 43,38") }],
+    [{ t: 0.5 }, { t: 0.82 }, { t: 1 }, { t: 0.25, points: pointsOf("14,62 43,5 84,40 67,23") }],
     { t: 0.85 },
   ],
   [

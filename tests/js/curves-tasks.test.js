@@ -2,7 +2,9 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
-import { Curve } from "casteljau";
+import { Curve, Path } from "casteljau";
+import { fitOf, samplesOf } from "../../www/figures/lib/fitting.js";
+import { discAt } from "../../www/figures/lib/taper.js";
 import { applet, load, testTasks } from "./task-cases.js";
 import { pointsOf } from "./reference.js";
 
@@ -13,6 +15,8 @@ const PLACES = pointsOf("8,64 37,16 76,28 92,51");
 const ORDERS = Array.from({ length: 256 }, (_, k) => [k >> 6, (k >> 4) & 3, (k >> 2) & 3, k & 3]).filter(
   (order) => new Set(order).size === 4,
 );
+const FIVE = pointsOf("10,72 30,18 56,64 84,14 118,58");
+const LINE = pointsOf("30,42 50,42 70,42 90,42");
 const SEVEN = pointsOf("70,330 90,120 250,110 330,200 430,300 560,380 600,160");
 const points = (text) => ({ points: pointsOf(text) });
 /** The chain of two cubics with its point after the joint moved. */
@@ -92,6 +96,17 @@ testTasks([
     S,
   ],
   [
+    "make-cusp",
+    points("190,400 590,80 90,80 490,400"),
+    [
+      points("190,400 440,200 240,200 490,400"), // the loop is gone, without a cusp
+      points("190,400 190,400 490,100 490,400"), // the speed is zero at an end
+      points("190,400 700,400 0,400 490,400"), // a line that turns back
+      points("190,400 490,100 190,100 500,400"), // an end has moved
+    ],
+    points("190,400 480,110 200,105 490,400"),
+  ],
+  [
     "match-shape",
     { points: ARCH },
     [
@@ -160,6 +175,20 @@ testTasks([
     points("80,390 250,150 420,150 590,390"),
   ],
   [
+    "no-loop",
+    () => ({ points: FIVE, family: "natural", tension: 0.5 }),
+    [
+      { family: "centripetal" }, // no points are close together
+      { points: FIVE.with(2, [36, 17]), family: "catmull-rom" },
+      { family: "natural" }, // a loop, too
+      { family: "b-spline" },
+      { family: "cardinal", tension: 0 }, // the same as Catmull–Rom
+      { family: "cardinal", tension: 1 }, // corners
+      { points: FIVE.with(1, [110, 30]), family: "centripetal" }, // the lines between the points cross, and every spline
+    ],
+    { points: FIVE.with(1, [52, 62]), family: "centripetal" },
+  ],
+  [
     "touch-with-spline",
     spline,
     [
@@ -169,6 +198,34 @@ testTasks([
       { points: spline.points.with(2, [170, 110]) }, // two
     ],
     { points: spline.points.with(2, [296, 101]) },
+  ],
+  [
+    "fit-noise",
+    () => ({
+      noise: 1.5,
+      exponent: 3,
+      get fit() {
+        return fitOf(samplesOf(this.noise), 2 ** this.exponent);
+      },
+    }),
+    [
+      { exponent: -2 }, // follows the noise
+      { exponent: 0.5 }, // just below it
+      { exponent: 2 }, // too coarse
+      { exponent: 0, noise: 0 }, // another question
+    ],
+    { exponent: 0.75, noise: 1.5 },
+  ],
+  [
+    "thirty-degrees",
+    () => ({ points: LINE, first: 4, last: 16 }),
+    [
+      { last: 4 + 60 * Math.tan(Math.PI / 6) }, // the angle of the points on the normals
+      { last: 36 },
+      { first: 0, last: 60 }, // one disc covers the others
+      { first: 4, last: 34, points: LINE.with(3, [90, 80]) }, // a bent line
+    ],
+    { points: LINE, first: 34, last: 4 },
   ],
   [
     "overshoot",
@@ -241,6 +298,27 @@ test("the predicted answers hold: shapes whose first and last leg cross, equal w
   assert.deepEqual([velocity.x, velocity.y, second.x, second.y], [510, 0, 0, 2280]);
   assert.ok(Math.abs(510 ** 2 / 2280 - 114) < 0.1);
   assert.equal(await answer("offset-cusp"), "about 115 px");
+});
+
+test("the sides of a stroke of varying width touch its discs where the formula says", () => {
+  const points = /** @type {[number, number][]} */ (pointsOf("30,42 45,30 75,30 90,42"));
+  const path = Path.from(new Curve(points));
+  const width = {
+    stops: /** @type {[number, number][]} */ ([
+      [0, 8],
+      [1, 32],
+    ]),
+  };
+  const outline = path.stroke(width, { cap: "round", tolerance: 1e-6 });
+  for (const t of [0.2, 0.5, 0.8]) {
+    const { contacts, center, radius } = discAt(points, [4, 16], t);
+    assert.equal(contacts.length, 2);
+    for (const contact of contacts) {
+      assert.ok(Number(outline.nearest(contact)?.distance) < 1e-5, `t = ${t}`);
+      assert.ok(Math.abs(Math.hypot(contact[0] - center[0], contact[1] - center[1]) - radius) < 1e-12);
+    }
+  }
+  assert.deepEqual(discAt(points, [0, 100], 0.5).contacts, []);
 });
 
 const leaves = (node) => (node.halves ? node.halves.flatMap(leaves) : [node]);

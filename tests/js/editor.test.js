@@ -91,6 +91,20 @@ test("editor: what is set before the first action of the user makes no step, and
   assert.equal(editor.state.x, 3);
 });
 
+test("editor: without its history nothing can be undone, and the state stays", () => {
+  const { editor, events } = observed();
+  editor.dispatch(to(1), user);
+  editor.dispatch(to(2), user);
+  editor.undo();
+  editor.dispatch(to(3), drag);
+  events.splice(0);
+  editor.clearHistory();
+  editor.undo();
+  editor.redo();
+  assert.deepEqual([editor.state.x, editor.canUndo, editor.canRedo, editor.isOpen], [3, false, false, false]);
+  assert.deepEqual(events, []);
+});
+
 test("editor: a change that throws changes nothing, and tells nobody", () => {
   const { editor, events } = observed();
   const refuse = () => {

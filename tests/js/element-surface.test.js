@@ -6,7 +6,7 @@ import { Surface as SurfaceOfOtherEntry } from "#js/surfaces.js";
 import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
 import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
-import { settingsOf } from "#js/elements/surface/settings.js";
+import { withPointAt } from "#js/elements/surface/state.js";
 import { Subject } from "#js/elements/surface/subject.js";
 import { elementOf } from "./element-node.js";
 
@@ -14,9 +14,9 @@ const { BezierSurface } = await import("#js/elements/surface/element.js");
 
 /** What the element shows with these attributes, or of a surface of the page's own. */
 function scene(attributes, given = /** @type {Surface | null} */ (null)) {
-  const subject = new Subject();
-  subject.given = given;
-  return subject.scene(settingsOf(/** @type {any} */ (attributes)), null);
+  const subject = new Subject(() => {});
+  subject.editor.replaceState({ ...subject.state, ...attributes, given });
+  return subject.scene(null);
 }
 const facts = (attributes, given = /** @type {Surface | null} */ (null)) =>
   new Geometry().facts(scene(attributes, given));
@@ -155,4 +155,25 @@ test("a surface of another entry point is taken; what is none is refused; undefi
   element.surface = undefined;
   element.view = undefined;
   assert.deepEqual([element.surface.patchCount, element.view], [32, first]);
+});
+
+test("moved points: one after the other, all at once and after undo, the surface is the same", () => {
+  const moves = [5, 40, 5, 17].map((vertex, k) => /** @type {const} */ ([vertex, [k, -k, 2 * k]]));
+  const moved = (/** @type {typeof moves} */ some) =>
+    some.reduce((surface, [vertex, to]) => surface.movePoint(vertex, to), Surface.teacup()).vertices;
+  const subject = new Subject(() => {});
+  const { editor } = subject;
+  editor.replaceState({ ...subject.state, model: "teacup" });
+  for (const [k, [vertex, to]] of moves.entries()) {
+    editor.dispatch((state) => withPointAt(state, subject.modelKey, vertex, [...to]), { origin: "user" });
+    assert.deepEqual(subject.surface.vertices, moved(moves.slice(0, k + 1)));
+  }
+  editor.undo();
+  editor.undo();
+  assert.deepEqual(subject.surface.vertices, moved(moves.slice(0, 2)));
+  editor.redo();
+  editor.redo();
+  const other = new Subject(() => {});
+  other.editor.replaceState(subject.state);
+  for (const { surface } of [subject, other]) assert.deepEqual(surface.vertices, moved(moves));
 });

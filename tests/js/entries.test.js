@@ -134,7 +134,6 @@ test("entries: the measures of casteljau/core are those of casteljau", () => {
     ]);
   });
   assert.deepEqual(small, whole);
-  assert.throws(() => untyped(coreEntry.Path.circle([0, 0], 1)).area({ fillRule: "nonzero" }), TypeError);
 });
 
 test("entries: paths of casteljau/core", () => {
@@ -271,7 +270,7 @@ async function calledFunctions(entry) {
     plugins: [withoutGlue],
     ...options,
   });
-  const calls = outputFiles[0].text.matchAll(/(?:core\d*\([^()]*\)|exports)\.([a-z]+_\w+)/g);
+  const calls = outputFiles[0].text.matchAll(/\bexports\.([a-z]+_\w+)/g);
   return [...new Set([...calls].map(([, name]) => name))].sort();
 }
 

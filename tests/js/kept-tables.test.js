@@ -3,24 +3,23 @@ import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { Path, Spline } from "#js/index.js";
 import { curvesModule } from "#js/wasm/curves-module.js";
-import { core } from "#js/wasm/init.js";
-import { readResult, writeArguments } from "#js/wasm/transfer.js";
 import { near, pointsOf, refused, untyped } from "./reference.js";
 
 const SEGMENTS = 2000;
 /** How often each function of the core was called since the start of the test. */
 const calls = new Map();
 
-core(); // instantiates the module
 const counted = (name, value) =>
   function count(...args) {
     calls.set(name, (calls.get(name) ?? 0) + 1);
     return value(...args);
   };
-const entries = Object.entries(untyped(curvesModule.functions));
-curvesModule.functions = untyped(
-  Object.fromEntries(entries.map(([name, value]) => [name, value instanceof Function ? counted(name, value) : value])),
-);
+const entries = Object.entries(untyped(curvesModule.exports));
+Object.defineProperty(curvesModule, "exports", {
+  value: Object.fromEntries(
+    entries.map(([name, value]) => [name, value instanceof Function ? counted(name, value) : value]),
+  ),
+});
 beforeEach(() => calls.clear());
 
 const waves = (closed, dimension = 2) => {
@@ -35,7 +34,7 @@ const mixed = () => open(MIXED, [1, 2, 3, 1, 4]);
 const called = (...names) => names.map((name) => calls.get(name) ?? 0);
 /** The answer of the core's function of splines, which keeps nothing. */
 function fromCore(spline, name, ...args) {
-  return readResult(0, core()[name](spline._write(), ...args));
+  return curvesModule.read(0, curvesModule.exports[name](spline._write(), ...args));
 }
 
 /** The first of the nearest points of all segments. */
@@ -145,8 +144,8 @@ test("what is kept cannot be changed from outside", () => {
 const three = () => new Path([waves(true), mixed(), waves(false)]);
 /** The answer of the core's function of paths, which keeps nothing. */
 function ofPath(path, name, ...args) {
-  writeArguments(path._packed);
-  return [...readResult(0, core()[name](...args))];
+  curvesModule.write(path._packed);
+  return [...curvesModule.read(0, curvesModule.exports[name](...args))];
 }
 
 test("paths: lengths and locations are those of the core", () => {
@@ -194,8 +193,8 @@ test("paths: winding numbers are those of the core", () => {
       for (let j = 0; j <= 20; j++)
         points.push({ x: min.x + ((max.x - min.x) * i) / 20, y: min.y + ((max.y - min.y) * j) / 20 });
     for (const { x, y } of points) {
-      writeArguments(path._packed);
-      const expected = core().path_winding_number(x, y);
+      curvesModule.write(path._packed);
+      const expected = curvesModule.exports.path_winding_number(x, y);
       assert.equal(path.windingNumber([x, y]), expected, `${x} ${y}`);
       assert.equal(path.contains([x, y]), expected !== 0);
     }

@@ -1,5 +1,6 @@
 // What the tests of the layers share: states, figures, and a canvas that writes down what is drawn.
-import { drawFigure, LAYERS, ROLES } from "#js/layers/index.js";
+import { drawFigure } from "#js/layers/draw-figure.js";
+import { ALL_LAYERS, LAYERS, ROLES } from "#js/layers/index.js";
 import { figureOf } from "#js/editor/figure.js";
 import { firstState, LAYER_NAMES } from "#js/editor/state.js";
 
@@ -53,6 +54,6 @@ export class Tape {
 export function drawn(changes, px = 1) {
   const state = stateWith(changes);
   const ctx = new Tape();
-  const told = drawFigure({ ctx: /** @type {any} */ (ctx), theme, px }, state, figureOf(state));
+  const told = drawFigure({ ctx: /** @type {any} */ (ctx), theme, px }, state, figureOf(state), ALL_LAYERS);
   return { ctx, told, state };
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setFlagsFromString } from "node:v8";
 import { runInNewContext } from "node:vm";
-import { memory } from "#js/wasm/init.js";
+import { curvesModule } from "#js/wasm/curves-module.js";
 import { Curve, Path, Spline } from "#js/index.js";
 import { CUBIC, deCasteljau, near, SEVEN } from "./reference.js";
 
@@ -13,10 +13,10 @@ const MIB = 2 ** 20;
 // First, while no other test has made room.
 test("the memory of a large result serves what comes next", () => {
   const samples = cubic.sample(5_000_000);
-  const before = memory().buffer.byteLength;
+  const before = curvesModule.memory.buffer.byteLength;
   const { ts } = cubic.flatten(1e-11);
   assert.ok(ts.length > 500_000 && samples.length > 1e7);
-  assert.equal(memory().buffer.byteLength, before);
+  assert.equal(curvesModule.memory.buffer.byteLength, before);
 });
 
 test("results stay what they were while the memory grows", () => {
@@ -33,11 +33,11 @@ test("results stay what they were while the memory grows", () => {
   ];
   const results = kept();
   const copies = results.map((result) => [...result]);
-  const before = memory().buffer;
+  const before = curvesModule.memory.buffer;
   cubic.sample(3_000_000);
   cubic.flatten(1e-9);
-  memory().grow(7);
-  assert.notEqual(memory().buffer, before);
+  curvesModule.memory.grow(7);
+  assert.notEqual(curvesModule.memory.buffer, before);
   results.forEach((result, i) => assert.deepEqual([...result], copies[i]));
   kept().forEach((result, i) => assert.deepEqual([...result], copies[i]));
 });
@@ -50,14 +50,17 @@ test("ten million numbers, again and again", () => {
       near(samples.subarray(2 * i, 2 * i + 2), deCasteljau(CUBIC, i / segments));
   };
   check(cubic.sample(segments));
-  const once = memory().buffer.byteLength;
+  const once = curvesModule.memory.buffer.byteLength;
   const into = new Float64Array(2 * segments + 2);
   for (let round = 0; round < 3; round++) {
     check(cubic.sample(segments));
     check(cubic.sample(segments, { into }));
   }
   // Memory never shrinks, but what was given back is used again.
-  assert.ok(memory().buffer.byteLength <= once + MIB, `${once} grew to ${memory().buffer.byteLength}`);
+  assert.ok(
+    curvesModule.memory.buffer.byteLength <= once + MIB,
+    `${once} grew to ${curvesModule.memory.buffer.byteLength}`,
+  );
   assert.deepEqual(cubic.eval(0.5), { x: 4, y: 6 });
 });
 
@@ -65,17 +68,17 @@ test("large arguments come through, and their room is used again", () => {
   const ts = Float64Array.from({ length: 2_000_000 }, (_, i) => i / 2_000_000);
   const check = (points) => near(points.subarray(2e6, 2e6 + 2), deCasteljau(CUBIC, 0.5));
   check(cubic.evalAt(ts));
-  const once = memory().buffer.byteLength;
+  const once = curvesModule.memory.buffer.byteLength;
   for (let round = 0; round < 5; round++) check(cubic.evalAt(ts));
-  assert.ok(memory().buffer.byteLength <= once + MIB);
+  assert.ok(curvesModule.memory.buffer.byteLength <= once + MIB);
 });
 
 /** Repeats an action; after a hundred times the memory does not grow any more. Gives its size. */
 function repeated(act) {
   for (let i = 0; i < 100; i++) act();
-  const before = memory().buffer.byteLength;
+  const before = curvesModule.memory.buffer.byteLength;
   for (let i = 0; i < 20_000; i++) act();
-  assert.equal(memory().buffer.byteLength, before);
+  assert.equal(curvesModule.memory.buffer.byteLength, before);
   return before;
 }
 
@@ -91,7 +94,7 @@ test("many small calls need no more memory", () => {
 test("many refusals need no more memory", () => {
   const before = repeated(() => assert.throws(() => cubic.flatten(1e-16), RangeError));
   for (let i = 0; i < 3; i++) assert.throws(() => cubic.sample(2 ** 26), RangeError);
-  assert.equal(memory().buffer.byteLength, before);
+  assert.equal(curvesModule.memory.buffer.byteLength, before);
 });
 
 /** The bytes of JavaScript's values that are still used, and of the core's memory. */
@@ -99,7 +102,7 @@ function usedBytes() {
   setFlagsFromString("--expose-gc");
   runInNewContext("gc")();
   const { heapUsed, arrayBuffers } = process.memoryUsage();
-  return { values: heapUsed + arrayBuffers, core: memory().buffer.byteLength };
+  return { values: heapUsed + arrayBuffers, core: curvesModule.memory.buffer.byteLength };
 }
 
 test("what paths keep for repeated questions goes with them", () => {

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { codeHighlighter } from "../../www/build/highlight.js";
 import { fileURLToPath } from "node:url";
 import { includeFiles } from "../../www/build/include.js";
-import { contentsOf, nextChapter, pathToRoot, readingTime } from "../../www/build/layout.js";
+import { contentsOf, pathToRoot, readingTime } from "../../www/build/layout.js";
 import { charactersOf } from "../../www/build/math-font.js";
 import { markdown } from "../../www/build/markdown.js";
 
@@ -15,12 +15,13 @@ test("headings of the second level make sections with numbers, and the table of 
   const html = render("## Splitting {#cut}\n\nText.\n\n### Two halves\n\n## Properties: hull, affine maps\n\nMore.", 3);
   assert.match(
     html,
-    /^<section id="cut">\s*<h2><span class="nr">3\.1<\/span> Splitting <a class="permalink" href="#cut"/,
+    /^<section id="cut">\s*<div class="scene">\s*<div class="before">\s*<h2><span class="nr">3\.1<\/span> Splitting <a class="permalink" href="#cut"/,
   );
   assert.match(html, /<h3 id="two-halves"/);
   assert.match(html, /<\/section>\s*<section id="properties-hull-affine-maps">[\s\S]*<\/section>\s*$/);
-  const contents = contentsOf(html).map(({ id, title }) => [id, title.replace(/<[^>]*>/g, "")]);
-  const titles = { cut: "3.1 Splitting", "properties-hull-affine-maps": "3.2 Properties: hull, affine maps" };
+  const plain = render("## Splitting {#cut}\n\nText.\n\n## Properties: hull, affine maps");
+  const contents = contentsOf(plain).map(({ id, title }) => [id, title.replace(/<[^>]*>/g, "")]);
+  const titles = { cut: "Splitting", "properties-hull-affine-maps": "Properties: hull, affine maps" };
   assert.deepEqual(contents, Object.entries(titles));
   assert.doesNotMatch(render("## Splitting"), /class="nr"/, "without a chapter there are no numbers");
 });
@@ -41,6 +42,44 @@ test("a figure has an id, a number and its last paragraph as caption; an element
   assert.match(html, /<p>x<\/p>\s*<\/div>\s*<\/figure>/);
 });
 
+/** The classes, elements and texts of a section, in order. @param {string} html */
+const outline = (html) =>
+  Array.from(
+    html.matchAll(
+      /<div class="(scene|before|after)">|<(figure) id="figure-(\w+)"|<lesson-(task|sample) |<(?:p|h3)[^>]*>(\w+)/g,
+    ),
+    ([, division, , figure, element, text]) => division ?? figure ?? element ?? text,
+  ).join(" ");
+
+test("a scene has a figure, the text that leads to it, and the text and tasks below it", () => {
+  const figure = (/** @type {string} */ id) => `::: figure ${id}\n<x-y id="${id}"></x-y>\n:::\n\n`;
+  const task = (/** @type {string} */ id) => `::: task half-height for=${id}\nMove\n:::\n\n`;
+  const cases = /** @type {[string, string][]} */ ([
+    [`one\n\n${figure("f")}two\n\n${task("f")}three`, "one f after two task Move three"],
+    [`one\n\n${figure("f")}two\n\n${figure("g")}three`, "one f scene before two g after three"],
+    [`${figure("f")}one\n\n### h\n\ntwo\n\n${figure("g")}`, "f after one scene before h two g"],
+    [`${figure("f")}${task("f")}one\n\n${figure("g")}`, "f after task Move scene before one g"],
+    [`${figure("f")}one\n\n${figure("g")}${task("g")}${task("f")}`, "f after one task Move scene g after task Move"],
+    ["one\n\n::: sample grid\n:::\n\ntwo", "one two sample"],
+  ]);
+  for (const [text, expected] of cases)
+    assert.equal(outline(render(`## A\n\n${text}`, 1)), `scene before ${expected}`, text);
+  const moved = render(`## A\n\n${figure("f")}${figure("g")}${task("g")}::: task half-pixel for=f\n:::`, 1);
+  const numbers = Array.from(
+    moved.matchAll(/<lesson-task id="[\w-]+" name="([\w-]+)"[^>]*data-number="([\d.]+)"/g),
+    ([, name, number]) => [name, number],
+  );
+  assert.deepEqual(
+    numbers,
+    [
+      ["half-pixel", "1.1"],
+      ["half-height", "1.2"],
+    ],
+    "a task stands with its figure",
+  );
+  assert.doesNotMatch(render(`## A\n\n${figure("f")}`), /scene/, "other pages have none");
+});
+
 test("a link to a figure without text says its number", () => {
   const figures = ["b", "a"].map((name) => `::: figure ${name}\n<p>x</p>\n:::`).join("\n\n");
   const html = render(`See [](#figure-a), [this](#figure-a).\n\n${figures}`, 2);
@@ -51,7 +90,7 @@ test("a link to a figure without text says its number", () => {
 test("tasks and samples; what is missing is named", () => {
   assert.match(
     render("::: task half-height for=parabola\nHow high?\n:::", 2),
-    /<lesson-task name="half-height" for="parabola" data-number="2\.1">\s*<p>How high\?<\/p>\s*<\/lesson-task>/,
+    /<lesson-task id="task-half-height" name="half-height" for="parabola" data-number="2\.1">\s*<p>How high\?<\/p>\s*<\/lesson-task>/,
   );
   assert.match(render("::: sample grid\n:::"), /<pre tabindex="0" data-language="js"><code>.*class="keyword"/s);
   assert.throws(() => render("::: sample nowhere\n:::"), /expected the sample www\/samples\/nowhere\.js/);
@@ -92,16 +131,13 @@ test("a line with an include is replaced by the file, relative to the page", () 
   assert.throws(() => includeFiles({ page }, "<!-- include sections/none.md -->"), /ENOENT/);
 });
 
-test("reading time counts words and tasks, not code and formulas; chapters follow each other", () => {
+test("reading time counts words and tasks, not code and formulas", () => {
   const words = "word ".repeat(1800);
   const tasks = (/** @type {number} */ count) => '<lesson-task name="a"></lesson-task>'.repeat(count);
   const html = `<p>${words}</p><pre>${words}</pre><math>${words}</math><svg>${words}</svg>`;
   assert.deepEqual(["", words, html].map(readingTime), ["5 minutes", "15 minutes", "15 minutes"]);
   const times = [10, 15, 25, 36].map((count) => readingTime(words + tasks(count)));
   assert.deepEqual(times, ["45 minutes", "1 hour", "1½ hours", "2 hours"]);
-  const chapters = [{ data: { chapter: 1 } }, { data: { chapter: 2 } }];
-  assert.equal(nextChapter(chapters, 1), chapters[1]);
-  assert.equal(nextChapter(chapters, 2), undefined);
 });
 
 test("an inline formula stays on one line with its punctuation", () => {

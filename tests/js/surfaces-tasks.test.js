@@ -44,8 +44,10 @@ const diced = (zoom, size) => ({
   zoom,
   size,
   get figure() {
-    return { zoom: this.zoom, size: this.size, micropolygons: 1000 };
+    return { zoom: this.zoom, size: this.size };
   },
+  /** Between the first and the second power of the zoom, as numbers that are rounded up. */
+  countAt: (/** @type {number} */ at) => Math.round(1000 * at ** 1.5),
 });
 
 /** What it sees of <ray-tracing>. */
@@ -147,8 +149,8 @@ const TASKS = [
   [
     "micropolygons",
     () => diced(1, 16),
-    [{ zoom: 0.45 }, { zoom: 0.55 }, { zoom: 0.5, size: 6 }],
-    { zoom: 0.3 + 4 * 0.05, size: 16 },
+    [{ zoom: 0.5 }, { zoom: 0.25 }, { zoom: 0.65, size: 6 }, { zoom: 0.8, size: 16 }],
+    { zoom: 0.3 + 7 * 0.05, size: 16 },
   ],
   [
     "outline-edges",

@@ -119,6 +119,19 @@ test("drags: many moves of a pointer are one move a frame, and the grip stays", 
   assert.deepEqual(calls, [["started"], ["grabbed", 0], ["move", 0, 72, 60], ["move", 0, 83, 70], ["ended", [0]]]);
 });
 
+test("drags: a change of the pressure alone moves nothing, but a return to the start does", () => {
+  const { drags, calls, press, send } = draggable([50, 50]);
+  press(1, 57, 44);
+  send(0, "pointermove", 1, 57, 44);
+  assert.equal(drags.apply(), false);
+  send(0, "pointermove", 1, 60, 44);
+  send(0, "pointermove", 1, 57, 44);
+  assert.equal(drags.apply(), true);
+  assert.deepEqual(calls.at(-1), ["move", 0, 50, 50]);
+  drags.release();
+  assert.deepEqual([drags.active, calls.at(-1)[0]], [false, "move"], "without a report");
+});
+
 test("drags: of two overlapping handles the nearer is taken, by a second press the other", () => {
   const { calls, press, send } = draggable([50, 50], [58, 56]);
   const taken = (x, y) => {

@@ -8,7 +8,7 @@ import { on, openCompanions } from "./companions-page.js";
 const permissions = ["clipboard-read", "clipboard-write"];
 
 test("Run prints what the tests expect; Copy copies what is shown", async (t) => {
-  const page = await openPage(t, "/curves/", {
+  const page = await openPage(t, "/curves/parameter/", {
     viewport: { width: 1000, height: 900 },
     reducedMotion: "reduce",
     permissions,

@@ -3,55 +3,55 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
-import { done, nearApplet as near, openCurves as open, task } from "./chapter-page.js";
+import { done, goTo, nearApplet as near, openCurves as open, sectionsOf, task } from "./chapter-page.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS =
-  "parameter quadratic de-casteljau bernstein properties splitting derivatives joining higher-degrees splines recursive-rendering arc-length bounding-boxes nearest-point intersections offsets circles rational-curves boolean-operations uses basis-matrix cost-and-numerical-stability".split(
+  "parameter quadratic de-casteljau bernstein splitting derivatives properties shapes joining higher-degrees splines fitting recursive-rendering arc-length bounding-boxes nearest-point intersections offsets varying-width circles rational-curves boolean-operations uses cost-and-numerical-stability".split(
     " ",
   );
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
 const FIGURES =
-  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-speed, fig-stroke, fig-velocity)";
+  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-families, fig-fit, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-simplify, fig-speed, fig-stroke, fig-taper, fig-velocity)";
 
 test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
   const page = await open(t);
-  const handles = await page.locator(FIGURES).elementHandles();
-  assert.ok(handles.length > 60, `${handles.length} figures`);
-  for (const handle of handles) {
-    await handle.scrollIntoViewIfNeeded();
-    await page.waitForFunction((/** @type {any} */ element) => {
-      const root = element.shadowRoot;
-      const canvas = root?.querySelector("canvas");
-      if (element.localName === "bezier-applet") return canvas?.width > 1 && root.querySelector("[data-index]");
-      return Boolean(root?.querySelector("svg, math, canvas, table"));
-    }, handle);
+  let count = 0;
+  for (const { path } of sectionsOf("curves")) {
+    await page.goto(path);
+    const handles = await page.locator(FIGURES).elementHandles();
+    count += handles.length;
+    for (const handle of handles) {
+      await handle.scrollIntoViewIfNeeded();
+      await page.waitForFunction((/** @type {any} */ element) => {
+        const root = element.shadowRoot;
+        const canvas = root?.querySelector("canvas");
+        if (element.localName === "bezier-applet") return canvas?.width > 1 && root.querySelector("[data-index]");
+        return Boolean(root?.querySelector("svg, math, canvas, table"));
+      }, handle);
+    }
   }
+  assert.ok(count > 60, `${count} figures`);
 });
 
-test("the sections, and every place that the list of the texts links to, are there", async (t) => {
-  const page = await open(t);
-  assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
-  const bare = await page
-    .locator("main > section")
-    .evaluateAll((all) =>
-      all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id),
-    );
-  assert.deepEqual(bare, [], "each has a task and a sample");
-  const listed = (await readFile(`${root}site/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
-  const missing = await page.evaluate(
-    (ids) => ids.filter((id) => !document.getElementById(id)),
-    Array.from(listed, ([, id]) => id),
+test("the sections, and every place that the list of the texts links to, are there", async () => {
+  const sections = sectionsOf("curves");
+  const names = sections.map(({ id }) => id);
+  assert.deepEqual(
+    SECTIONS.filter((id) => !names.includes(id)),
+    [],
   );
-  assert.deepEqual(missing, []);
-  const own = await page.evaluate(() =>
-    [...document.querySelectorAll('a[href^="#"]')]
-      .map(({ hash }) => hash.slice(1))
-      .filter((id) => !document.getElementById(id)),
+  const bare = sections.filter(({ tasks, ids }) => tasks.length === 0 || !ids.some((id) => id.startsWith("sample-")));
+  assert.deepEqual(
+    bare.map(({ id }) => id),
+    [],
+    "each has a task and a sample",
   );
-  assert.deepEqual(own, []);
-  assert.equal(await page.locator("#de-casteljau h2 .permalink").getAttribute("href"), "#de-casteljau");
+  // site-links.test.js follows these links.
+  const texts = await readFile(`${root}site/texts/index.html`, "utf8");
+  assert.doesNotMatch(texts, /"(\.\.\/)*(curves|surfaces)\/#/, "the build writes the section into each link");
+  assert.ok((texts.match(/curves\/[\w-]+\/#figure-/g)?.length ?? 0) > 30);
 });
 
 test("arrow keys: P4 where equal velocities need it, with the distance shown meanwhile", async (t) => {
@@ -89,7 +89,7 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
   await near(page, "recursion");
   assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 14\.5\d px/);
   await task(page, "enough-pieces", 2);
-  await page.getByRole("slider", { name: "Tolerance" }).fill("-4");
+  await page.getByRole("slider", { name: "Tolerance, px" }).fill("-4");
   assert.match(await done(page, "enough-pieces"), /^32 pieces/);
   assert.equal(await page.locator("#recursion").getAttribute("tolerance"), "0.0625");
 
@@ -125,6 +125,7 @@ test("the matrix: a basis by its name, then numbers typed, NaN refused", async (
 
 test("figures that share their points move together, and a dashed curve lies where it should", async (t) => {
   const page = await open(t);
+  await goTo(page, "figure-bases");
   const four = page.locator("#figure-bases bezier-applet");
   await four.first().scrollIntoViewIfNeeded();
   await page.waitForFunction(() =>
@@ -158,15 +159,21 @@ test("figures that share their points move together, and a dashed curve lies whe
 });
 
 test("what can be seen before the scripts: pictures of the applets, the text, the code", async (t) => {
-  const page = await openPage(t, "/curves/", { javaScriptEnabled: false });
-  assert.ok((await page.locator("bezier-applet > svg path").count()) > 100);
-  assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
-  assert.equal(await page.locator("lesson-sample pre:visible").count(), 2 * SECTIONS.length, "both languages");
-  assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
-  for (const picture of await page.locator("bezier-applet > svg:first-of-type").all()) {
-    const { width, height } = await boxOf(picture);
-    assert.ok(width > 200 && height > 140, `${width} × ${height}`);
+  const page = await openPage(t, "/curves/parameter/", { javaScriptEnabled: false });
+  let count = 0;
+  for (const { path } of sectionsOf("curves")) {
+    await page.goto(path);
+    count += await page.locator("bezier-applet > svg path").count();
+    assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
+    const samples = await page.locator("lesson-sample").count();
+    assert.equal(await page.locator("lesson-sample pre:visible").count(), 2 * samples, "both languages");
+    assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
+    for (const picture of await page.locator("bezier-applet > svg:first-of-type").all()) {
+      const { width, height } = await boxOf(picture);
+      assert.ok(width > 200 && height > 140, `${path}: ${width} × ${height}`);
+    }
   }
+  assert.ok(count > 100, `${count} paths`);
 });
 
 /** Scrolls through the page, so that everything starts. */
@@ -181,12 +188,15 @@ async function walk(page) {
 
 test("on a narrow phone nothing scrolls sideways", async (t) => {
   const page = await open(t, PHONE);
-  await walk(page);
-  const wide = await page.evaluate(() => [
-    document.documentElement.scrollWidth,
-    ...[...document.querySelectorAll("main *")]
-      .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix"))
-      .map((e) => e.outerHTML.slice(0, 80)),
-  ]);
-  assert.deepEqual(wide, [360]);
+  for (const { path } of sectionsOf("curves")) {
+    await page.goto(path);
+    await walk(page);
+    const wide = await page.evaluate(() => [
+      document.documentElement.scrollWidth,
+      ...[...document.querySelectorAll("main *")]
+        .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix"))
+        .map((e) => e.outerHTML.slice(0, 80)),
+    ]);
+    assert.deepEqual(wide, [360], path);
+  }
 });

@@ -44,7 +44,10 @@ test("a curve on the whole screen: larger, as sharp as the display, and its poin
 });
 
 test("a surface on the whole screen: a control point follows the pointer", async (t) => {
-  const page = await openPage(t, "/surfaces/", { viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" });
+  const page = await openPage(t, "/surfaces/patches/", {
+    viewport: { width: 1280, height: 720 },
+    reducedMotion: "reduce",
+  });
   const figure = page.locator("#figure-patch");
   await figure.scrollIntoViewIfNeeded();
   await figure.locator(".handle:visible").first().waitFor();
@@ -60,4 +63,26 @@ test("a surface on the whole screen: a control point follows the pointer", async
   await dragBy(page, handle, 30, -20);
   const to = await boxOf(handle);
   assert.ok(Math.abs(to.x - from.x - 30) <= 1.5 && Math.abs(to.y - from.y + 20) <= 1.5, JSON.stringify([from, to]));
+});
+
+test("on the whole screen, Page Down and Page Up step through the figures of the section, and the button leaves it", async (t) => {
+  const page = await openPage(t, "/curves/quadratic/", {
+    viewport: { width: 1280, height: 720 },
+    reducedMotion: "reduce",
+  });
+  const shown = () => page.evaluate(() => document.fullscreenElement?.id);
+  const waitFor = (/** @type {string} */ id) => page.waitForFunction((id) => document.fullscreenElement?.id === id, id);
+  await fill(page, page.locator("#figure-lerp"));
+  await page.keyboard.press("PageUp");
+  assert.equal(await shown(), "figure-lerp", "the first one");
+  await page.keyboard.press("PageDown");
+  await waitFor("figure-steps");
+  await page.keyboard.press("PageDown");
+  await waitFor("figure-quadratic");
+  const { width } = await boxOf(page.locator("#figure-quadratic canvas"));
+  assert.ok(width > 600, `${width} px`);
+  await page.keyboard.press("PageUp");
+  await waitFor("figure-steps");
+  await page.getByRole("button", { name: "Exit full screen" }).click();
+  await page.waitForFunction(() => !document.fullscreenElement);
 });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { assertAccessible, frames, openPage, root } from "./browser.js";
+import { goTo, pageOf, sectionsOf } from "./chapter-page.js";
 import { downloadBy } from "./gestures.js";
 
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
@@ -13,7 +14,7 @@ const open = (t, path, /** @type {import("./browser.js").PageOptions} */ { fresh
 };
 
 test("a sample has two tabs: arrows, Home and End choose, and all samples follow", async (t) => {
-  const page = await open(t, "/curves/");
+  const page = await open(t, "/curves/parameter/");
   const sample = page.locator("lesson-sample").first();
   const [js, rust] = ["JavaScript", "Rust"].map((name) => sample.getByRole("tab", { name }));
   await js.focus();
@@ -36,8 +37,10 @@ test("a sample has two tabs: arrows, Home and End choose, and all samples follow
 });
 
 test("all samples of the chapters run in the browser as they do in Node", async (t) => {
-  for (const path of ["/curves/", "/surfaces/"]) {
-    const page = await open(t, path);
+  let count = 0;
+  const page = await open(t, "/curves/parameter/");
+  for (const { path } of [...sectionsOf("curves"), ...sectionsOf("surfaces")]) {
+    await page.goto(path);
     await page.waitForFunction(() =>
       [...document.querySelectorAll("lesson-sample")].every((sample) => sample.querySelector(".bar")),
     );
@@ -49,14 +52,16 @@ test("all samples of the chapters run in the browser as they do in Node", async 
         }),
       ),
     );
-    assert.ok(outputs.length >= 12, `${outputs.length} samples`);
+    count += outputs.length;
     for (const [name, output] of outputs) assert.equal(output, read(`samples/${name}.txt`).trimEnd(), name);
   }
+  assert.ok(count >= 36, `${count} samples`);
 });
 
 /** A task with a prediction, about an applet. */
 async function openTask(t, name) {
-  const page = await open(t, "/curves/");
+  const page = await open(t, "/curves/parameter/");
+  await goTo(page, name);
   const task = page.locator(`lesson-task[name="${name}"]`);
   await task.scrollIntoViewIfNeeded();
   await task.locator("button").first().waitFor();
@@ -66,18 +71,17 @@ async function openTask(t, name) {
     task,
     applet,
     said: task.getByRole("status"),
+    guess: (i) => task.locator(".answers").getByRole("button").nth(i).click(),
     press: (name) => task.getByRole("button", { name }).click(),
   };
 }
 
 test("a task is predicted, checked, and done as soon as the reader has it right", async (t) => {
-  const { page, task, applet, said, press } = await openTask(t, "time-ratio");
+  const { page, task, applet, said, press, guess } = await openTask(t, "time-ratio");
   assert.equal(await task.getByRole("button", { name: "Check" }).count(), 0, "first a prediction");
-  await press("guess");
-  assert.match(await said.innerText(), /Choose/);
-  await task.getByRole("radio").first().check();
-  await press("guess");
-  assert.ok(await task.getByRole("radio").first().isDisabled());
+  await guess(0);
+  assert.ok(await task.locator(".answers button").first().isDisabled());
+  assert.equal(await task.locator(".answers [aria-pressed=true]").count(), 1);
   await press("Check");
   assert.match(await said.innerText(), /P4 is .* px from/);
   assert.equal(await task.getAttribute("data-state"), "open");
@@ -98,16 +102,21 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   await toSolution(0);
   await page.locator('lesson-task[name="time-ratio"][data-state="done"]').waitFor();
   assert.match(await said.innerText(), /You predicted: .*\. The answer is: /);
+  assert.equal(await task.locator(".answers .right").count(), 1, "the answer is marked");
   await toSolution(60);
-  await press("Check");
+  await frames(page);
   assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
-  assert.match(await said.innerText(), /^You have solved this task\. Now: P4 is/);
+  await press("Try again");
+  assert.equal(await task.getAttribute("data-state"), "open");
+  assert.equal(await task.locator(".words").textContent(), "");
+  await guess(1);
+  await toSolution(0);
+  await said.getByText("You predicted it.").waitFor();
 });
 
 test("what was said before is replaced when something moves, also after the answer was shown", async (t) => {
-  const { page, task, said, press } = await openTask(t, "half-height");
-  await task.getByRole("radio").first().check();
-  await press("guess");
+  const { page, task, said, press, guess } = await openTask(t, "half-height");
+  await guess(0);
   const slider = page.locator("#parabola input[type=range]").first();
   await press("Check");
   await slider.fill("0.3");
@@ -119,7 +128,7 @@ test("what was said before is replaced when something moves, also after the answ
 });
 
 test("a refusal because something has moved has a button that puts it back, on a phone, too", async (t) => {
-  const page = await open(t, "/curves/", {
+  const page = await open(t, "/curves/offsets/", {
     fresh: true,
     viewport: { width: 360, height: 740 },
     hasTouch: true,
@@ -129,10 +138,10 @@ test("a refusal because something has moved has a button that puts it back, on a
     ["offset-cusp", "offset", "80,400 250,60 420,20 590,400"],
     ["enough-pieces", "recursion", "60,300 60,60 620,20 600,300"],
   ])) {
+    await goTo(page, name);
     const task = page.locator(`lesson-task[name="${name}"]`);
     await task.scrollIntoViewIfNeeded();
-    await task.getByRole("radio").first().check();
-    await task.getByRole("button", { name: "guess" }).tap();
+    await task.locator(".answers button").first().tap();
     const back = task.getByRole("button", { name: "Put it back" });
     assert.equal(await back.isVisible(), false);
     const applet = page.locator(`#${id}`);
@@ -149,7 +158,7 @@ test("a refusal because something has moved has a button that puts it back, on a
 });
 
 test("numbers are typed: a wrong one gets a hint, the right one counts", async (t) => {
-  const page = await open(t, "/surfaces/", { fresh: true });
+  const page = await open(t, pageOf("surfaces", "vertices-16"), { fresh: true });
   const task = page.locator('lesson-task[name="vertices-16"]');
   await task.scrollIntoViewIfNeeded();
   const [field, said] = [task.getByRole("textbox", { name: "Your answer" }), task.getByRole("status")];
@@ -169,6 +178,7 @@ test("numbers are typed: a wrong one gets a hint, the right one counts", async (
   await field.fill("9,248");
   await field.press("Enter");
   assert.equal(await task.getAttribute("data-state"), "done");
+  await goTo(page, "next-values");
   const three = page.locator('lesson-task[name="next-values"]');
   await three.getByRole("textbox", { name: "Your answer, 3 numbers" }).fill("4, 7, 10");
   await three.getByRole("button", { name: "Check" }).click();
@@ -179,7 +189,7 @@ test("numbers are typed: a wrong one gets a hint, the right one counts", async (
 });
 
 test("a question with a wrong answer is not done, says which answer is right, and can be tried again", async (t) => {
-  const page = await open(t, "/surfaces/");
+  const page = await open(t, pageOf("surfaces", "rows-on-surface"));
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
     [0, "wrong", /You predicted: .*\. The answer is: two/],
     [1, "done", /^Right\. /], // the answer was shown: this is no prediction
@@ -187,28 +197,30 @@ test("a question with a wrong answer is not done, says which answer is right, an
     const task = page.locator('lesson-task[name="rows-on-surface"]');
     await task.scrollIntoViewIfNeeded();
     if (state === "done") await task.getByRole("button", { name: "Try again" }).click();
-    await task.getByRole("radio").nth(guess).check();
-    await task.getByRole("button", { name: "guess" }).click();
+    await task.locator(".answers button").nth(guess).click();
     assert.equal(await task.getAttribute("data-state"), state);
     assert.match(await task.getByRole("status").innerText(), words);
   }
 });
 
 test("a solved task is solved on the next visit, too, until it is reset; progress can be exported", async (t) => {
-  const page = await open(t, "/curves/", { fresh: true });
+  const path = pageOf("curves", "safe-powers");
+  const page = await open(t, path, { fresh: true });
   const [task, progress] = [page.locator('lesson-task[name="safe-powers"]'), page.locator("lesson-progress")];
   const solved = (count) => progress.getByText(`${count} of`, { exact: false }).waitFor();
   await solved(0);
-  assert.match(await progress.innerText(), /^About \d[\d½]* (minutes|hours?) with the tasks/);
   await task.scrollIntoViewIfNeeded();
-  await task.getByRole("radio").nth(1).check();
-  await task.getByRole("button", { name: "guess" }).click();
+  await task.locator(".answers button").nth(1).click();
   await solved(1);
 
   await page.reload();
   await solved(1);
+  assert.equal(await page.locator(".sections li.solved").count(), 1);
   assert.equal(await task.getAttribute("data-state"), "done");
   assert.match(await task.getByRole("status").innerText(), /solved this task before/);
+  await page.goto("/curves/");
+  await solved(1);
+  assert.match(await progress.innerText(), /^About \d[\d½]* (minutes|hours?) with the tasks/);
   const { name, bytes } = await downloadBy(progress.getByRole("button", { name: "Export" }));
   assert.equal(name, "casteljau-progress.json");
   const { format, solved: days } = JSON.parse(bytes.toString());
@@ -221,9 +233,9 @@ test("a solved task is solved on the next visit, too, until it is reset; progres
   page.once("dialog", (dialog) => dialog.accept());
   await progress.getByRole("button", { name: "Reset" }).click();
   await solved(0);
-  assert.equal(await task.getByRole("button", { name: "guess" }).count(), 1, "the question is asked again");
-  await page.reload();
+  await page.goto(path);
   await solved(0);
+  await task.locator(".answers button:enabled").first().waitFor(); // the question is asked again
 });
 
 test("without storage tasks work, and progress lasts as long as the page", async (t) => {
@@ -235,19 +247,47 @@ test("without storage tasks work, and progress lasts as long as the page", async
       },
     }),
   );
-  await page.goto("/curves/");
+  await page.goto(pageOf("curves", "safe-powers"));
   const task = page.locator('lesson-task[name="safe-powers"]');
   await task.scrollIntoViewIfNeeded();
-  await task.getByRole("radio").nth(1).check();
-  await task.getByRole("button", { name: "guess" }).click();
+  await task.locator(".answers button").nth(1).click();
   await page.locator("lesson-progress").getByText("1 of", { exact: false }).waitFor();
 });
 
-test("a chapter ends with a card for the next one", async (t) => {
-  // The last test of the file: it leaves the page.
-  const page = await open(t, "/curves/");
-  const card = page.locator("nav.next a");
-  assert.match(await card.innerText(), /Next chapter: Bézier surfaces/);
-  await card.click();
+test("all tasks of a chapter are on one page, and their answers where one asks for them", async (t) => {
+  for (const chapter of /** @type {const} */ (["curves", "surfaces"])) {
+    const page = await open(t, `/${chapter}/tasks/`, { fresh: true });
+    const names = sectionsOf(chapter).flatMap(({ tasks }) => tasks);
+    await page.locator("#answers:enabled").waitFor();
+    const questions = page.locator("[data-task]");
+    assert.deepEqual(await questions.evaluateAll((all) => all.map(({ dataset }) => dataset.task)), names);
+    assert.equal(await page.locator(".answer:visible").count(), 0);
+    await page.getByRole("checkbox", { name: "Show the answers" }).check();
+    assert.equal(await page.locator(".answer:visible").count(), names.length);
+    const [first] = names;
+    await questions
+      .first()
+      .getByRole("link", { name: /^Task \d\.1$/ })
+      .click();
+    await page.waitForURL((url) => url.pathname === pageOf(chapter, first) && url.hash === `#task-${first}`);
+  }
+});
+
+test("a section leads to its neighbours, and a chapter to the next one", async (t) => {
+  const page = await open(t, "/curves/parameter/");
+  await page.goto("/curves/");
+  await page.getByRole("link", { name: /^Begin:/ }).click();
+  const sections = sectionsOf("curves").map(({ path }) => path);
+  await page.waitForURL((url) => url.pathname === sections[0]);
+  assert.equal(await page.locator("[rel=prev]").count(), 0);
+  await page.locator(".turn [rel=next]").click();
+  await page.waitForURL((url) => url.pathname === sections[1]);
+  await page.locator(".turn [rel=prev]").click();
+  await page.waitForURL((url) => url.pathname === sections[0]);
+  await page.locator(".sections summary").click();
+  await page.locator(".sections li").last().getByRole("link").click();
+  await page.waitForURL((url) => url.pathname === sections.at(-1));
+  assert.equal(await page.locator("[rel=next]").count(), 0);
+  await page.getByRole("link", { name: /Next chapter: Bézier surfaces/ }).click();
   await page.waitForURL(/\/surfaces\/$/);
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";
-import { done, task } from "./chapter-page.js";
+import { done, goTo, task } from "./chapter-page.js";
 import { near, open } from "./surfaces-page.js";
 
 /** Of the pixels of the traced picture: how many are the teapot's, and whether the corners are background. */
@@ -54,7 +54,10 @@ test("tracing can be cancelled, and started again", async (t) => {
 test("the worker starts in any folder of a plain file server", async (t) => {
   const server = await serve({ "/some/folder/": `${root}site` });
   t.after(() => server.close());
-  const page = await openPage(t, "/some/folder/surfaces/", { baseURL: server.url, reducedMotion: "reduce" });
+  const page = await openPage(t, "/some/folder/surfaces/ray-tracing/", {
+    baseURL: server.url,
+    reducedMotion: "reduce",
+  });
   await page.locator("ray-tracing").scrollIntoViewIfNeeded();
   await page.locator("ray-tracing").getByRole("button", { name: "Trace this view" }).click();
   await page.waitForFunction(() => document.querySelector("ray-tracing").figure.progress > 0);
@@ -62,16 +65,24 @@ test("the worker starts in any folder of a plain file server", async (t) => {
 
 test("a smaller picture and larger micropolygons are fewer micropolygons, and the task counts them", async (t) => {
   const page = await open(t);
+  await goTo(page, "figure-reyes");
   const figure = page.locator("reyes-dicing");
   await figure.scrollIntoViewIfNeeded();
-  await task(page, "micropolygons", 1);
+  await task(page, "micropolygons", 2);
   const count = async () => Number(await figure.locator("[data-micropolygons]").getAttribute("data-micropolygons"));
   await page.waitForFunction(() => document.querySelector("reyes-dicing").figure.micropolygons > 0);
   const first = await count();
   await figure.getByRole("slider", { name: "Zoom" }).fill("0.5");
-  assert.match(await done(page, "micropolygons"), /At this zoom there are .* You predicted it/);
+  await page
+    .locator('lesson-task[name="micropolygons"]')
+    .getByText(/At the zoom 0\.50 there are/)
+    .waitFor();
+  assert.equal(await page.locator('lesson-task[name="micropolygons"]').getAttribute("data-state"), "open");
   const small = await count();
   assert.ok(small < first / 2 && small > first / 8, `${small} of ${first}`);
+  await figure.getByRole("slider", { name: "Zoom" }).fill("0.6");
+  assert.match(await done(page, "micropolygons"), /At the zoom 0\.60 there are .* You predicted it/);
+  await figure.getByRole("slider", { name: "Zoom" }).fill("0.5");
   await figure.getByRole("slider", { name: "Micropolygon size" }).fill("32");
   await page.waitForFunction((small) => document.querySelector("reyes-dicing").figure.micropolygons < small, small);
   const pixels = () =>

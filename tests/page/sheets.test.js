@@ -2,9 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boxOf, openPage } from "./browser.js";
+import { goTo, pageOf } from "./chapter-page.js";
 
 test("the button for the full screen is in the row of the controls, or in the caption below other elements", async (t) => {
-  const page = await openPage(t, "/curves/", { reducedMotion: "reduce", keep: true });
+  const page = await openPage(t, pageOf("curves", "figure-de-casteljau"), { reducedMotion: "reduce", keep: true });
   const figure = page.locator("#figure-de-casteljau");
   await figure.scrollIntoViewIfNeeded();
   const slider = await boxOf(figure.getByRole("slider", { name: "t", exact: true }));
@@ -12,6 +13,7 @@ test("the button for the full screen is in the row of the controls, or in the ca
   const middle = button.y + button.height / 2;
   assert.ok(middle > slider.y && middle < slider.y + slider.height, `${middle} beside ${slider.y}`);
   assert.ok(button.x >= slider.x + slider.width);
+  await goTo(page, "figure-basis");
   const other = page.locator("#figure-basis");
   await other.scrollIntoViewIfNeeded();
   assert.equal(await other.locator("figcaption").getByRole("button", { name: "Full screen" }).count(), 1);
@@ -25,11 +27,13 @@ for (const width of [360, 1280]) {
   test(`at ${width} px figures are as tall before the scripts as afterwards`, async (t) => {
     const isPhone = width < 500;
     const options = { viewport: { width, height: 900 }, hasTouch: isPhone, isMobile: isPhone };
-    const plain = await openPage(t, "/curves/", { ...options, javaScriptEnabled: false });
-    const page = await openPage(t, "/curves/", { ...options, reducedMotion: "reduce" });
+    const plain = await openPage(t, "/curves/parameter/", { ...options, javaScriptEnabled: false });
+    const page = await openPage(t, "/curves/parameter/", { ...options, reducedMotion: "reduce" });
     for (const id of FIGURES) {
-      const { height: reserved } = await boxOf(plain.locator(id));
-      const figure = page.locator(id);
+      await plain.goto(pageOf("curves", id.slice(1)));
+      await goTo(page, id.slice(1));
+      const { height: reserved } = await boxOf(plain.locator(`${id} .sheet`));
+      const figure = page.locator(`${id} .sheet`);
       await figure.scrollIntoViewIfNeeded();
       await figure
         .getByRole("button", { name: /Play|Halve|Split/ })

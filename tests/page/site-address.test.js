@@ -52,12 +52,12 @@ test("another address while the page is open", async (t) => {
 });
 
 test("whatever an address can set of an element, it can be read off it", async (t) => {
-  const page = await openAt(t, "/surfaces/", "#figure-patch?u=0.2&v=0.9&segments=5");
+  const page = await openAt(t, "/surfaces/patches/", "#figure-patch?u=0.2&v=0.9&segments=5");
   const patch = page.locator("#figure-patch bezier-surface");
   assert.deepEqual(await patch.evaluate((/** @type {any} */ { u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
   for (const [path, name] of [
     [ELEMENTS, "bezier-applet"],
-    ["/surfaces/", "bezier-surface"],
+    ["/surfaces/patches/", "bezier-surface"],
   ]) {
     await page.goto(path);
     await ready(page);

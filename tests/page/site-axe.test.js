@@ -9,11 +9,13 @@ import { openStrict, PAGES, settled } from "./site-pages.js";
 /** What has to be drawn before axe looks, by page; elements in chapters start when the reader comes near. */
 const DRAWN = {
   "/figures/": ["fig-bytes svg rect"],
-  "/curves/": ["#weights [data-index]", "#basis [data-index]", "#joint [data-index]", "#recursion [data-index]"], // with all figures axe takes most of a minute
+  "/curves/joining/": ["#joint [data-index]"],
+  "/curves/splines/": ["#basis [data-index]"],
+  "/curves/recursive-rendering/": ["#recursion [data-index]"],
   ...Object.fromEntries(Object.entries(TAGS).map(([path, tag]) => [path, [`${tag} svg`]])),
 };
 /** It has all texts of the site whose style has `forced-color-adjust: none`: pressed buttons, and those of samples. */
-const FORCED_COLOURS = ["/surfaces/"];
+const FORCED_COLOURS = ["/surfaces/tessellation/"];
 /** These pages are made from one template: the longest of them stands for the colours of all. */
 const ONE_TEMPLATE = /^\/api\/(?!curve\/|elements\/)/;
 

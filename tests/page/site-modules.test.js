@@ -1,8 +1,10 @@
 // Which modules of the package a page of the site loads.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { intersectionsReported, openPage } from "./browser.js";
-import { loadFigures } from "./chapter-page.js";
+import { gzipSync } from "node:zlib";
+import { intersectionsReported, openPage, root } from "./browser.js";
+import { loadFigures, sectionsOf } from "./chapter-page.js";
 import { settled } from "./site-pages.js";
 
 /** The scripts with more than so many characters have a wasm module inside. */
@@ -28,25 +30,26 @@ async function modulesOf(t, path) {
 }
 
 test("the module of surfaces is loaded where a surface is, and not for other elements", async (t) => {
-  for (const path of ["/teapot/", "/surfaces/", "/embed.html?element=bezier-surface"])
+  for (const path of ["/teapot/", "/surfaces/patches/", "/embed.html?element=bezier-surface"])
     assert.ok((await modulesOf(t, path)).includes("surfaces"), path);
-  for (const path of ["/easing/", "/ink/", "/glyph/", "/curves/", "/texts/", "/embed.html"]) {
+  for (const path of ["/easing/", "/ink/", "/glyph/", "/curves/", "/curves/parameter/", "/texts/", "/embed.html"]) {
     const modules = await modulesOf(t, path);
     assert.ok(!modules.includes("surfaces"), `${path}: ${modules.join(", ")}`);
   }
 });
 
-test("the module of rational curves is loaded when a figure that has them is near", async (t) => {
-  for (const [path, name] of [
-    ["/curves/", "fig-conic"],
-    ["/figures/", "fig-conic"],
-    ["/surfaces/", "fig-octant"],
+test("the module of rational curves is loaded where a figure that has them is near", async (t) => {
+  for (const [first, path, name] of [
+    ["/curves/parameter/", "/curves/rational-curves/", "fig-conic"],
+    ["/figures/", "/figures/", "fig-conic"],
+    ["/surfaces/patches/", "/surfaces/revolution/", "fig-octant"],
   ]) {
-    const page = await openPage(t, path, { fresh: true });
+    const page = await openPage(t, first, { fresh: true });
     await settled(page);
     await intersectionsReported(page);
     await page.waitForFunction(() => customElements.get("lesson-task") || customElements.get("fig-parabola"));
-    assert.ok(!(await loaded(page)).includes("nurbs"), `${path} at first`);
+    assert.ok(!(await loaded(page)).includes("nurbs"), `${first} at first`);
+    if (path !== first) await page.goto(path);
     await page.locator(name).scrollIntoViewIfNeeded();
     await page.locator(`${name} .frame`).waitFor();
     assert.ok((await loaded(page)).includes("nurbs"), path);
@@ -67,4 +70,28 @@ test("/recipes/ loads the modules of surfaces and of weights when a recipe that 
   await recipe.scrollIntoViewIfNeeded();
   await page.waitForFunction(() => document.querySelector("#vase-surface").surface?.patchCount === 36);
   assert.deepEqual(await isLoaded(), [true, true]);
+});
+
+/** The most that a section may take over the network, with the scripts of all of its figures. */
+const MAX_SECTION_KB = 450;
+
+test(`a section takes at most ${MAX_SECTION_KB} kB, compressed`, async (t) => {
+  const page = await openPage(t, "/curves/parameter/", { messages: /^$/ });
+  const large = [];
+  for (const { path } of [...sectionsOf("curves"), ...sectionsOf("surfaces")]) {
+    await page.goto(path);
+    await settled(page);
+    await loadFigures(page);
+    const files = await page.evaluate(() =>
+      performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname),
+    );
+    const all = new Set([`${path}index.html`, ...files].filter((name) => /\.(html|js|css|woff2)$/.test(name)));
+    const bytes = [...all].reduce(
+      (sum, name) => sum + gzipSync(readFileSync(`${root}site${name}`), { level: 9 }).length,
+      0,
+    );
+    t.diagnostic(`${path} ${(bytes / 1000).toFixed(0)} kB`);
+    if (bytes > 1000 * MAX_SECTION_KB) large.push(`${path}: ${(bytes / 1000).toFixed(0)} kB`);
+  }
+  assert.deepEqual(large, []);
 });

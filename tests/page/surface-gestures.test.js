@@ -114,11 +114,8 @@ test("a control point is dragged in the plane of the picture, and Escape or a ca
   await pullFrom(page, [ax, ay], -30, 0);
   await settled(page);
   assert.notDeepEqual(await vertex(), after);
-  await page.evaluate(() =>
-    document
-      .querySelector("bezier-surface")
-      .shadowRoot.querySelector(".overlay")
-      .dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })),
+  await handle(page, 5).evaluate((button) =>
+    button.dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1, bubbles: true, composed: true })),
   );
   await page.mouse.up();
   assert.deepEqual(await vertex(), after);

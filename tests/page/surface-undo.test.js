@@ -1,7 +1,7 @@
 // <bezier-surface>: what the user changes can be undone and redone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { centreOf, dragFrom, pullFrom } from "./gestures.js";
+import { centreOf, dragFrom, fingersOn, pullFrom } from "./gestures.js";
 import { openSurface, settled } from "./surface-page.js";
 
 /** What undo restores, and what it does not. */
@@ -42,6 +42,28 @@ test("a drag is one step, a key another one; redo repeats them", async (t) => {
   await press(page, "Control+Shift+z");
   assert.deepEqual(await stateOf(page), moved);
   assert.ok(await redo.isDisabled());
+});
+
+test("two fingers that drag two points make one step and one event `change`", async (t) => {
+  const page = await openSurface(t, 'model="patch"', { hasTouch: true });
+  const vertices = () => page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices]);
+  const first = await vertices();
+  await page.evaluate(() => {
+    globalThis.changes = 0;
+    document.querySelector("bezier-surface").addEventListener("change", () => globalThis.changes++);
+  });
+  const touch = await fingersOn(page);
+  const [a, b] = [await centreOf(handle(page, 0)), await centreOf(handle(page, 15))];
+  await touch("touchStart", a, b);
+  await touch("touchMove", [a[0] + 10, a[1]], [b[0] - 10, b[1] + 5]);
+  await settled(page);
+  await touch("touchEnd");
+  await settled(page);
+  const moved = await vertices();
+  assert.ok([0, 45].every((at) => moved[at] !== first[at]));
+  assert.equal(await page.evaluate(() => globalThis.changes), 1);
+  await page.evaluate(() => document.querySelector("bezier-surface").undo());
+  assert.deepEqual(await vertices(), first);
 });
 
 test("settings and another model are undone with the moves; u stays, and a drag that is taken back makes no step", async (t) => {

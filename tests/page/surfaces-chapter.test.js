@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { boxOf, openPage, root } from "./browser.js";
+import { sectionsOf } from "./chapter-page.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS =
@@ -19,8 +20,9 @@ test("a figure shows its lines until it is drawn, and again while it is far away
   const poster = (id) => page.locator(`#${id} > svg`).isVisible();
   await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
   assert.equal(await poster("map-surface"), false);
-  assert.equal(await poster("file-surface"), true, "not yet near");
-  await near(page, "file-surface");
+  assert.equal(await poster("nine-surface"), true, "not yet near");
+  await near(page, "nine-surface");
+  await page.locator("footer").scrollIntoViewIfNeeded();
   await page.waitForFunction(() => document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
   await near(page, "map-surface");
   await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
@@ -28,8 +30,6 @@ test("a figure shows its lines until it is drawn, and again while it is far away
 
 test("every figure is drawn when the reader comes near, and few hold the graphics card", async (t) => {
   const page = await open(t);
-  const ids = await page.locator("bezier-surface").evaluateAll((all) => all.map(({ id }) => id));
-  assert.ok(ids.length >= 18, `${ids.length} figures`);
   const living = () =>
     page.locator("bezier-surface").evaluateAll(
       (all) =>
@@ -38,42 +38,52 @@ test("every figure is drawn when the reader comes near, and few hold the graphic
           return canvas.width > 1 && canvas.getContext("webgl2")?.isContextLost() === false;
         }).length,
     );
-  for (const id of [...ids, ids[0]]) {
-    await near(page, id);
-    await page.evaluate(async (id) => {
-      while (!(await document.getElementById(id).toBlob())) await new Promise((then) => requestAnimationFrame(then));
-    }, id);
-    assert.ok((await living()) <= MOST_CONTEXTS, `${await living()} at ${id}`);
+  let count = 0;
+  for (const { path } of sectionsOf("surfaces")) {
+    await page.goto(path);
+    const ids = await page.locator("bezier-surface").evaluateAll((all) => all.map(({ id }) => id));
+    count += ids.length;
+    for (const id of ids) {
+      await near(page, id);
+      await page.evaluate(async (id) => {
+        while (!(await document.getElementById(id).toBlob())) await new Promise((then) => requestAnimationFrame(then));
+      }, id);
+      assert.ok((await living()) <= MOST_CONTEXTS, `${await living()} at ${id}`);
+    }
   }
+  assert.ok(count >= 18, `${count} figures`);
 });
 
-test("the sections, the figures' own places, and all that other pages link to are there", async (t) => {
-  const page = await open(t);
-  assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
-  assert.deepEqual(await page.locator("main figure:not([id])").count(), 0);
+test("the sections are there, and other pages link to them by their own addresses", () => {
+  const names = sectionsOf("surfaces").map(({ id }) => id);
+  assert.deepEqual(
+    SECTIONS.filter((id) => !names.includes(id)),
+    [],
+  );
   const pages = readdirSync(`${root}site`, { recursive: true, encoding: "utf8" }).filter((name) =>
     name.endsWith(".html"),
   );
-  const wanted = pages.flatMap((name) =>
-    [...readFileSync(`${root}site/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id),
+  const links = pages.flatMap((name) =>
+    [
+      ...readFileSync(`${root}site/${name}`, "utf8").matchAll(/"(?:\.\.\/)*((?:curves|surfaces)\/[\w-]*\/?#[^"]*)"/g),
+    ].map(([, link]) => link),
   );
-  assert.ok(wanted.length > 15);
-  assert.deepEqual(await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), wanted), []);
-  const own = await page.evaluate(() =>
-    [...document.querySelectorAll('a[href^="#"]')]
-      .map(({ hash }) => hash.slice(1))
-      .filter((id) => !document.getElementById(id)),
+  assert.ok(links.length > 60, `${links.length} links`); // site-links.test.js follows them
+  assert.deepEqual(
+    links.filter((link) => /^\w+\/#/.test(link)),
+    [],
   );
-  assert.deepEqual(own, []);
 });
 
 test("without JavaScript every figure is there as lines, and the code can be read", async (t) => {
-  const page = await openPage(t, "/surfaces/", { javaScriptEnabled: false, viewport: { width: 1100, height: 800 } });
+  const viewport = { width: 1100, height: 800 };
+  const page = await openPage(t, "/surfaces/patches/", { javaScriptEnabled: false, viewport });
   const figures = page.locator("bezier-surface");
   const count = await figures.count();
   assert.equal(await page.locator("bezier-surface > svg[role=img] path").count(), count);
   const { width, height } = await boxOf(figures.first().locator("svg path"));
   assert.ok(width > 100 && height > 60, `${width} × ${height}`);
+  await page.goto("/surfaces/cracks/");
   assert.ok(
     (await page.getByText("fn sample").count()) === 0 &&
       (await page.getByText("TessellationOptions::tolerance").first().isVisible()),

@@ -1,6 +1,7 @@
 // What the chapter on surfaces has beside its figures: sliders, buttons, tables and texts that steer them, and what they say.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { goTo } from "./chapter-page.js";
 import { controls, near, open, reading } from "./surfaces-page.js";
 import { boxOf, frames } from "./browser.js";
 import { dragFrom } from "./gestures.js";
@@ -68,6 +69,7 @@ test("the square is dragged, and turned by arrow keys", async (t) => {
   await near(page, "map-surface");
   const place = () =>
     page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
+  await page.locator("unit-square").evaluate((square) => square.scrollIntoView({ block: "center" }));
   const box = await boxOf(page.locator("unit-square .square"));
   await dragFrom(page, [box.x + 5, box.y + 5], 0.75 * box.width - 5, 0.25 * box.height - 5);
   const [u, v] = await place();
@@ -100,6 +102,7 @@ test("steps, and the surface that grows", async (t) => {
 
 test("the crack closes", async (t) => {
   const page = await open(t);
+  await goTo(page, "figure-cracks");
   await page.locator("crack-strip").scrollIntoViewIfNeeded();
   await page.locator("crack-strip").getByRole("slider", { name: "Right patch" }).press("ArrowRight");
   await page.locator("crack-strip").getByText("There is no crack.").waitFor();

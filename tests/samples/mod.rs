@@ -26,7 +26,8 @@ samples! {
     "../../www/samples/circles.rs" circles, "../../www/samples/degrees.rs" degrees,
     "../../www/samples/derivatives.rs" derivatives, "../../www/samples/dicing.rs" dicing,
     "../../www/samples/differences.rs" differences, "../../www/samples/eval.rs" eval,
-    "../../www/samples/files.rs" files, "../../www/samples/grid.rs" grid, "../../www/samples/home.rs" home,
+    "../../www/samples/files.rs" files, "../../www/samples/fitting.rs" fitting, "../../www/samples/grid.rs" grid,
+    "../../www/samples/home.rs" home,
     "../../www/samples/intersections.rs" intersections, "../../www/samples/isocurves.rs" isocurves,
     "../../www/samples/joints.rs" joints, "../../www/samples/nearest-point.rs" nearest_point,
     "../../www/samples/no-cracks.rs" no_cracks, "../../www/samples/offsets.rs" offsets,
@@ -36,10 +37,11 @@ samples! {
     "../../www/samples/rational.rs" rational, "../../www/samples/rays.rs" rays, "../../www/samples/recursion.rs" recursion,
     "../../www/samples/revolution.rs" revolution, "../../www/samples/rounding.rs" rounding,
     "../../www/samples/rows-then-curve.rs" rows_then_curve,
+    "../../www/samples/shapes.rs" shapes,
     "../../www/samples/splines.rs" splines, "../../www/samples/split.rs" split,
     "../../www/samples/split-patch.rs" split_patch, "../../www/samples/teapot.rs" teapot,
     "../../www/samples/text-rays.rs" text_rays, "../../www/samples/tolerance.rs" tolerance,
-    "../../www/samples/uses.rs" uses, "../../www/samples/wires.rs" wires,
+    "../../www/samples/uses.rs" uses, "../../www/samples/varying-width.rs" varying_width, "../../www/samples/wires.rs" wires,
 }
 
 /// The name of a file without its folder and ending.

@@ -189,6 +189,20 @@ export const classes: Three = THREE;
 // @ts-expect-error
 curve.split(0.2, 0.6);
 // @ts-expect-error
+curve.bounds(0, 0.5);
+// @ts-expect-error
+curve.derivative(0.5);
+// @ts-expect-error
+spline.intersections(curve, 0.5);
+// @ts-expect-error
+path.nearest([0, 0], 5);
+// @ts-expect-error
+Path.from(curve, spline);
+// @ts-expect-error
+patch.splitU(0.5, 0.5);
+// @ts-expect-error
+surface.volume(0.1);
+// @ts-expect-error
 curve.toSVG({ precison: 2 });
 // @ts-expect-error
 Surface.teapot({ lid: 0 });

@@ -1,7 +1,7 @@
 // What stands between `:::` lines in Markdown:
 //
 //     ::: figure curve              a figure with the id figure-curve; its last paragraph is the caption
-//     ::: task half-height for=ID   a task (www/tasks/half-height.js) about the element with that id
+//     ::: task half-height for=ID   a task (www/tasks/half-height.js) about the element with that id; its own is task-half-height
 //     ::: sample polyline           the sample www/samples/polyline.js and .rs, with the id sample-polyline
 //     ::: recipe NAME               the picture, the script and the HTML of www/recipes/code/NAME.js and .html
 //     ::: article                   an `<article>`
@@ -22,7 +22,10 @@ export function containers(md, { highlight }) {
   /** @type {Record<string, Container>} */
   const kinds = {
     figure: { open: ({ meta }) => `<figure id="figure-${meta.name}">\n<div class="sheet">\n`, close: "</figure>\n" },
-    task: { open: ({ meta }) => `<lesson-task${attributesOf(meta)}>\n`, close: "</lesson-task>\n" },
+    task: {
+      open: ({ meta }) => `<lesson-task id="task-${meta.name}"${attributesOf(meta)}>\n`,
+      close: "</lesson-task>\n",
+    },
     sample: {
       open: ({ meta }) =>
         `<lesson-sample id="sample-${meta.name}" name="${meta.name}">${sampleCode(meta.name, highlight)}`,

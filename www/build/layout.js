@@ -35,13 +35,3 @@ export function readingTime(html) {
   if (halves === 2) return "1 hour";
   return `${Math.floor(halves / 2)}${halves % 2 ? "½" : ""} hours`;
 }
-
-/**
- * The page of the chapter after this one, if there is one.
- *
- * @template {{ data: { chapter?: number } }} Page
- * @param {Page[]} chapters
- * @param {number} chapter
- * @returns {Page | undefined}
- */
-export const nextChapter = (chapters, chapter) => chapters.find(({ data }) => data.chapter === chapter + 1);

@@ -6,6 +6,7 @@ import attributes from "markdown-it-attrs";
 import temml from "temml";
 import { containers } from "./containers.js";
 import { unbrokenPunctuation } from "./punctuation.js";
+import { scenes } from "./scenes.js";
 import { numbers, sections, standaloneElements } from "./sections.js";
 
 /** Typesets a formula as MathML. @param {string} formula @param {boolean} displayMode */
@@ -27,6 +28,7 @@ export function markdown(highlight) {
   md.use(standaloneElements);
   md.use(sections);
   md.use(numbers);
+  md.use(scenes);
   md.use(unbrokenPunctuation);
   return md;
 }

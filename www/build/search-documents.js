@@ -28,6 +28,11 @@ export function searchDocuments(pages) {
 function documentsOf(address, html) {
   const page = plain(/<h1[^>]*>(.*?)<\/h1>/s.exec(html)?.[1] ?? "");
   const lead = plain(/<p class="lead">(.*?)<\/p>/s.exec(html)?.[1] ?? "");
+  if (html.startsWith('id="main" class="section"')) {
+    const [heading, ...text] = html.replace(/<nav class="next".*/s, "").split("</h1>");
+    const title = plain(heading.replace(/<a class="permalink".*/s, "").slice(heading.indexOf("<h1")));
+    return [{ address, title, page: title, text: plain(text.join("")).slice(0, MAX_TEXT), peers: "" }];
+  }
   const [, ...parts] = html.split(/(?=<section [^>]*\bid=")/);
   return [
     { address, title: page, page, text: lead, peers: "" },

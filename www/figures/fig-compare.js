@@ -65,6 +65,12 @@ export function moved({ ends, middle, handles }, part, to) {
   };
 }
 
+/** The places of names, in CSS pixels from their points: below those on the curve, beside the others. */
+const [NAME_BELOW, NAME_BESIDE] = [
+  [0, 23],
+  [20, 5],
+];
+
 /** `<fig-compare>`, `<fig-compare shape="s">` */
 export class FigCompare extends Figure {
   static properties = { shape: {}, fit: { type: Boolean }, points: { state: true } };
@@ -143,7 +149,11 @@ export class FigCompare extends Figure {
           ${behind ? svg`<path class="ghost" d=${behind.toSVG({ precision: 2 })} />` : ""}
           ${hollow.length === 8 ? [ring(hollow[2], hollow[3], "var(--quiet)"), ring(hollow[4], hollow[5], "var(--quiet)")] : ""}
           <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
-          ${parts.map(({ at, kind: mark }) => (mark === "on" ? disc : square)(...place(at)))}
+          ${parts.map(({ at, name, kind: mark }) => {
+            const [x, y] = place(at);
+            const [dx, dy] = mark === "on" ? NAME_BELOW : NAME_BESIDE;
+            return svg`${(mark === "on" ? disc : square)(x, y)}<text class="strong haloed middle" x=${x + dx} y=${y + dy}>${name}</text>`;
+          })}
         </svg>
         ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.notifyChange() }))}
       </div>
@@ -186,7 +196,7 @@ export class FigCompare extends Figure {
         <p class="facts">
           ${
             this.fit
-              ? html`On the left is the quadratic that is nearest to the cubic. At equal <i>t</i>, its greatest distance is <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide).`
+              ? html`The first picture shows the quadratic that is nearest to the cubic. At equal <i>t</i>, its greatest distance is <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide).`
               : same
                 ? html`Both are the same curve. Every quadratic is also a cubic: its handles are two thirds of the way to P1 (the rings).`
                 : html`The two curves differ by <b>${decimal(raised.hausdorff(cubic))}</b>. The rings show the handles with which the cubic is equal to the quadratic.`

@@ -263,7 +263,7 @@ export class FigCosts extends Figure {
         <div class="table first" tabindex="0" role="region" aria-label="Operations and time">
           <table>
             <caption>One point of a cubic in space</caption>
-            <thead><tr><th>Method</th><th>In <a href="../texts/#lesson-1">the lesson</a></th><th>Counted here</th><th>Time per point</th><th>relative to the first</th></tr></thead>
+            <thead><tr><th>Method</th><th>In a <a href="../texts/#lesson-1">web lesson</a></th><th>Counted here</th><th>Time per point</th><th>relative to the first</th></tr></thead>
             <tbody>
               ${WAYS.map(
                 ({ key, name, way, text }) => html`

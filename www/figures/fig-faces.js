@@ -11,6 +11,8 @@ import { drawn, handles, planeOf } from "./lib/plane.js";
 
 const SIZE = { width: 120, height: 84 };
 const NAMES = ["A", "B", "C"];
+/** The outlines of the shapes. */
+const COLOURS = ["var(--curve)", "var(--handle)", "var(--level1)"];
 const RADIUS = 25;
 const TOLERANCE = 0.01;
 /** The centres of the shapes. @type {Point[]} */
@@ -109,11 +111,11 @@ export class FigFaces extends Figure {
         <div class="stage">
           <svg viewBox="0 0 ${plane.size.join(" ")}" role="group" aria-label="Three shapes and their faces">
             ${faces.map((face) => this.face(face, plane))}
-            ${shapes.map((shape) => svg`<path d=${drawn(plane, shape)} fill="none" stroke="var(--curve)" stroke-width="2" pointer-events="none" />`)}
+            ${shapes.map((shape, i) => svg`<path d=${drawn(plane, shape)} fill="none" stroke=${COLOURS[i]} stroke-width="2.5" pointer-events="none" />`)}
             ${this.centers.map((center, i) => {
               const [x, y] = plane.place(center);
               const dy = i === 2 ? 14 : 0;
-              return svg`<g pointer-events="none"><circle class="on" cx=${x} cy=${y} r="6" /><text class="strong haloed middle" x=${x + [-16, 16, 0][i]} y=${y + 5 + dy * 1.3}>${NAMES[i]}</text></g>`;
+              return svg`<g pointer-events="none"><circle cx=${x} cy=${y} r="6" fill=${COLOURS[i]} stroke="var(--paper)" stroke-width="1.5" /><text class="strong haloed middle" x=${x + [-16, 16, 0][i]} y=${y + 5 + dy * 1.3}>${NAMES[i]}</text></g>`;
             })}
           </svg>
           ${handles(this, plane, this.centers, { name: nameOf, kind: () => "on", move: (centers) => (this.centers = centers) })}

@@ -1,41 +1,61 @@
-// The velocity of a cubic as a vector, next to the curve that its tips draw (the derivative), and the circle of curvature.
+// The velocity of a cubic as a vector, next to the curve that its tips draw (the derivative); or a cubic with its circle of curvature.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
 import { Figure, numeric } from "./lib/figure.js";
 import { decimal, short } from "./lib/numbers.js";
-import { check, diamond, polyline, slider, square } from "./lib/parts.js";
+import { diamond, polyline, slider, square } from "./lib/parts.js";
 import { arrow, drawn, handles, marks, pairs, planeOf, pointName } from "./lib/plane.js";
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 
-const SIZE = { width: 100, height: 72 };
+/** The arrow of the velocity has room in the first stage, and the circle of curvature alone in the larger picture. */
+const [SIZE, LARGE_SIZE] = [
+  { width: 80, height: 58 },
+  { width: 100, height: 72 },
+];
 /** @type {Point[]} */
 const POINTS = [
-  [12, 61],
-  [29, 58],
-  [53, 48],
-  [43, 38],
+  [7, 55],
+  [24, 52],
+  [48, 42],
+  [38, 32],
+];
+/** The same curve, 1.7 times as large. @type {Point[]} */
+const LARGE_POINTS = [
+  [14, 62],
+  [43, 57],
+  [84, 40],
+  [67, 23],
 ];
 /** The derivative is drawn in a box of its own, in this scale and around this origin. */
-const DERIVATIVE = { scale: 0.75, origin: /** @type {Point} */ ([36, 52]) };
+const DERIVATIVE = { scale: 0.6, origin: /** @type {Point} */ ([29, 42]) };
 /** Two stages side by side need this width, in CSS pixels. */
 const MIN_BOTH = 562;
 /** Larger circles are nearly lines. */
 const MAX_RADIUS = 400;
 
-/** `<fig-velocity t="0">`, and `circle` for the circle of curvature */
+/** `<fig-velocity t="0">`; with `circle` the circle of curvature instead of the velocity */
 export class FigVelocity extends Figure {
   static properties = {
     t: numeric({ least: 0, most: 1, otherwise: 0 }),
-    points: { state: true },
+    moved: { state: true },
     circle: { type: Boolean },
   };
 
   constructor() {
     super();
     this.t = 0;
-    this.points = POINTS;
+    /** @type {Point[] | null} */
+    this.moved = null;
     this.circle = false;
+  }
+
+  get points() {
+    return this.moved ?? (this.circle ? LARGE_POINTS : POINTS);
+  }
+
+  set points(to) {
+    this.moved = to;
   }
 
   get curve() {
@@ -44,30 +64,38 @@ export class FigVelocity extends Figure {
 
   /** @param {number} wide */
   plane(wide) {
-    return planeOf(wide, SIZE);
+    return planeOf(wide, this.circle ? LARGE_SIZE : SIZE);
   }
 
-  /** The curve, its velocity at t divided into thirds, and the circle of curvature. @param {number} wide */
+  /** The curve, with its velocity at t divided into thirds or with the circle of curvature. @param {number} wide */
   curveStage(wide) {
     const plane = this.plane(wide);
-    const { curve, t } = this;
-    const [at, velocity] = [curve.eval(t), curve.derivativeAt(t)];
-    const tip = /** @type {Point} */ ([at.x + velocity.x, at.y + velocity.y]);
-    const thirds = [1, 2].map((k) => plane.place([at.x + (k * velocity.x) / 3, at.y + (k * velocity.y) / 3]));
-    const [x, y] = plane.place([at.x, at.y]);
+    const { curve, t, circle, points } = this;
+    const { x, y } = curve.eval(t);
     return html`
       <div class="stage">
-        <svg viewBox="0 0 ${plane.size.join(" ")}" role="img" aria-label="A cubic and its velocity at t = ${decimal(t)}">
-          <text class="strong" x="12" y="22">Curve</text>
-          ${this.circle ? this.curvatureCircle(plane) : ""}
-          ${polyline("polygon", this.points.flatMap(plane.place))}<path class="curve" d=${drawn(plane, curve)} />
-          ${marks(plane, this.points, pointName)}
-          ${arrow([x, y], plane.place(tip), "var(--handle)")}
-          ${thirds.map(([px, py]) => svg`<circle cx=${px} cy=${py} r="3.5" fill="var(--paper)" stroke="var(--handle)" stroke-width="2" />`)}
-          ${diamond(x, y)}
+        <svg viewBox="0 0 ${plane.size.join(" ")}" role="img" aria-label="A cubic and its ${circle ? "circle of curvature" : "velocity"} at t = ${decimal(t)}">
+          ${circle ? this.curvatureCircle(plane) : svg`<text class="strong" x="12" y="22">Curve</text>`}
+          ${polyline("polygon", points.flatMap(plane.place))}<path class="curve" d=${drawn(plane, curve)} />
+          ${marks(plane, points, pointName)}
+          ${circle ? "" : this.velocityArrow(plane)}
+          ${diamond(...plane.place([x, y]))}
         </svg>
-        ${handles(this, plane, this.points, { name: pointName, move: (points) => (this.points = points) })}
+        ${handles(this, plane, points, { name: pointName, move: (to) => (this.points = to) })}
       </div>
+    `;
+  }
+
+  /** @param {import("./lib/plane.js").Plane} plane */
+  velocityArrow(plane) {
+    const [at, velocity] = [this.curve.eval(this.t), this.curve.derivativeAt(this.t)];
+    const place = (/** @type {number} */ k) => plane.place([at.x + (k * velocity.x) / 3, at.y + (k * velocity.y) / 3]);
+    return svg`
+      ${arrow(place(0), place(3), "var(--handle)")}
+      ${[1, 2].map((k) => {
+        const [x, y] = place(k);
+        return svg`<circle cx=${x} cy=${y} r="3.5" fill="var(--paper)" stroke="var(--handle)" stroke-width="2" />`;
+      })}
     `;
   }
 
@@ -107,19 +135,23 @@ export class FigVelocity extends Figure {
   }
 
   render() {
-    const wide = this.wide >= MIN_BOTH ? Math.floor((this.wide - 1) / 2) : this.wide;
+    const { circle } = this;
+    const wide = this.wide >= MIN_BOTH && !circle ? Math.floor((this.wide - 1) / 2) : this.wide;
     const { x, y } = this.curve.derivativeAt(this.t);
     const curvature = this.curve.curvature(this.t);
+    const radius = Math.abs(curvature) > 1e-6 ? decimal(1 / Math.abs(curvature), 1) : "∞";
     return html`
       <div class="frame">
-        <div class="sides">${this.curveStage(wide)}${this.derivativeStage(wide)}</div>
+        <div class="sides">${this.curveStage(wide)}${circle ? "" : this.derivativeStage(wide)}</div>
         <p class="facts">
-          Velocity B′(${decimal(this.t)}) = <b class="line">(${short(x, 1)}, ${short(-y, 1)})</b> (y up), speed <b>${decimal(Math.hypot(x, y), 1)}</b>,
-          curvature ${decimal(Math.abs(curvature), 4)}, radius of curvature <b>${Math.abs(curvature) > 1e-6 ? decimal(1 / Math.abs(curvature), 1) : "∞"}</b>.
+          ${
+            circle
+              ? html`Curvature ${decimal(Math.abs(curvature), 4)}, radius of curvature <b>${radius}</b>.`
+              : html`Velocity B′(${decimal(this.t)}) = <b class="line">(${short(x, 1)}, ${short(-y, 1)})</b> (y up), speed <b>${decimal(Math.hypot(x, y), 1)}</b>.`
+          }
         </p>
         <div class="controls">
           ${slider({ name: html`<i>t</i>`, value: this.t, min: 0, max: 1, text: decimal(this.t), change: (t) => (this.t = t) })}
-          ${check({ name: "circle of curvature", value: this.circle, change: (circle) => (this.circle = circle) })}
         </div>
       </div>
     `;

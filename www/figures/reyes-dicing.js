@@ -54,6 +54,11 @@ export class ReyesDicing extends Figure {
     return { step: this.step, size: this.size, zoom: this.zoom, ...this.counts };
   }
 
+  /** The number of micropolygons at a zoom. @param {number} zoom */
+  countAt(zoom) {
+    return this.#dice(zoom).micropolygons.length;
+  }
+
   connectedCallback() {
     super.connectedCallback();
     this.#watch = new IntersectionObserver((entries) => (this.isNear ||= entries.some((each) => each.isIntersecting)), {
@@ -82,22 +87,27 @@ export class ReyesDicing extends Figure {
     this.#frame = frameOf(teapot.vertices, "z");
   }
 
-  #draw() {
+  /** The parts of all patches and their micropolygons. @param {number} zoom */
+  #dice(zoom) {
     if (!this.#frame) this.#build();
+    const { project, toEye } = this.#camera(this.wide, Math.round(ASPECT * this.wide), zoom);
+    const parts = this.#patches.flatMap((patch, patchIndex) =>
+      splitPatch(patch, project, this.size).map((part) => ({ part, patchIndex })),
+    );
+    const micropolygons = parts.flatMap(({ part, patchIndex }, partIndex) =>
+      dice(part, project, this.size).map((each) => ({ ...each, patchIndex, partIndex })),
+    );
+    return { parts, micropolygons, project, toEye };
+  }
+
+  #draw() {
     const canvas = /** @type {HTMLCanvasElement} */ (this.renderRoot.querySelector("canvas"));
     const [width, height] = [this.wide, Math.round(ASPECT * this.wide)];
     [canvas.width, canvas.height] = [width * devicePixelRatio, height * devicePixelRatio];
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     context.scale(devicePixelRatio, devicePixelRatio);
-    const { project, toEye } = this.#camera(width, height);
-    const parts = this.#patches.flatMap((patch, patchIndex) =>
-      splitPatch(patch, project, this.size).map((part) => ({ part, patchIndex })),
-    );
-    const micropolygons = parts
-      .flatMap(({ part, patchIndex }, partIndex) =>
-        dice(part, project, this.size).map((each) => ({ ...each, patchIndex, partIndex })),
-      )
-      .sort((a, b) => b.depth - a.depth);
+    const { parts, micropolygons, project, toEye } = this.#dice(this.zoom);
+    micropolygons.sort((a, b) => b.depth - a.depth);
     const colours = getComputedStyle(this);
     const [ink, paper] = ["--ink", "--paper"].map((name) => colours.getPropertyValue(name));
     if (this.step === "dice") drawGrid(context, micropolygons, paper, ink);
@@ -111,11 +121,11 @@ export class ReyesDicing extends Figure {
     this.counts = { parts: parts.length, micropolygons: micropolygons.length };
   }
 
-  /** A parallel projection in the direction of the elements' first view. @param {number} width @param {number} height */
-  #camera(width, height) {
+  /** A parallel projection in the direction of the elements' first view. @param {number} width @param {number} height @param {number} zoom */
+  #camera(width, height, zoom) {
     const frame = /** @type {import("#js/elements/surface/camera.js").Frame} */ (this.#frame);
     const { right, upward, forward } = sightOf(HOME, frame, width, height);
-    const scale = (this.zoom * FILLED * width) / frame.radius;
+    const scale = (zoom * FILLED * width) / frame.radius;
     const along = (/** @type {ArrayLike<number>} */ p, /** @type {number[]} */ axis) =>
       axis.reduce((sum, a, k) => sum + a * (p[k] - frame.centre[k]), 0);
     /** @type {import("./lib/dicing.js").Projection} */

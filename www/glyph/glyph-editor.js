@@ -1,6 +1,6 @@
 // <glyph-editor>: the outline of a letter with its points and joints, at all sizes; import and export as SVG.
 import { arrowDirection } from "#js/ui/keys.js";
-import { capture } from "#js/ui/capture.js";
+import { PressedPointers } from "#js/ui/pressed-pointers.js";
 import { css, html } from "lit";
 import { codeTabs } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
@@ -116,8 +116,8 @@ export class GlyphEditor extends Figure {
     this.hasOverlaps = false;
     /** @type {Place | null} */
     this.pointer = null;
-    /** What is down on the picture. @type {Map<number, PointerEvent>} */
-    this.fingers = new Map();
+    /** Those on the picture. */
+    this.pointers = new PressedPointers({ move: (before, after) => this.panTo(before, after) });
   }
 
   /** @param {Map<string, unknown>} changed */
@@ -237,7 +237,7 @@ export class GlyphEditor extends Figure {
     this.view = zoomed(this.seen, factor, around ?? unplace([this.pictureWidth / 2, height / 2]), this.pictureWidth);
   }
 
-  /** Where an event is, in units. @param {MouseEvent} event @returns {Place} */
+  /** Where an event is, in units. @param {{ clientX: number, clientY: number }} event @returns {Place} */
   locate(event) {
     const rect = /** @type {Element} */ (this.renderRoot.querySelector(".outline-view")).getBoundingClientRect();
     return this.scales().unplace([
@@ -246,29 +246,18 @@ export class GlyphEditor extends Figure {
     ]);
   }
 
-  /** One finger or the mouse moves the picture, two fingers zoom. @param {PointerEvent} start */
-  pan(start) {
-    if (start.button !== 0) return;
-    this.fingers.set(start.pointerId, start);
-    capture(start, {
-      move: (event) => this.panTo(event),
-      end: ({ pointerId }) => this.fingers.delete(pointerId),
-    });
+  /** One finger or the mouse moves the picture, two fingers zoom. @param {PointerEvent} event */
+  pan(event) {
+    if (event.button === 0) this.pointers.add(event);
   }
 
-  /** @param {PointerEvent} event */
-  panTo(event) {
-    const before = this.fingers.get(event.pointerId);
-    if (!before || before === event) return;
-    const other = [...this.fingers.values()].find(({ pointerId }) => pointerId !== event.pointerId);
-    this.fingers.set(event.pointerId, event);
-    if (!other) {
-      this.view = panned(this.seen, event.clientX - before.clientX, event.clientY - before.clientY, this.pictureWidth);
-      return;
-    }
-    const apart = (/** @type {PointerEvent} */ finger) =>
-      Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
-    if (apart(before) > 0 && apart(event) > 0) this.zoom(apart(event) / apart(before), this.locate(other));
+  /**
+   * @param {import("#js/ui/pressed-pointers.js").Span} before
+   * @param {import("#js/ui/pressed-pointers.js").Span} after
+   */
+  panTo(before, after) {
+    this.view = panned(this.seen, after.clientX - before.clientX, after.clientY - before.clientY, this.pictureWidth);
+    if (before.width > 0 && after.width > 0) this.zoom(after.width / before.width, this.locate(after));
   }
 
   /** A pinch, or Ctrl and the wheel; the wheel alone scrolls the page. @param {WheelEvent} event */

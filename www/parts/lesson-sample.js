@@ -1,4 +1,6 @@
-// <lesson-sample name="eval">: the code of www/samples/eval.js and .rs in two tabs, and a button that runs the former.
+// <lesson-sample name="eval">: the code of www/samples/eval.js and .rs in two tabs, and a button that runs the former. The JavaScript can be
+// edited; what has been edited runs in a worker (sample-worker.js), for at most so long:
+const MAX_SECONDS = 5;
 // The code itself is in the page already (www/build/samples.js writes it there); without JavaScript both stand below each other.
 import { button, uniqueId } from "./dom.js";
 
@@ -7,10 +9,35 @@ const MODULES = /** @type {any} */ (import.meta.glob("../samples/*.js"));
 
 const TITLES = { js: "JavaScript", rs: "Rust" };
 
+/**
+ * What edited code prints.
+ *
+ * @param {string} code
+ * @returns {Promise<string>}
+ */
+function runEdited(code) {
+  const worker = new Worker(new URL("./sample-worker.js", import.meta.url), { type: "module" });
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timeout;
+  const result = new Promise((resolve) => {
+    worker.onmessage = ({ data }) => resolve(data);
+    worker.onerror = ({ message }) => resolve(message || "The worker could not be started.");
+    timeout = setTimeout(() => resolve(`stopped after ${MAX_SECONDS} seconds`), 1000 * MAX_SECONDS);
+    worker.postMessage(code);
+  });
+  return result.finally(() => {
+    clearTimeout(timeout);
+    worker.terminate();
+  });
+}
+
 export class LessonSample extends HTMLElement {
   /** @type {HTMLButtonElement[]} */ #tabs = [];
   /** @type {HTMLElement[]} */ #panels = [];
   #output = document.createElement("output");
+  /** @type {HTMLElement | null} */ #code = null;
+  #original = "";
+  #undo = button("Undo edits", () => this.#undoEdits());
   #built = false;
 
   connectedCallback() {
@@ -27,18 +54,44 @@ export class LessonSample extends HTMLElement {
     list.setAttribute("aria-label", "Language");
     list.append(...this.#tabs);
     list.addEventListener("keydown", (event) => this.#onKey(event));
+    this.#makeEditable();
     const copy = button("Copy", () => this.#copy(copy));
     const bar = document.createElement("div");
     bar.className = "bar";
     bar.append(
       list,
       button("Run", () => void this.run(), "run"),
+      this.#undo,
       copy,
     );
     this.#output.hidden = true;
     this.#output.setAttribute("aria-label", "Output");
     this.prepend(bar);
     this.append(this.#output);
+  }
+
+  #makeEditable() {
+    this.#undo.hidden = true;
+    this.#code = this.querySelector("pre[data-language=js] code");
+    if (!this.#code) return;
+    this.#original = this.#code.innerHTML;
+    this.#code.contentEditable = "plaintext-only";
+    this.#code.spellcheck = false;
+    this.#code.setAttribute("role", "textbox");
+    this.#code.setAttribute("aria-multiline", "true");
+    this.#code.setAttribute("aria-label", "JavaScript, can be edited");
+    this.#code.addEventListener("input", () => (this.#undo.hidden = !this.#isEdited));
+  }
+
+  get #isEdited() {
+    return this.#code !== null && this.#code.innerHTML !== this.#original;
+  }
+
+  #undoEdits() {
+    if (this.#code) this.#code.innerHTML = this.#original;
+    this.#undo.hidden = true;
+    this.#output.hidden = true;
+    this.#code?.focus();
   }
 
   /** @param {HTMLElement} panel */
@@ -70,6 +123,11 @@ export class LessonSample extends HTMLElement {
   async run() {
     const lines = /** @type {string[]} */ ([]);
     this.#output.hidden = false;
+    if (this.#isEdited) {
+      this.#output.textContent = "running";
+      this.#output.textContent = await runEdited(this.#code?.textContent ?? "");
+      return;
+    }
     try {
       const load = MODULES[`../samples/${this.getAttribute("name")}.js`];
       if (!load) throw new Error(`there is no sample of the name ${this.getAttribute("name")}`);

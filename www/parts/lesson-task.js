@@ -4,11 +4,11 @@
 //   check(figure, element) → { done, words, restore }    pure; `element` is the one that `for` names, `figure` its property. The words
 //     are shown while the reader moves something. `restore(element)` undoes what the answer must not depend on; a button calls it
 //   reveal(element)                             shows the answer in that element
-//   predict = { options: [string, …], answer: index, because: string }    asked first
+//   predict = { options: [string, …], answer: index, because: string }    asked first; a click is the guess
 //   answer = { values: [number, …], hints: { "64": string, … }, because: string }    numbers to be typed; hints for wrong ones
 //
 // Tasks that are done are stored (progress-store.js) and are still done on the next visit.
-import { button, element, uniqueId } from "./dom.js";
+import { button, element } from "./dom.js";
 import { isSolved, markSolved } from "./progress-store.js";
 
 /** @typedef {{ done: boolean, words: string, restore?(element: any): void }} Verdict */
@@ -21,6 +21,8 @@ const TASKS = /** @type {any} */ (import.meta.glob("../tasks/*.js"));
 
 /** Events of a target: the reader moved something, or the page did. */
 const EVENTS = ["input", "change", "update"];
+/** A task is solved when the reader rests on an answer for so long: passing one does not solve it. */
+const REST_MS = 600;
 
 export class LessonTask extends HTMLElement {
   /** @type {Task} */ #task = {};
@@ -30,9 +32,12 @@ export class LessonTask extends HTMLElement {
   /** @type {number | null} */ #guess = null;
   /** Whether the answer to a question has been shown: to choose it then is no prediction. */ #knowsAnswer = false;
   #restore = button("Put it back", () => this.#putBack());
+  #check = button("Check", () => void this.check(), "primary");
+  #reveal = button("Reveal", () => void this.reveal());
+  #again = button("Try again", () => this.#tryAgain());
   /** Whether the reader has moved something: before, nothing is judged unasked. */ #touched = false;
-  /** Whether the reader is moving something: passing an answer does not solve the task, stopping at it does. */ #isMoving = false;
   #frame = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */ #rest;
   #built = false;
   #opened = false;
   /** @type {EventTarget | null} */ #target = null;
@@ -45,6 +50,7 @@ export class LessonTask extends HTMLElement {
   disconnectedCallback() {
     for (const type of EVENTS) this.#target?.removeEventListener(type, this);
     cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#rest);
     this.#frame = 0;
     this.#target = null;
   }
@@ -83,49 +89,59 @@ export class LessonTask extends HTMLElement {
 
   #start() {
     const { predict, answer } = this.#task;
-    if (isSolved(this.getAttribute("name") ?? "")) {
-      this.state = "done";
-      this.#open();
-      this.#say(["You have solved this task before.", (predict ?? answer)?.because].filter(Boolean).join(" "));
-    } else {
-      this.dataset.state = "open";
-      if (predict) this.#askFirst(predict);
-      else if (answer) this.#askNumbers(answer);
-      else this.#open();
-    }
+    if (!isSolved(this.getAttribute("name") ?? "")) return this.#ask();
+    this.state = "done";
+    this.#open();
+    this.#say(["You have solved this task before.", (predict ?? answer)?.because].filter(Boolean).join(" "));
+  }
+
+  #ask() {
+    const { predict, answer } = this.#task;
+    this.dataset.state = "open";
+    if (predict) this.#askFirst(predict);
+    else if (answer) this.#askNumbers(answer);
+    else this.#open();
+  }
+
+  #clear() {
+    this.disconnectedCallback();
+    this.#guess = null;
+    this.#touched = this.#opened = false;
+    this.#steps.replaceChildren();
+    this.#buttons.replaceChildren();
+    this.#say("");
+  }
+
+  /** Asks the question anew, also if it has been solved. */
+  #tryAgain() {
+    this.#clear();
+    this.#ask();
+    /** @type {HTMLElement | null} */ (this.querySelector("button, input"))?.focus({ preventScroll: true });
   }
 
   /** Starts again, with the question first. */
   reset() {
-    this.disconnectedCallback();
-    this.#guess = null;
-    this.#touched = this.#opened = this.#isMoving = false;
-    this.#steps.replaceChildren();
-    this.#say("");
+    this.#clear();
     this.#start();
     this.dispatchEvent(new Event("task-state", { bubbles: true }));
   }
 
   /** The prediction: one of several, before anything can be tried. @param {Prediction} predict */
   #askFirst({ options }) {
-    const name = uniqueId("guess");
-    const radios = options.map((text, i) => {
-      const radio = Object.assign(document.createElement("input"), { type: "radio", name, value: String(i) });
-      return element("label", {}, radio, element("span", {}, text));
-    });
-    const field = element("fieldset", {}, element("legend", {}, "Predict first"), ...radios);
-    const guess = button("That is my guess", () => {
-      const chosen = /** @type {HTMLInputElement | null} */ (field.querySelector("input:checked"));
-      if (!chosen) return this.#say("Choose one first.");
-      this.#guess = Number(chosen.value);
-      /** @type {any} */ (field).disabled = true;
-      if (this.#task.check) this.#say("Now try it.");
-      this.#open();
-      /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
-      if (!this.#task.check) this.#finishQuiz();
-    });
-    this.#steps.append(field);
-    this.#buttons.replaceChildren(guess);
+    const answers = element("div", { className: "answers", role: "group", ariaLabel: "Guess first" });
+    const buttons = options.map((text, i) =>
+      button(text, () => {
+        this.#guess = i;
+        for (const each of buttons) each.disabled = true;
+        buttons[i].setAttribute("aria-pressed", "true");
+        if (!this.#task.check) return this.#finishQuiz();
+        this.#say("Now try it.");
+        this.#open();
+        this.#check.focus({ preventScroll: true });
+      }),
+    );
+    answers.append(...buttons);
+    this.#steps.append(answers);
   }
 
   /** Numbers to be typed. @param {Answer} answer */
@@ -142,7 +158,7 @@ export class LessonTask extends HTMLElement {
       if (typed.some((value, i) => value !== values[i]))
         return this.#say(hints[typed.join(" ")] ?? "That is not the answer yet.");
       if (this.state === "open") this.state = "done";
-      this.#buttons.replaceChildren();
+      this.#buttons.replaceChildren(this.#again);
       this.#say(because);
     };
     form.addEventListener("submit", (event) => {
@@ -152,10 +168,11 @@ export class LessonTask extends HTMLElement {
     const reveal = button("Reveal", () => {
       this.state = "revealed";
       input.value = values.join(", ");
+      this.#buttons.replaceChildren(this.#again);
       this.#say(because);
     });
     this.#steps.append(form);
-    this.#buttons.replaceChildren(button("Check", check), reveal);
+    this.#buttons.replaceChildren(button("Check", check, "primary"), reveal);
   }
 
   /** Without anything to try, the guess is the answer. */
@@ -164,20 +181,38 @@ export class LessonTask extends HTMLElement {
     const judged = this.#judged();
     this.state = isRight ? "done" : "wrong";
     this.#knowsAnswer = true;
-    if (!isRight) this.#buttons.replaceChildren(button("Try again", () => this.reset()));
+    this.#markAnswer();
+    this.#buttons.replaceChildren(this.#again);
+    this.#again.focus({ preventScroll: true });
     this.#say(judged);
   }
 
   /** Lets the reader try. */
   #open() {
     this.#opened = true;
-    const buttons = [];
-    if (this.#task.check) buttons.push(button("Check", () => this.check()));
-    if (this.#task.reveal) buttons.push(button("Reveal", () => this.reveal()));
-    if (this.#task.check) buttons.push(this.#restore);
     this.#restore.hidden = true;
-    this.#buttons.replaceChildren(...buttons);
+    this.#showButtons();
     this.#listen();
+  }
+
+  /** Those of the state: what is solved can only be tried again. */
+  #showButtons() {
+    const { check, reveal } = this.#task;
+    const isOver = this.state !== "open";
+    this.#buttons.replaceChildren(
+      ...(check && this.state !== "done" ? [this.#check] : []),
+      ...(reveal && !isOver ? [this.#reveal] : []),
+      ...(isOver ? [this.#again] : []),
+      ...(check ? [this.#restore] : []),
+    );
+  }
+
+  /** Marks the right one among the options. */
+  #markAnswer() {
+    const { predict } = this.#task;
+    this.querySelectorAll(".answers button").forEach((each, i) =>
+      each.classList.toggle("right", i === predict?.answer),
+    );
   }
 
   #listen() {
@@ -188,13 +223,13 @@ export class LessonTask extends HTMLElement {
   /** Judges at most once a frame, after the reader moved something. @param {Event} event */
   handleEvent(event) {
     this.#touched ||= event.type !== "update";
-    if (event.type !== "update") this.#isMoving = event.type === "input";
+    clearTimeout(this.#rest);
     if (!this.#touched || this.state === "done") return;
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
       const verdict = this.#verdict();
-      if (verdict.done && !this.#isMoving && this.state === "open") this.#finish(verdict.words);
-      else this.#show(verdict);
+      this.#show(verdict);
+      if (verdict.done && this.state === "open") this.#rest = setTimeout(() => void this.check(), REST_MS);
     });
   }
 
@@ -214,7 +249,7 @@ export class LessonTask extends HTMLElement {
   /** @param {Verdict} verdict */
   #show({ words, restore }) {
     this.#restore.hidden = !restore;
-    this.#say(this.state === "done" ? `You have solved this task. Now: ${words}` : words);
+    this.#say(words);
   }
 
   /** Undoes what the answer must not depend on, as if the reader had done it. */
@@ -238,17 +273,23 @@ export class LessonTask extends HTMLElement {
   /** Shows the answer. What was done already stays done. */
   async reveal() {
     await this.#defined();
-    const done = this.state === "done";
-    if (!done) this.state = "revealed";
+    this.state = "revealed";
     this.#task.reveal?.(this.target);
     this.#restore.hidden = true;
-    if (!done) this.#say(["This is one answer.", this.#verdict().words, this.#judged()].filter(Boolean).join(" "));
+    this.#markAnswer();
+    this.#showButtons();
+    this.#again.focus({ preventScroll: true });
+    this.#say(["This is one answer.", this.#verdict().words, this.#judged()].filter(Boolean).join(" "));
   }
 
   /** @param {string} words */
   #finish(words) {
+    const hasFocus = this.#buttons.contains(document.activeElement);
     this.state = "done";
     this.#restore.hidden = true;
+    this.#markAnswer();
+    this.#showButtons();
+    if (hasFocus) this.#again.focus({ preventScroll: true });
     this.#say([words, this.#judged()].filter(Boolean).join(" "));
   }
 

@@ -2,22 +2,19 @@
 
 const KEY = "casteljau-progress";
 
-/** @typedef {Record<string, string>} Progress the day of the solution, such as "2026-11-23", by page and task: "curves/half-height" */
+/** @typedef {Record<string, string>} Progress the day of the solution, such as "2026-11-23", by chapter and task: "curves/half-height" */
 
 /** What is kept where the browser keeps nothing. @type {Progress} */
 let fallback = {};
 
-/** The page, by its folder. */
-const page = () =>
-  globalThis.location?.pathname
-    .replace(/\/(index\.html)?$/, "")
-    .split("/")
-    .at(-1) ?? "";
+/** The chapter: its folder. */
+const chapter = () =>
+  /** @type {HTMLElement | null} */ (document.querySelector("[data-chapter]"))?.dataset.chapter ?? "";
 
 /** @param {string} task */
-const idOf = (task) => `${page()}/${task}`;
+const idOf = (task) => `${chapter()}/${task}`;
 
-/** All solved tasks of all pages. @returns {Progress} */
+/** All solved tasks of all chapters. @returns {Progress} */
 export function readProgress() {
   try {
     return validated(JSON.parse(localStorage.getItem(KEY) ?? "{}"));
@@ -45,16 +42,16 @@ function write(progress) {
   }
 }
 
-/** @param {string} task of this page */
+/** @param {string} task of this chapter */
 export const isSolved = (task) => idOf(task) in readProgress();
 
-/** @param {string} task of this page */
+/** @param {string} task of this chapter */
 export function markSolved(task) {
   if (!isSolved(task)) write({ ...readProgress(), [idOf(task)]: new Date().toISOString().slice(0, 10) });
 }
 
-/** Forgets the tasks of this page. */
-export function forgetPage() {
+/** Forgets the tasks of this chapter. */
+export function forgetChapter() {
   write(Object.fromEntries(Object.entries(readProgress()).filter(([id]) => !id.startsWith(idOf("")))));
 }
 

@@ -35,7 +35,7 @@ function weightOf({ address, title, text, peers, terms }, phrase) {
   return normalized(`${title} ${text} ${peers}`).includes(phrase) ? 3 : 1;
 }
 
-const CHAPTER = /^(curves|surfaces)\/#/;
+const CHAPTER = /^(curves|surfaces)\/./;
 
 /**
  * A function that finds the best sections for a text as it is typed.

@@ -97,11 +97,12 @@ function keepInPlace(element) {
   kept = new AbortController();
   const { signal } = kept;
   const page = document.documentElement;
+  const box = element.offsetParent || element.localName !== "figure" ? element : element.firstElementChild; // scenes.css
   let height = 0;
   let top = 0;
   const observer = new ResizeObserver(() => {
     if (moved) return kept?.abort();
-    element.scrollIntoView();
+    box?.scrollIntoView();
     [height, top] = [page.scrollHeight, scrollY];
   });
   observer.observe(document.body);

@@ -30,13 +30,4 @@ export function sample(print) {
   const { min, max } = flat.bounds();
   const [low, high] = [min.y.toFixed(1), max.y.toFixed(1)];
   print(`y from ${low} to ${high}, points from 40 to 400`);
-
-  // An S has an inflection. A quadratic has none.
-  const s = new Curve([
-    [60, 400],
-    [600, 400],
-    [60, 60],
-    [600, 60],
-  ]);
-  print(`${s.classify()}, inflection at t = ${s.inflections().join(", ")}`);
 }

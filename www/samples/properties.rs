@@ -27,11 +27,4 @@ pub(crate) fn sample(out: &mut String) {
     // The curve lies inside the hull and does not reach P1 and P2.
     let (low, high) = (flat.bounds().min.y, flat.bounds().max.y);
     writeln!(out, "y from {low:.1} to {high:.1}, points from 40 to 400");
-
-    // An S has an inflection. A quadratic has none.
-    let points = [(60.0, 400.0), (600.0, 400.0), (60.0, 60.0), (600.0, 60.0)];
-    let s = Curve::new(&points.map(DVec2::from)).unwrap();
-    let class = format!("{:?}", s.classify()).to_lowercase();
-    let ts: Vec<String> = s.inflections().iter().map(f64::to_string).collect();
-    writeln!(out, "{class}, inflection at t = {}", ts.join(", "));
 }

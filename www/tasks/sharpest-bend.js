@@ -3,10 +3,10 @@ import { movedPoints } from "./utils/moved.js";
 
 /** The control points of the site's figure. @type {[number, number][]} */
 export const POINTS = [
-  [12, 61],
-  [29, 58],
-  [53, 48],
-  [43, 38],
+  [14, 62],
+  [43, 57],
+  [84, 40],
+  [67, 23],
 ];
 
 /** The radius may be greater than the smallest one by this factor. */

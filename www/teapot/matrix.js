@@ -1,6 +1,6 @@
 // The way from the surface to the pixels, as one matrix: 16 numbers, column after column.
+import { aboutX, aboutZ, multiply, translation } from "#js/elements/surface/matrix.js";
 
-const RADIANS_PER_DEGREE = Math.PI / 180;
 /** The eye's distance, in radii of the sphere around the surface: a little perspective. */
 const EYE_RADII = 5;
 /** The sphere is wider than the teapot; so much larger than the sphere the picture may be. */
@@ -35,8 +35,8 @@ export function sphereAround(vertices) {
  * @returns {number[]}
  */
 export function pixelsFromSurface({ centre, radius }, { turn, tilt }, width, height) {
-  const toOrigin = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...centre.map((c) => -c), 1];
-  const looked = multiply(aboutX(tilt - 90), multiply(aboutZ(turn), toOrigin));
+  const [x, y, z] = centre;
+  const looked = multiply(aboutX(tilt - 90), multiply(aboutZ(turn), translation(-x, -y, -z)));
   return multiply(projection(radius, width, height), looked);
 }
 
@@ -52,24 +52,4 @@ function projection(radius, width, height) {
   const scale = ((ENLARGEMENT * Math.min(width, height)) / 2 / radius) * eye;
   const [cx, cy] = [width / 2, height / 2];
   return [scale, 0, 0, 0, 0, -scale, 0, 0, -cx, -cy, 1, -1, cx * eye, cy * eye, 0, eye];
-}
-
-/** @param {number} degrees */
-function aboutX(degrees) {
-  const [c, s] = [Math.cos(degrees * RADIANS_PER_DEGREE), Math.sin(degrees * RADIANS_PER_DEGREE)];
-  return [1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1];
-}
-
-/** @param {number} degrees */
-function aboutZ(degrees) {
-  const [c, s] = [Math.cos(degrees * RADIANS_PER_DEGREE), Math.sin(degrees * RADIANS_PER_DEGREE)];
-  return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-}
-
-/** First b, then a. @param {number[]} a @param {number[]} b */
-function multiply(a, b) {
-  return Array.from({ length: 16 }, (_, i) => {
-    const [row, column] = [i % 4, 4 * Math.floor(i / 4)];
-    return a[row] * b[column] + a[row + 4] * b[column + 1] + a[row + 8] * b[column + 2] + a[row + 12] * b[column + 3];
-  });
 }

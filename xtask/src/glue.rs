@@ -91,9 +91,6 @@ pub(crate) const PARTS: [Part; 8] = [
         name: "applet",
         own: &[&[
             "cubic_eval",
-            "curve_cubics",
-            "curve_eval",
-            "curve_eval_at",
             "curve_hull",
             "curve_de_casteljau",
             "curve_split",

@@ -4,7 +4,7 @@ import { controlGroups } from "../attribute-text.js";
 import { Announcer, setText } from "../../ui/announcer.js";
 import { Drags } from "../../ui/drag.js";
 import { listenToFiles, save } from "../../ui/files.js";
-import { addKeyTarget, keyTarget } from "../../ui/key-targets.js";
+import { listenToPageKeys } from "../../ui/key-targets.js";
 import { arrowStep, historyStep, isForText, isPlain, keyOf } from "../../ui/keys.js";
 import { Player } from "../../ui/playback.js";
 import { onDoubleTap } from "../../ui/taps.js";
@@ -27,7 +27,7 @@ import { Picture } from "./picture.js";
 import type { ActionName } from "../../editor/actions.js";
 import type { Language } from "../../editor/code.js";
 import type { Point2, State } from "../../editor/state.js";
-import type { LayerMessage } from "../../layers/index.js";
+import type { LayerMessage } from "../../layers/draw-figure.js";
 import type { ControlGroups } from "../attribute-text.js";
 import type { AppletHost, Rational } from "./model.js";
 
@@ -98,16 +98,19 @@ export class AppletController {
   /** The element is in the page, and its shadow tree is up to date. */
   start() {
     const { host } = this;
+    const isNew = !this.picture; // then it has just read the colours
     this.picture ??= this.#createPicture();
-    if (!this.isRunning) {
+    const wasRunning = this.isRunning;
+    if (!wasRunning) {
       this.#stopListening = this.#listenToPage();
-      this.picture.start(() => this.#draw());
-      this.#drawn.theme = ""; // colours may have changed meanwhile
+      this.picture.start(() => this.#draw()); // draws in the next frame, when the size is known
+      this.#drawn.theme = isNew ? host.theme : ""; // colours may have changed meanwhile
     }
     if (!this.announced.includes(this.message)) this.announcer?.say();
     const { state, readonly, theme } = this.#drawn;
     if (theme !== host.theme) this.picture.readTheme();
-    if (state !== this.editor.state || readonly !== host.readonly || theme !== host.theme) void this.schedule();
+    const isDrawn = state === this.editor.state && readonly === host.readonly && theme === host.theme;
+    if (wasRunning && !isDrawn) void this.schedule();
     this.#drawn.theme = host.theme;
   }
 
@@ -330,22 +333,12 @@ export class AppletController {
    */
   #listenToPage(): () => void {
     const { host } = this;
-    const page = host.ownerDocument;
-    const removeTarget = addKeyTarget(host);
-    const listener = (event: KeyboardEvent) => {
+    return listenToPageKeys(host, (event, target) => {
       const action = actionOfKey(keyOf(event));
       const counts = host.hotkeys !== "off" && isPlain(event) && !isForText(event);
-      if (!action || !PAGE_WIDE.includes(action) || !counts) return;
-      const target = keyTarget(event, page);
-      if (target.focused || target.host !== host) return;
-      event.preventDefault();
-      this.#runByKey(action);
-    };
-    page.addEventListener("keydown", listener);
-    return () => {
-      removeTarget();
-      page.removeEventListener("keydown", listener);
-    };
+      if (!counts || !action || !PAGE_WIDE.includes(action) || target() !== "page") return false;
+      return this.#runByKey(action);
+    });
   }
 
   #runByKey(name: ActionName): true {

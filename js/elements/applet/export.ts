@@ -1,6 +1,6 @@
 // The figure as a picture.
-import { drawFigure } from "../../layers/index.js";
-import type { Layer } from "../../layers/index.js";
+import { drawFigure } from "../../layers/draw-figure.js";
+import type { Layer } from "../../layers/draw-figure.js";
 import type { Theme } from "../../layers/theme.js";
 import type { DrawnState } from "../../editor/state.js";
 import type { Figure } from "../../editor/figure.js";

@@ -3,6 +3,7 @@ import { followTranslations } from "../follow-translations.js";
 import { AppletAttributes } from "./attributes.js";
 import { Editor } from "../../editor/editor.js";
 import { figureOf } from "../../editor/figure.js";
+import { Memo } from "../../editor/memo.js";
 import { BASIS_NAMES, firstState } from "../../editor/state.js";
 import { translated } from "../../editor/translations.js";
 import type { LitElement } from "lit";
@@ -35,7 +36,7 @@ export class AppletModel {
   #host: LitElement & { label: string };
   #editor = new Editor<State>(firstState(), ["view", "segment"], ["view"]);
   attributes: AppletAttributes;
-  #figure: { state: State; figure: Figure } | null = null;
+  #memo = new Memo();
   #rational: Rational | null = null;
 
   constructor(host: LitElement & { label: string }) {
@@ -71,18 +72,14 @@ export class AppletModel {
 
   set rational(rational) {
     this.#rational = rational;
-    this.#figure = null;
     this.#renew();
   }
 
   /** The curves of the state; computed once for each state with other curves. */
   get figure(): Figure {
     const { state } = this;
-    const known = this.#figure;
-    if (known && FIGURE_INPUTS.every((name) => known.state[name] === state[name])) return known.figure;
-    const figure = figureOf(state, this.#rational?.RationalCurve);
-    this.#figure = { state, figure };
-    return figure;
+    const inputs = FIGURE_INPUTS.map((name) => state[name]);
+    return this.#memo.get("figure", [...inputs, this.#rational], () => figureOf(state, this.#rational?.RationalCurve));
   }
 
   /** The name of the picture for screen readers. */

@@ -5,10 +5,11 @@ import { followTheme, readTheme } from "../../ui/theme.js";
 import { clamped } from "../../editor/plane.js";
 import { nameOf } from "../../editor/figure.js";
 import { scaleOf, toPlane } from "../../editor/state.js";
-import { drawFigure, ROLES } from "../../layers/index.js";
+import { drawFigure } from "../../layers/draw-figure.js";
+import { ROLES } from "../../layers/index.js";
 import type { AppletModel } from "./model.js";
 import type { Point2 } from "../../editor/state.js";
-import type { Layer, LayerMessage } from "../../layers/index.js";
+import type { Layer, LayerMessage } from "../../layers/draw-figure.js";
 import type { WeightHandles } from "./weight-handles.js";
 
 export class Picture {

@@ -1,21 +1,15 @@
 // The style sheet inside the shadow root: the small applet's, and what this one has more.
 import { css, unsafeCSS } from "lit";
 import { CSS } from "../../applet/style.js";
-import { DARK, LIGHT } from "../../ui/tokens.js";
+import { themeColours } from "../../ui/tokens.js";
 import { LEVELS } from "../../layers/theme.js";
-
-const [light, dark] = [unsafeCSS(LIGHT + LEVELS.light), unsafeCSS(DARK + LEVELS.dark)];
 
 export const style = css`
 ${unsafeCSS(CSS)}
-:host { ${unsafeCSS(LEVELS.light)} container-type: inline-size; inline-size: 670px; }
-@media screen and (prefers-color-scheme: dark) { :host { ${unsafeCSS(LEVELS.dark)} } }
-@media screen and (forced-colors: none) {
-  :host([theme="light"]) { color-scheme: light; ${light} }
-  :host([theme="dark"]) { color-scheme: dark; ${dark} }
-}
+${unsafeCSS(themeColours(LEVELS.light, LEVELS.dark))}
+:host { container-type: inline-size; inline-size: 670px; }
 @media (forced-colors: active) { :host { --bz-level3: CanvasText; --bz-level4: Highlight; } }
-:host([hidden]), [hidden] { display: none; }
+[hidden] { display: none; }
 .stage { aspect-ratio: 670 / 480; touch-action: pan-y; overflow: clip; }
 .frame:not(:has(.controls)) .stage { border-radius: 16px; }
 canvas { display: block; inline-size: 100%; block-size: 100%; }

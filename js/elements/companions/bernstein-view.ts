@@ -8,7 +8,7 @@ import { isVector, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MAX_DEGREE, weightsAt } from "./weights.js";
 import { translated, translatedTable } from "../../editor/translations.js";
 import type { Linked } from "./linked.js";
-import type { Frame, Line } from "./plot.js";
+import type { PlotRange, Line } from "./plot.js";
 import type { Subject } from "./subject.js";
 import type { Basis } from "./weights.js";
 
@@ -64,7 +64,7 @@ export class BernsteinView {
   #focusedPoint: number | null = null;
   #dragging = false;
   /** The lines of the last picture, and what they depend on. */
-  #plot: { key: string; frame: Frame; lines: Line[] } = { key: "", frame: { x: [0, 1], y: [0, 1] }, lines: [] };
+  #plot: { key: string; range: PlotRange; lines: Line[] } = { key: "", range: { x: [0, 1], y: [0, 1] }, lines: [] };
 
   #host;
 
@@ -92,7 +92,7 @@ export class BernsteinView {
     const { basis, degree, matrix, weights, t, names } = subject;
     const key = JSON.stringify([basis, degree, matrix, weights, intervalOf(t)]);
     if (key !== this.#plot.key) this.#plot = { key, ...plotOf(subject) };
-    const { frame, lines } = this.#plot;
+    const { range, lines } = this.#plot;
     const values = weightsAt(subject, t);
     const marked = [this.#selected, this.#focusedPoint].find((i) => i !== null && i < values.length) ?? null;
     const hasDegree = basis === "bezier" || basis === "b-spline";
@@ -100,15 +100,15 @@ export class BernsteinView {
       ? translated("{0} of degree {1}", TITLES[weights ? "rational" : basis], degree)
       : TITLES[basis];
     return html`<div class="frame" part="frame" role="group" aria-label=${this.#host.label || title}>
-      ${this.#picture({ frame, lines, values, marked, t, names, title })}
-      ${slider(t, frame.x, (to, done) => this.#host.setT(to, done))}
+      ${this.#picture({ range, lines, values, marked, t, names, title })}
+      ${slider(t, range.x, (to, done) => this.#host.setT(to, done))}
       <ul part="values" aria-label=${translated("Values at t")}>${values.map((value, i) => this.#entry(names[i], value, i, marked))}</ul>
       <p class="sum quiet" part="sum">${sumWords(weights ? "rational" : basis, values)}</p>
     </div>`;
   }
 
   #picture({
-    frame,
+    range,
     lines,
     values,
     marked,
@@ -116,7 +116,7 @@ export class BernsteinView {
     names,
     title,
   }: {
-    frame: Frame;
+    range: PlotRange;
     lines: Line[];
     values: number[];
     marked: number | null;
@@ -124,16 +124,16 @@ export class BernsteinView {
     names: string[];
     title: string;
   }) {
-    const x = xOf(frame, t);
+    const x = xOf(range, t);
     const [top, bottom] = [PLOT.top, PLOT.height - PLOT.bottom];
     const inside = { width: PLOT.width, height: bottom + 4 };
     return html`<svg part="plot" role="img" aria-label=${`${title}. ${spoken(values, names, t)}`} viewBox="0 0 ${PLOT.width} ${PLOT.height}" class=${marked === null ? "" : "marked"}
       @pointerdown=${this.#grabbed}>
-      ${axes(frame)}
+      ${axes(range)}
       <svg width=${inside.width} height=${inside.height}>
         ${lines.map((line, i) => svg`<polyline class="line ${lookOf(i).colour} ${i === marked ? "selected" : ""}" stroke-dasharray=${lookOf(i).dash || nothing} points=${line.points} />`)}
         <line class="marker" x1=${x} x2=${x} y1=${top - 8} y2=${bottom} />
-        ${values.map((value, i) => svg`<circle class="dot ${lookOf(i).colour}" r=${i === marked ? 5 : 3.5} cx=${x} cy=${yOf(frame, value)} />`)}
+        ${values.map((value, i) => svg`<circle class="dot ${lookOf(i).colour}" r=${i === marked ? 5 : 3.5} cx=${x} cy=${yOf(range, value)} />`)}
       </svg>
       <path class="grip" d="M${x - 7},${top - 20}h14v7l-7,7l-7,-7z" />
       ${lines.map(({ peak, labelled }, i) => (labelled || i === marked ? label(peak, names[i]) : nothing))}
@@ -179,28 +179,28 @@ export class BernsteinView {
 
   #place(picture: SVGSVGElement, event: PointerEvent) {
     const { left, width } = picture.getBoundingClientRect();
-    return tAt(this.#plot.frame, ((event.clientX - left) / width) * PLOT.width);
+    return tAt(this.#plot.range, ((event.clientX - left) / width) * PLOT.width);
   }
 }
 
-function axes(frame: Frame) {
+function axes(range: PlotRange) {
   const {
     x: [from, to],
     y: [low, high],
-  } = frame;
+  } = range;
   const ts = [from, 0, 0.5, 1, to].filter((t, k, all) => all.indexOf(t) === k);
   const levels = [0, 0.5, 1].filter((y) => y >= low && y <= high);
   return svg`${levels.map(
     (
       y,
-    ) => svg`<line class=${y ? "grid" : "axis"} x1=${PLOT.left} x2=${PLOT.width - PLOT.right} y1=${yOf(frame, y)} y2=${yOf(frame, y)} />
-      <text class="tick" x=${PLOT.left - 6} y=${yOf(frame, y) + 4} text-anchor="end">${y}</text>`,
+    ) => svg`<line class=${y ? "grid" : "axis"} x1=${PLOT.left} x2=${PLOT.width - PLOT.right} y1=${yOf(range, y)} y2=${yOf(range, y)} />
+      <text class="tick" x=${PLOT.left - 6} y=${yOf(range, y) + 4} text-anchor="end">${y}</text>`,
   )}
     ${ts.map(
       (
         t,
-      ) => svg`<line class=${t ? "grid" : "axis"} x1=${xOf(frame, t)} x2=${xOf(frame, t)} y1=${PLOT.top} y2=${PLOT.height - PLOT.bottom} />
-      <text class="tick" x=${xOf(frame, t)} y=${PLOT.height - 9} text-anchor=${t > 1 ? "end" : "middle"}>${shown(t, 2)}</text>`,
+      ) => svg`<line class=${t ? "grid" : "axis"} x1=${xOf(range, t)} x2=${xOf(range, t)} y1=${PLOT.top} y2=${PLOT.height - PLOT.bottom} />
+      <text class="tick" x=${xOf(range, t)} y=${PLOT.height - 9} text-anchor=${t > 1 ? "end" : "middle"}>${shown(t, 2)}</text>`,
     )}`;
 }
 

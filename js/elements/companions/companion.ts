@@ -135,7 +135,7 @@ export class Companion extends LitElement {
   renderNow() {
     const near = this.#near;
     const View = (this.constructor as typeof Companion).view.loaded;
-    if (View) this.view ??= this.#dressed(View);
+    if (View) this.view ??= this.#createView(View);
     this.#near = true;
     this.requestUpdate();
     this.performUpdate();
@@ -152,7 +152,7 @@ export class Companion extends LitElement {
   async wake() {
     try {
       const View = await (this.constructor as typeof Companion).view.load();
-      this.view ??= this.#dressed(View);
+      this.view ??= this.#createView(View);
       this.say(this.#said === missing() ? "" : this.#said);
     } catch {
       this.say(missing());
@@ -160,7 +160,7 @@ export class Companion extends LitElement {
     this.requestUpdate();
   }
 
-  #dressed(View: ViewClass) {
+  #createView(View: ViewClass) {
     const { styles } = this.constructor as typeof Companion;
     adoptStyles(this.renderRoot as ShadowRoot, [styles, ...View.styles]);
     return new View(this);

@@ -3,7 +3,7 @@ import { Fields } from "../../ui/number-fields.js";
 import { readPoints } from "../../ui/numbers.js";
 import { style } from "./style.js";
 import { translated } from "../../editor/translations.js";
-import type { Pointed } from "./pointed.js";
+import type { LinkedWithPoints } from "./with-points.js";
 import type { Point2 } from "./points.js";
 
 const COLUMNS = ["x", "y", "w"] as const;
@@ -40,7 +40,7 @@ export class CoordinatesView {
     paste: (key, text) => this.#paste(key, text),
   });
 
-  constructor(host: Pointed) {
+  constructor(host: LinkedWithPoints) {
     this.#host = host;
   }
 

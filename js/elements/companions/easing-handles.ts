@@ -1,9 +1,10 @@
 import { html } from "lit";
 import { arrowStep } from "../../ui/keys.js";
-import { capture } from "../../ui/capture.js";
+import { dragHandle } from "../../ui/capture.js";
 import { shown } from "../../ui/numbers.js";
 import { across, down, placeAt, rounded, SQUARE } from "./timing.js";
 import { translated } from "../../editor/translations.js";
+import type { Point2 } from "../../ui/capture.js";
 import type { Handles, Heights } from "./timing.js";
 
 /** What an arrow key moves a handle by; ten times that with Shift, a tenth with Alt. */
@@ -42,14 +43,14 @@ export class HandleDrag {
     const { left, top, width, height } = box.getBoundingClientRect();
     box.querySelector("input")?.focus({ preventScroll: true });
     event.preventDefault(); // the focus stays
-    const grip: [number, number] = [event.clientX - left - width / 2, event.clientY - top - height / 2];
     const before = this.#port.handles();
-    const stop = capture(event, {
-      move: (now) => this.to(which, ...this.#place(box, now, grip), false),
-      end: (last, released) => {
+    const stop = dragHandle(event, {
+      from: [left + width / 2, top + height / 2],
+      placeOf: ({ clientX, clientY }) => [clientX, clientY],
+      move: (to) => this.to(which, ...this.#valueAt(box, to), false),
+      end: (_, released) => {
         this.#drags.delete(drag);
-        if (released) this.to(which, ...this.#place(box, last, grip), true);
-        else this.#port.move(before, true);
+        this.#port.move(released ? this.#port.handles() : before, true);
       },
     });
     const drag = { before, stop };
@@ -76,14 +77,10 @@ export class HandleDrag {
     this.#drags.clear();
   }
 
-  #place(box: HTMLElement, event: PointerEvent, [gripX, gripY]: [number, number]) {
-    const stage = box.parentElement as HTMLElement;
-    const { left, top, width, height } = stage.getBoundingClientRect();
-    return placeAt(
-      this.#port.heights(),
-      (event.clientX - gripX - left) / width,
-      (event.clientY - gripY - top) / height,
-    );
+  /** @param place in the window */
+  #valueAt(box: HTMLElement, [x, y]: Point2) {
+    const { left, top, width, height } = (box.parentElement as HTMLElement).getBoundingClientRect();
+    return placeAt(this.#port.heights(), (x - left) / width, (y - top) / height);
   }
 }
 

@@ -16,13 +16,13 @@ import {
   symbol,
 } from "./formulas.js";
 import { shown } from "../../ui/numbers.js";
-import { ownMatrix, ownSubject } from "./own.js";
+import { ownMatrix, standaloneCurve } from "./own.js";
 import { slider } from "./slider.js";
 import { style } from "./style.js";
 import { bezierForm, inPoints, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weights.js";
 import { translated, translatedTable } from "../../editor/translations.js";
-import type { Pointed } from "./pointed.js";
+import type { LinkedWithPoints } from "./with-points.js";
 import type { Check } from "./points.js";
 import type { Subject } from "./subject.js";
 
@@ -40,7 +40,7 @@ const MAX_MATRIX = 10;
 const MAX_LEVELS = 6;
 
 /** The element: its properties as they are given, good or not. */
-type Host = Pointed & {
+type Host = LinkedWithPoints & {
   t: number;
   degree: number | null;
   basis: string;
@@ -86,7 +86,7 @@ export class EquationView {
 
   #subject() {
     const check = ((...args) => this.#host.checked(...args)) as Check;
-    return this.#host.target ? subjectOf(this.#host.target.figure) : ownSubject(this.#host, check);
+    return this.#host.target ? subjectOf(this.#host.target.figure) : standaloneCurve(this.#host, check);
   }
 
   content() {

@@ -1,8 +1,8 @@
 import { LazyView } from "./loading.js";
-import { Pointed } from "./pointed.js";
+import { LinkedWithPoints } from "./with-points.js";
 
 /** `<bezier-equation>`; what can be set from outside is documented in types.js. */
-export class BezierEquation extends Pointed {
+export class BezierEquation extends LinkedWithPoints {
   declare t: number;
   declare degree: number | null;
   declare basis: string;

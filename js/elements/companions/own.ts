@@ -10,7 +10,7 @@ import type { Basis } from "./weights.js";
 
 const FIRST_T = 0.5;
 
-export function ownSubject(
+export function standaloneCurve(
   {
     given: points,
     t: given,

@@ -14,12 +14,12 @@ const DASHES = ["", "8 4", "2 4", "11 4 2 4"];
 const MARGIN = 0.5;
 
 /** The intervals of t and of the weights that are shown */
-export type Frame = { x: [number, number]; y: [number, number] };
+export type PlotRange = { x: [number, number]; y: [number, number] };
 export type Line = { points: string; peak: { x: number; y: number; above: boolean }; labelled: boolean };
 
 /** The lines of a basis over [0, 1], and farther where t is. */
 export function plotOf(subject: Pick<Subject, "basis" | "degree" | "matrix" | "t" | "weights">): {
-  frame: Frame;
+  range: PlotRange;
   lines: Line[];
 } {
   const [from, to] = intervalOf(subject.t);
@@ -27,19 +27,19 @@ export function plotOf(subject: Pick<Subject, "basis" | "degree" | "matrix" | "t
   const rows = ts.map((t) => weightsAt(subject, t));
   const inside = rows.filter((_, k) => ts[k] >= 0 && ts[k] <= 1).flat();
   const beyond = to - from > 1 ? MARGIN : 0;
-  const frame = {
+  const range = {
     x: [from, to],
     y: [Math.min(0, ...inside) - beyond, Math.max(1, ...inside) + beyond],
-  } as Frame;
+  } as PlotRange;
   const lines = rows[0].map((_, i) =>
     lineOf(
-      frame,
+      range,
       ts,
       rows.map((row) => row[i]),
     ),
   );
   chooseLabels(lines);
-  return { frame, lines };
+  return { range, lines };
 }
 
 /** [0, 1] and t, to the next quarter. */
@@ -47,15 +47,15 @@ export function intervalOf(t: number) {
   return [Math.min(0, Math.floor(4 * t) / 4), Math.max(1, Math.ceil(4 * t) / 4)];
 }
 
-function lineOf(frame: Frame, ts: number[], values: number[]): Line {
-  const points = ts.map((t, k) => `${xOf(frame, t).toFixed(1)},${yOf(frame, values[k]).toFixed(1)}`).join(" ");
+function lineOf(range: PlotRange, ts: number[], values: number[]): Line {
+  const points = ts.map((t, k) => `${xOf(range, t).toFixed(1)},${yOf(range, values[k]).toFixed(1)}`).join(" ");
   let max = -1;
   values.forEach((value, k) => {
     if (ts[k] >= 0 && ts[k] <= 1 && (max < 0 || Math.abs(value) > Math.abs(values[max]) + 1e-9)) max = k;
   });
   return {
     points,
-    peak: { x: xOf(frame, ts[max]), y: yOf(frame, values[max]), above: values[max] >= 0 },
+    peak: { x: xOf(range, ts[max]), y: yOf(range, values[max]), above: values[max] >= 0 },
     labelled: false,
   };
 }
@@ -72,18 +72,18 @@ function chooseLabels(lines: Line[]) {
   }
 }
 
-export function xOf({ x: [from, to] }: Frame, t: number) {
+export function xOf({ x: [from, to] }: PlotRange, t: number) {
   return PLOT.left + ((t - from) / (to - from)) * (PLOT.width - PLOT.left - PLOT.right);
 }
 
 /** Far outside of the picture it does not matter where: no number is too large to be written. */
-export function yOf({ y: [low, high] }: Frame, value: number) {
+export function yOf({ y: [low, high] }: PlotRange, value: number) {
   const part = Math.min(Math.max((value - low) / (high - low), -9), 9);
   return PLOT.height - PLOT.bottom - part * (PLOT.height - PLOT.top - PLOT.bottom);
 }
 
 /** The t of a place in the picture, within what is shown. */
-export function tAt({ x: [from, to] }: Frame, x: number) {
+export function tAt({ x: [from, to] }: PlotRange, x: number) {
   const t = from + ((x - PLOT.left) / (PLOT.width - PLOT.left - PLOT.right)) * (to - from);
   return Math.min(Math.max(Math.round(1000 * t) / 1000, from), to);
 }

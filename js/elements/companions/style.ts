@@ -1,16 +1,12 @@
 // What the style sheets of all companions have in common. Custom properties that begin with --bz- may be set from outside.
 import { css, unsafeCSS } from "lit";
-import { CONTROLS, DARK, LIGHT, SHEET, TOKENS } from "../../ui/tokens.js";
+import { CONTROLS, SHEET, themeColours, TOKENS } from "../../ui/tokens.js";
 
 export const style = css`
 ${unsafeCSS(TOKENS)}
-@media screen and (forced-colors: none) {
-  :host([theme="light"]) { ${unsafeCSS(LIGHT)} color-scheme: light; }
-  :host([theme="dark"]) { ${unsafeCSS(LIGHT)} ${unsafeCSS(DARK)} color-scheme: dark; }
-}
+${unsafeCSS(themeColours())}
 ${unsafeCSS(CONTROLS)}
 :host { container-type: inline-size; }
-:host([hidden]) { display: none; }
 ${unsafeCSS(SHEET)}
 .message { margin: 0; padding: 0.4rem 0.2rem 0; color: var(--bz-broken, var(--bz-broken-ink)); font-size: 0.875rem; overflow-wrap: anywhere; }
 .message:empty { display: none; }

@@ -9,7 +9,8 @@ export class Batch {
   #gl;
   #info: BufferInfo | undefined;
   #array: WebGLVertexArrayObject | null = null;
-  #version = -1;
+  /** What the buffers hold; null: nothing. */
+  #version: unknown = null;
   #length: number = 0;
 
   constructor(gl: WebGL2RenderingContext) {
@@ -19,9 +20,10 @@ export class Batch {
   /**
    * Fills the buffers, unless they hold this version.
    *
+   * @param version a number or an array that is another one for other contents
    * @param program whose attributes have fixed places, so that any program can draw it
    */
-  fill(version: number, make: () => { arrays: Arrays; indices?: Uint16Array | Uint32Array }, program: ProgramInfo) {
+  fill(version: unknown, make: () => { arrays: Arrays; indices?: Uint16Array | Uint32Array }, program: ProgramInfo) {
     if (version === this.#version) return;
     const { arrays, indices } = make();
     this.#version = version;
@@ -81,6 +83,6 @@ export class Batch {
     gl.deleteVertexArray(this.#array);
     this.#info = undefined;
     this.#array = null;
-    this.#version = -1;
+    this.#version = null;
   }
 }

@@ -1,28 +1,18 @@
 // WebGL contexts are few: an element far from what is visible gives its context back, and restores it later.
-
-/** One for each canvas, since a canvas has one context as long as it lives. */
-const slots: WeakMap<HTMLCanvasElement, ContextSlot> = new WeakMap();
+import { cached } from "../../editor/memo.js";
 
 export class ContextSlot {
   #extension;
   #state: "held" | "ending" | "ended" = "held";
   #wanted = true;
 
+  /** @param canvas with its context, or with none */
   constructor(canvas: HTMLCanvasElement) {
     this.#extension = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null; // a lost context has no extensions
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault(); // it may come back
       this.#notified();
     });
-  }
-
-  /**
-   * @param canvas with its context, or with none
-   */
-  static of(canvas: HTMLCanvasElement): ContextSlot {
-    const known = slots.get(canvas) ?? new ContextSlot(canvas);
-    slots.set(canvas, known);
-    return known;
   }
 
   /** Gives the context back; the loss is an event of the canvas. */
@@ -52,3 +42,6 @@ export class ContextSlot {
     setTimeout(() => this.#wanted && this.renew()); // a context cannot be restored while its loss is notified
   }
 }
+
+/** One for each canvas, since a canvas has one context as long as it lives. */
+export const contextSlotOf = cached((canvas: HTMLCanvasElement) => new ContextSlot(canvas));

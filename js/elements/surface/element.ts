@@ -1,9 +1,10 @@
-import { History } from "../../editor/history.js";
+import { LitElement } from "lit";
 import { Surface } from "../../surfaces.js";
 import { historyStep, isForText } from "../../ui/keys.js";
 import { adoptProperties } from "../adopt.js";
-import { controlGroups } from "../attribute-text.js";
-import { SurfaceAttributes } from "./attributes.js";
+import { acceptAttributeText, controlGroups } from "../attribute-text.js";
+import { followTranslations } from "../follow-translations.js";
+import { PROPERTIES } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { FileController } from "./file-controller.js";
 import { acceptDrops } from "../../ui/files.js";
@@ -11,15 +12,18 @@ import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { missing } from "../loading.js";
 import { loadDrawing, loadRational } from "./loading.js";
-import { isRational } from "./settings.js";
-import { whenIdle } from "./start-queue.js";
+import { ATTRIBUTE_NAMES, isRational } from "./settings.js";
+import { whenIdle } from "../start-queue.js";
+import { withoutMoves, withPointAt, withSurface } from "./state.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { AutoRotation } from "./auto-rotation.js";
 import { MODEL_NAMES, STATES } from "./words.js";
 import { translated } from "../../editor/translations.js";
+import type { PropertyDeclaration, PropertyDeclarations } from "lit";
+import type { Attributes } from "./settings.js";
+import type { State } from "./state.js";
 import type { View } from "./camera.js";
-import type { Edits } from "./subject.js";
 import type { Facts } from "./geometry.js";
 import type { Handles } from "./handles.js";
 import type { Labels } from "./labels.js";
@@ -29,30 +33,12 @@ import type { PanelPort } from "./panel.js";
 
 /** Root margin for lazy loading. */
 const NEAR = "300px";
-/** Farther away than so many heights of what is seen it gives the graphics card back. */
+/** Root margin of the WebGL context: farther away it is released. */
 const FAR = "150% 0px";
-/** A file is shown with no more, at first. */
+/** Limit of the triangles in the first picture of a file. */
 const MAX_TRIANGLES = 1e6;
-/** Where the sliders begin: in radii of the surface, and in pixels. */
+/** First values of the sliders: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
-
-/** The properties that undo and redo restore, besides moved points and the surface of a file. */
-const UNDOABLE = [
-  "model",
-  "parts",
-  "height",
-  "up",
-  "shading",
-  "show",
-  "evaluation",
-  "segments",
-  "tolerance",
-  "pixels",
-  "flatness",
-  "lines",
-] as const;
-
-type UndoState = { edits: Edits } & Pick<SurfaceAttributes, (typeof UNDOABLE)[number]>;
 
 /** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
 function surfaceOfOtherBundle(value: Surface): Surface {
@@ -65,20 +51,54 @@ function surfaceOfOtherBundle(value: Surface): Surface {
 }
 
 /** `<bezier-surface>`; what can be set from outside is documented in ../types.js. */
-export class BezierSurface extends SurfaceAttributes {
+export class BezierSurface extends LitElement {
+  // Of the properties, those that are no part of the state.
+  declare label: string;
+  declare theme: string;
+  declare patch: number | null;
+  declare controls: string | boolean | null;
+  declare turn: boolean;
+
+  static properties: PropertyDeclarations = Object.fromEntries(
+    Object.entries(PROPERTIES).map(([name, { declaration }]) => [name, declaration]),
+  );
+
+  static getPropertyDescriptor(name: PropertyKey, key: string | symbol, options: PropertyDeclaration) {
+    const accessor = isAttribute(name)
+      ? BezierSurface.#accessor(name)
+      : // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+        super.getPropertyDescriptor(name, key, options);
+    return acceptAttributeText(accessor, name, options);
+  }
+
+  /** A property that is a part of the state. */
+  static #accessor(name: keyof Attributes): PropertyDescriptor {
+    return {
+      configurable: true,
+      enumerable: true,
+      get(this: BezierSurface) {
+        return this.#subject.state[name];
+      },
+      set(this: BezierSurface, value: unknown) {
+        const { editor, state } = this.#subject;
+        if (!Object.is(value, state[name])) editor.replaceState({ ...state, [name]: value });
+      },
+    };
+  }
+
   static styles = style;
-  #subject = new Subject();
-  #history: History<UndoState> = new History();
+  #subject = new Subject((problem) => console.warn(`<${this.localName}> ${problem}`));
+  /** The state of the last call of `#stateChanged`. */
+  #lastState: State = this.#subject.state;
   #stage: Stage | null = null;
   #handles: Handles | null = null;
   #labels: Labels | null = null;
-  #watches: IntersectionObserver[] = [];
+  #observers: IntersectionObserver[] = [];
   #removeListeners: (() => void) | null = null;
   #camera: View = HOME;
-  /** What there is to see; see STATES. */
-  #state: keyof typeof STATES = "coming";
-  /** The stage being fetched, for this stay in the document. */
-  #coming: Promise<void> | null = null;
+  #pictureState: keyof typeof STATES = "loading";
+  /** Loads what draws, since the element was connected. */
+  #starting: Promise<void> | null = null;
   #facts: Facts | null = null;
   #rotation = new AutoRotation();
   #files = new FileController({
@@ -86,21 +106,42 @@ export class BezierSurface extends SurfaceAttributes {
     rational: () => this.#rational(),
     changed: () => this.requestUpdate(),
     picture: () => this.toBlob(),
-    mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.settings().up },
-    names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.settings().model }),
+    mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.#subject.settings.up },
+    names: () => ({
+      page: this.ownerDocument,
+      name: this.#subject.state.given ? "surface" : this.#subject.settings.model,
+    }),
   });
   /** The model of the last picture. */
   #model = "";
   /** The surface that was set last. */
   #awaited: unknown = null;
-  #visible = false;
-  #kept = false;
-  /** Whether the canvas holds a picture: before, and while the graphics card is given back, the page's own is shown. */
-  #drawn = false;
+  #isVisible = false;
+  #isNear = false;
+  /** Whether the canvas holds a picture: before, and while the WebGL context is released, the poster is shown. */
+  #isDrawn = false;
+
+  constructor() {
+    super();
+    followTranslations(this);
+    this.#subject.editor.subscribe((event) => {
+      if (event === "state") this.#stateChanged();
+      if (event !== "input") this.requestUpdate(); // a complete step can be undone
+    });
+    for (const [name, { value }] of Object.entries(PROPERTIES)) Object.assign(this, { [name]: value });
+  }
+
+  /** Lit renders what has changed and reflects it. */
+  #stateChanged() {
+    const [before, { state }] = [this.#lastState, this.#subject];
+    this.#lastState = state;
+    if (before.given !== state.given) this.patch = null;
+    for (const name of ATTRIBUTE_NAMES) if (before[name] !== state[name]) this.requestUpdate(name, before[name]);
+  }
 
   /** The surface that is shown, moved points and all. */
   get surface() {
-    return this.#subject.surface(this.settings());
+    return this.#subject.surface;
   }
 
   set surface(surface: Surface | null | undefined) {
@@ -110,16 +151,22 @@ export class BezierSurface extends SurfaceAttributes {
       return;
     }
     const own = surface === undefined || surface === null || surface instanceof Surface;
-    this.#show(own ? (surface ?? null) : surfaceOfOtherBundle(surface));
-    this.#history = new History(); // its states are those of another surface
+    this.#replaceSurface(own ? (surface ?? null) : surfaceOfOtherBundle(surface));
   }
 
   /** Shows a surface with weights when the code for them is there, unless another one is set before. */
   async #showWithWeights(surface: any) {
     const rational = await this.#rational();
     if (!rational || this.#awaited !== surface) return;
-    this.#show(rational.shownSurface(surface));
-    this.#history = new History();
+    this.#replaceSurface(rational.shownSurface(surface));
+  }
+
+  /** The page shows another surface: the undo steps are those of the one before. */
+  #replaceSurface(surface: Surface | null) {
+    const { editor, state } = this.#subject;
+    editor.replaceState(withSurface(state, surface));
+    editor.clearHistory();
+    this.patch = null;
   }
 
   /** What surfaces with weights need; null where it cannot be fetched. */
@@ -129,12 +176,6 @@ export class BezierSurface extends SurfaceAttributes {
     this.#subject.rational = rational;
     this.requestUpdate();
     return rational;
-  }
-
-  #show(surface: Surface | null) {
-    this.#subject.given = surface;
-    this.patch = null;
-    this.requestUpdate();
   }
 
   /** Where the eye is: degrees, enlargement, shift in radii. */
@@ -154,45 +195,39 @@ export class BezierSurface extends SurfaceAttributes {
 
   /** Takes back the last change of the surface or its settings by the user. */
   undo() {
-    this.#restore(this.#history.undo(this.#undoState()));
+    this.#subject.editor.undo();
   }
 
   /** Repeats the change that was taken back. */
   redo() {
-    this.#restore(this.#history.redo(this.#undoState()));
-  }
-
-  #undoState(): UndoState {
-    const properties = UNDOABLE.map((name) => [name, this[name]] as const);
-    return { edits: this.#subject.edits, ...Object.fromEntries(properties) } as UndoState;
-  }
-
-  #restore({ edits, ...properties }: UndoState) {
-    if (edits.given !== this.#subject.given) this.patch = null;
-    this.#subject.edits = edits;
-    Object.assign(this, properties);
-    this.requestUpdate();
+    this.#subject.editor.redo();
   }
 
   /** The user changes something, which is one undo step when it is done. */
-  #edit(change: () => void, type: "input" | "change" = "change") {
-    this.#history.begin(this.#undoState());
-    change();
-    if (type === "change") this.#history.commit(this.#undoState());
-    this.requestUpdate();
+  #edit(change: (state: State) => State, type: "input" | "change" = "change") {
+    const { editor } = this.#subject;
+    editor.dispatch(change, { origin: "user", merge: true });
+    if (type === "change") editor.commit();
     this.#fire(type);
   }
 
-  #cancelEdit() {
-    const before = this.#history.rollback(this.#undoState());
-    if (before) this.#restore(before);
+  /** The last pointer has let go of its point. */
+  #endDrag() {
+    if (!this.#subject.editor.isOpen) return;
+    this.#subject.editor.commit();
+    this.#fire("change");
+  }
+
+  #cancelDrag() {
+    if (!this.#subject.editor.isOpen) return;
+    this.#subject.editor.revert();
     this.#fire("change");
   }
 
   #stepByUser(step: "undo" | "redo") {
-    const { isOpen, canUndo, canRedo } = this.#history;
+    const { isOpen, canUndo, canRedo } = this.#subject.editor;
     if (!(step === "undo" ? canUndo || isOpen : canRedo)) return;
-    this.#handles?.endDrags();
+    this.#handles?.release();
     this[step]();
     this.#fire("change");
   }
@@ -206,7 +241,7 @@ export class BezierSurface extends SurfaceAttributes {
 
   /** The picture as it is now, a PNG. */
   async toBlob(): Promise<Blob | null> {
-    await this.#coming;
+    await this.#starting;
     if (this.isConnected) await this.updateComplete; // updates begin when it is connected for the first time
     return this.#stage?.toBlob() ?? null;
   }
@@ -214,24 +249,28 @@ export class BezierSurface extends SurfaceAttributes {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["surface", "view"]);
-    this.#watches = [this.#watch(FAR, (kept) => this.#keep(kept)), this.#watch(NEAR, (near) => this.#seen(near))];
+    this.#observers = [
+      this.#observe(FAR, (near) => this.#setNear(near)),
+      this.#observe(NEAR, (visible) => this.#setVisible(visible)),
+    ];
   }
 
   disconnectedCallback() {
     super.disconnectedCallback();
-    this.#watches.forEach((watch) => watch.disconnect());
-    this.#watches = [];
-    this.#coming = null;
+    this.#observers.forEach((observer) => observer.disconnect());
+    this.#observers = [];
+    this.#starting = null;
     this.#removeListeners?.();
     this.#removeListeners = null;
     this.#camera = this.view;
-    this.#handles?.endDrags();
+    this.#handles?.release();
+    this.#subject.editor.commit();
     this.#stage?.end();
     this.#stage = null;
-    this.#drawn = false;
+    this.#isDrawn = false;
   }
 
-  #watch(margin: string, act: (inside: boolean) => void) {
+  #observe(margin: string, act: (inside: boolean) => void) {
     const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {
       rootMargin: margin,
     });
@@ -239,50 +278,51 @@ export class BezierSurface extends SurfaceAttributes {
     return observer;
   }
 
-  /** @param kept whether it is near enough to keep the graphics card */
-  #keep(kept: boolean) {
-    this.#kept = kept;
-    if (kept) return;
+  /** Far away, it releases the WebGL context. */
+  #setNear(near: boolean) {
+    this.#isNear = near;
+    if (near) return;
     this.#stage?.suspend();
     this.#setDrawn(false);
   }
 
   #setDrawn(drawn: boolean) {
-    if (drawn === this.#drawn) return;
-    this.#drawn = drawn;
+    if (drawn === this.#isDrawn) return;
+    this.#isDrawn = drawn;
     this.requestUpdate();
   }
 
-  #seen(visible: boolean) {
-    this.#visible = visible;
+  #setVisible(visible: boolean) {
+    this.#isVisible = visible;
     if (!visible) return;
-    this.#kept = true; // the other watch may report later
-    if (!this.#stage) this.#coming ??= this.#start();
+    this.#isNear = true; // the other observer may report later
+    if (!this.#stage) this.#starting ??= this.#start();
     this.#stage?.wake();
     this.#stage?.schedule();
   }
 
-  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has other watches. */
+  /** Loads what draws. An element that was disconnected meanwhile, and perhaps connected again, has other observers. */
   async #start() {
-    const watches = this.#watches;
+    const observers = this.#observers;
     const drawing = await loadDrawing().catch(() => null);
     await whenIdle();
-    if (watches !== this.#watches || !this.isConnected) return;
-    this.#coming = null;
-    if (!this.#kept) return; // it was scrolled past
+    if (observers !== this.#observers || !this.isConnected) return;
+    this.#starting = null;
+    if (!this.#isNear) return; // it was scrolled past
     if (drawing) return this.#build(drawing);
-    this.#setState("missing");
+    this.#setPictureState("missing");
   }
 
-  #setState(state: keyof typeof STATES) {
-    this.#state = state;
+  #setPictureState(state: keyof typeof STATES) {
+    this.#pictureState = state;
     this.requestUpdate();
   }
 
   #build({ Gestures, Handles, Labels, Stage }: Drawing) {
     const find = (selector: string) => this.renderRoot.querySelector(selector) as any;
     const canvas = find("canvas");
-    this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
+    this.#stage = new Stage(canvas, find(".overlay"), find(".probe"), this.#camera, {
+      render: () => this.#renderNow(),
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
         this.#labels?.place(sight, width, height);
@@ -290,20 +330,22 @@ export class BezierSurface extends SurfaceAttributes {
         this.#publish(facts);
       },
       refused: (message) => this.#files.say(message),
-      stateChanged: (state) => this.#setState(state),
-      turning: () => this.#visible && this.#turns(),
+      stateChanged: (state) => this.#setPictureState(state),
+      turning: () => this.#isVisible && this.#turns(),
     });
     this.#handles ??= new Handles(find(".overlay"), {
       moved: (vertex, to, done) =>
-        this.#edit(() => this.#subject.move(vertex, to, this.settings()), done ? "change" : "input"),
-      cancelled: () => this.#cancelEdit(),
+        this.#edit((state) => withPointAt(state, this.#subject.modelKey, vertex, to), done ? "change" : "input"),
+      dropped: () => this.#endDrag(),
+      cancelled: () => this.#cancelDrag(),
+      schedule: () => this.#stage?.schedule(),
       sight: () => this.#stage?.sight() ?? null,
     });
     this.#labels ??= new Labels(find(".overlay"));
     const gestures = new Gestures(canvas, {
       view: () => this.view,
-      move: (changes, done) => this.#moveByHand(changes, done),
-      home: () => this.#moveByHand(HOME, true),
+      move: (changes, done) => this.#moveByUser(changes, done),
+      home: () => this.#moveByUser(HOME, true),
       pick: (x, y) => this.#pick(x, y),
     });
     const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#files.open(file))];
@@ -311,14 +353,20 @@ export class BezierSurface extends SurfaceAttributes {
     this.requestUpdate();
   }
 
+  /** Pointers that have moved, and the panel if it is to be rendered. */
+  #renderNow() {
+    this.#handles?.apply();
+    if (this.isUpdatePending) this.performUpdate();
+  }
+
   #scene() {
-    return this.#subject.scene(this.settings(), this.patch);
+    return this.#subject.scene(this.patch);
   }
 
   willUpdate(changed: Map<string, unknown>) {
     if (!this.hasUpdated) return;
     if (["model", "height", "up"].some((name) => changed.has(name))) {
-      this.#subject.forgetMovesOfOthers(this.settings());
+      this.#subject.forgetMovesOfOthers();
       if (!changed.has("patch")) this.patch = null;
     }
   }
@@ -327,7 +375,7 @@ export class BezierSurface extends SurfaceAttributes {
     if (changed.has("turn") && this.turn) this.#rotation.restart();
     if (changed.has("theme")) this.#stage?.recolour();
     if (this.#stage) {
-      const { model } = this.settings();
+      const { model } = this.#subject.settings;
       if (model !== this.#model && isRational(model)) void this.#rational();
       this.#model = model;
       const scene = this.#scene();
@@ -359,7 +407,7 @@ export class BezierSurface extends SurfaceAttributes {
     else this.#camera = moved(this.#camera, changes);
   }
 
-  #moveByHand(changes: Partial<View>, done: boolean) {
+  #moveByUser(changes: Partial<View>, done: boolean) {
     if ("turn" in changes && this.#turns()) {
       this.#rotation.stop();
       this.requestUpdate();
@@ -378,17 +426,13 @@ export class BezierSurface extends SurfaceAttributes {
     const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
     const [hit] = this.#scene().surface.intersectRay(origin, direction);
     this.patch = hit?.patch ?? null;
-    if (hit && ["casteljau", "place", "derivatives"].some((each) => this.settings().layers.has(each as any)))
+    if (hit && ["casteljau", "place", "derivatives"].some((each) => this.#subject.settings.layers.has(each as any)))
       Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
     this.#fire("change");
   }
 
   #fire(type: "input" | "change") {
     this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
-  }
-
-  #set(name: string, value: unknown, type: "input" | "change") {
-    this.#edit(() => Object.assign(this, { [name]: value }), type);
   }
 
   #toggleRotation() {
@@ -401,30 +445,26 @@ export class BezierSurface extends SurfaceAttributes {
 
   #showFile(surface: Surface) {
     this.#awaited = surface;
-    const max = Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount));
-    this.#edit(() => {
-      this.#show(surface);
-      if (this.segments > max) this.segments = Math.max(1, max);
+    const max = Math.max(1, Math.floor(Math.sqrt(MAX_TRIANGLES / 2 / surface.patchCount)));
+    this.#edit((state) => {
+      const isTooFine = Number(state.segments) > max;
+      return { ...withSurface(state, surface), ...(isTooFine && { segments: max }) };
     });
   }
 
-  #backToModel() {
-    this.#edit(() => this.#show(null));
-  }
-
   render() {
-    const settings = this.settings();
+    const settings = this.#subject.settings;
     const name =
       this.label ||
       translated(
         "{0}, in three dimensions",
-        this.#subject.given ? translated("A surface of Bézier patches") : MODEL_NAMES[settings.model],
+        this.#subject.state.given ? translated("A surface of Bézier patches") : MODEL_NAMES[settings.model],
       );
-    const zoomed = (factor: number) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
+    const zoomed = (factor: number) => () => this.#moveByUser({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
-      blank: !this.#drawn,
-      message: this.#files.message || STATES[this.#state](),
+      blank: !this.#isDrawn,
+      message: this.#files.message || STATES[this.#pictureState](),
       facts: this.#facts,
       language: (this.closest<HTMLElement>("[lang]") ?? this.ownerDocument.documentElement).lang,
       key: this.#key,
@@ -433,40 +473,43 @@ export class BezierSurface extends SurfaceAttributes {
         toggle: () => this.#toggleRotation(),
         nearer: zoomed(ZOOM_STEP),
         farther: zoomed(1 / ZOOM_STEP),
-        home: () => this.#moveByHand(HOME, true),
+        home: () => this.#moveByUser(HOME, true),
       },
       panel: this.controls === null || this.controls === false ? null : this.#panelPort(),
     });
   }
 
   #panelPort(): PanelPort {
+    const { settings, state, editor } = this.#subject;
+    const { frame, surface } = this.#scene();
     return {
-      settings: this.settings(),
+      settings,
       groups: controlGroups(this.controls),
-      size: this.#scene().frame.radius,
-      named: !this.#subject.given,
-      patches: this.#scene().surface.patchCount,
-      edited: this.#subject.edited,
-      set: (...args) => this.#set(...args),
+      size: frame.radius,
+      named: !state.given,
+      patches: surface.patchCount,
+      edited: state.moves.size > 0,
+      set: (name, value, type) => this.#edit((state) => ({ ...state, [name]: value }), type),
       setDetail: (kind) => this.#setDetail(kind),
-      can: { undo: this.#history.canUndo, redo: this.#history.canRedo },
+      can: { undo: editor.canUndo, redo: editor.canRedo },
       step: (step) => this.#stepByUser(step),
-      restore: () => this.#edit(() => this.#subject.restore()),
+      restore: () => this.#edit(withoutMoves),
       savePicture: () => this.#files.savePicture(),
       saveMesh: (kind) => this.#files.saveMesh(kind),
       open: (file) => this.#files.open(file),
-      backToModel: () => this.#backToModel(),
+      backToModel: () => this.#edit((state) => withSurface(state, null)),
     };
   }
 
   #setDetail(kind: "segments" | "tolerance" | "pixels" | "flatness") {
     const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
     const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
-    this.#edit(() => {
-      for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
-    });
+    const values = Object.entries(firsts).map(([name, first]) => [name, name === kind ? first : null]);
+    this.#edit((state) => ({ ...state, ...Object.fromEntries(values) }));
   }
 }
+
+const isAttribute = (name: PropertyKey): name is keyof Attributes => ATTRIBUTE_NAMES.some((each) => each === name);
 
 /** As the sliders have it. */
 const rounded = (x: number) => Math.round(100 * x) / 100;

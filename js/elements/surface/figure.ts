@@ -1,5 +1,5 @@
 // What the element shows, as plain values: for pages that judge it.
-import { patchesOf } from "./patches.js";
+import { nearestTo, patchesOf } from "./patches.js";
 import type { SurfaceFigure } from "../types.js";
 import type { Facts, Scene } from "./geometry.js";
 
@@ -28,28 +28,9 @@ export function figureOf({ surface, picked, settings }: Scene, facts: Facts | nu
     degreeU: patch?.degreeU ?? 0,
     degreeV: patch?.degreeV ?? 0,
     place: patch ? { point: triple(patch.eval(u, v)), normal: triple(patch.normal(u, v)) } : null,
-    nearest: nearestOf(surface, settings.probe),
+    nearest: settings.probe && nearestTo(surface, settings.probe),
     mesh: facts ?? NOTHING,
   };
-}
-
-/** The last answer for each point: a figure is read several times in a frame. */
-const answers: WeakMap<number[], { surface: Scene["surface"]; nearest: SurfaceFigure["nearest"] }> = new WeakMap();
-
-function nearestOf(surface: Scene["surface"], probe: number[] | null) {
-  if (!probe) return null;
-  const known = answers.get(probe);
-  if (known?.surface === surface) return known.nearest;
-  const found = surface.nearest(probe);
-  const nearest = found && {
-    patch: found.patch,
-    u: found.u,
-    v: found.v,
-    distance: found.distance,
-    point: triple(found.point),
-  };
-  answers.set(probe, { surface, nearest });
-  return nearest;
 }
 
 const triple = ({ x, y, z = 0 }: { x: number; y: number; z?: number }): [number, number, number] => [x, y, z];

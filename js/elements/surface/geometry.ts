@@ -1,9 +1,9 @@
 // From the surface and the settings to what is drawn: meshes and straight pieces, made again only when they change.
 import { arrowsAt } from "./arrows.js";
-import { Memo } from "./memo.js";
+import { Memo } from "../../editor/memo.js";
 import { errorBound } from "./bound.js";
 import * as lines from "./lines.js";
-import { hasWeights, patchesOf, sweptBy } from "./patches.js";
+import { hasWeights, nearestTo, patchesOf, sweptBy } from "./patches.js";
 import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MAX_GPU_DEGREE } from "./shaders.js";
 import { Mesh } from "../../surfaces.js";
@@ -198,13 +198,12 @@ export class Geometry {
   /** The point that the page asks about, the nearest one of the surface, and the way between them. */
   probe({ surface, settings: { probe } }: Scene) {
     return this.#memo.get("probe", [surface, probe], () => {
-      const found = probe && surface.nearest(probe);
+      const found = probe && nearestTo(surface, probe);
       if (!found) return null;
-      const { x, y, z = 0 } = found.point;
       return {
-        way: Float32Array.from([...probe, x, y, z]),
+        way: Float32Array.from([...probe, ...found.point]),
         at: Float32Array.from(probe),
-        nearest: Float32Array.of(x, y, z),
+        nearest: Float32Array.from(found.point),
       };
     });
   }

@@ -21,7 +21,6 @@ export type Pen = { colour: number[]; width: number; alpha?: number; hidden?: bo
 
 export class GlLines {
   #kit;
-  #versions = new Versions();
 
   constructor(kit: GlKit) {
     this.#kit = kit;
@@ -58,7 +57,7 @@ export class GlLines {
     const program = this.#kit.program("plain");
     const batch = this.#kit.batch("gaps");
     batch.fill(
-      this.#versions.of(cracks.triangles),
+      cracks.triangles,
       () => ({ arrays: { position: { numComponents: 3, data: cracks.triangles } } }),
       program,
     );
@@ -128,7 +127,7 @@ export class GlLines {
     const gl = this.#kit.gl;
     const program = this.#kit.program("lines");
     const batch = this.#kit.batch(name);
-    batch.fill(this.#versions.of(pieces), () => ({ arrays: splitEnds(pieces) }), program);
+    batch.fill(pieces, () => ({ arrays: splitEnds(pieces) }), program);
     this.#uniforms(program, picture, pen);
     batch.drawBands();
     if (!pen.hidden) return;
@@ -164,11 +163,7 @@ export class GlLines {
     const gl = this.#kit.gl;
     const program = this.#kit.program("points");
     const batch = this.#kit.batch(name);
-    batch.fill(
-      this.#versions.of(points),
-      () => ({ arrays: { position: { numComponents: 3, data: points } } }),
-      program,
-    );
+    batch.fill(points, () => ({ arrays: { position: { numComponents: 3, data: points } } }), program);
     gl.useProgram(program.program);
     gl.disable(gl.DEPTH_TEST);
     twgl.setUniforms(program, {
@@ -192,16 +187,4 @@ function splitEnds(pieces: Float32Array) {
     to.set(pieces.subarray(2 * i + 3, 2 * i + 6), i);
   }
   return { from: { numComponents: 3, data: from, divisor: 1 }, to: { numComponents: 3, data: to, divisor: 1 } };
-}
-
-/** A number for each array, the same one for the same array. */
-class Versions {
-  #known: WeakMap<object, number> = new WeakMap();
-  #count = 0;
-
-  of(array: object) {
-    const known = this.#known.get(array) ?? ++this.#count;
-    this.#known.set(array, known);
-    return known;
-  }
 }

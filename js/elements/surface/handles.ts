@@ -1,16 +1,21 @@
 // One HTML button for each control point of the picked patch, over the canvas.
 import { arrowDirection } from "../../ui/keys.js";
 import { cssZoom } from "../../ui/canvas-size.js";
-import { capture } from "../../ui/capture.js";
+import { Drags } from "../../ui/drag.js";
 import { placeOf, shiftOf } from "./camera.js";
 import { patchesOf } from "./patches.js";
 import type { CameraMatrices } from "./camera.js";
+import type { Point2 } from "../../ui/capture.js";
 import type { Scene } from "./geometry.js";
 
 export interface HandlePort {
   moved: (vertex: number, to: number[], done: boolean) => void;
+  /** The last pointer has let go of its point */
+  dropped: () => void;
   /** The pointer was taken away, or Escape was pressed: back to what was before */
   cancelled: () => void;
+  /** Asks for a frame, which calls `apply` */
+  schedule: () => void;
   sight: () => { sight: CameraMatrices; width: number; height: number } | null;
 }
 
@@ -32,15 +37,29 @@ export class Handles {
   #vertices: number[] = [];
   #points: Float64Array = new Float64Array();
   #scene: Scene | null = null;
-  /** What stops each drag. */
-  #drags: Set<() => void> = new Set();
+  #drags;
+  /** For each button that is dragged: its vertex, and the control point before. */
+  #grabbed: Map<number, { vertex: number; point: number[] }> = new Map();
 
   constructor(overlay: HTMLElement, port: HandlePort) {
     this.#overlay = overlay;
     this.#port = port;
-    const on = (type: string, listener: (event: any) => void) => overlay.addEventListener(type, listener);
-    on("pointerdown", (event) => this.#down(event));
-    on("keydown", (event) => this.#key(event));
+    overlay.addEventListener("keydown", (event) => this.#key(event));
+    this.#drags = new Drags(overlay, {
+      count: () => this.#buttons.length,
+      elementOf: (i) => this.#buttons[i],
+      placeOf: () => [0, 0], // of a drag, only the shift counts
+      toViewBox: ({ clientX, clientY }) => [clientX / cssZoom(overlay), clientY / cssZoom(overlay)],
+      schedule: () => port.schedule(),
+      started: () => this.#grabbed.clear(),
+      grabbed: (i) => {
+        this.#buttons[i].focus({ preventScroll: true });
+        this.#grabbed.set(i, { vertex: this.#vertices[i], point: this.#pointAt(i) });
+      },
+      move: (i, shift) => this.#follow(i, shift),
+      cancelled: () => port.cancelled(),
+      ended: () => port.dropped(),
+    });
   }
 
   /** As many handles as the picked patch has control points. */
@@ -56,10 +75,14 @@ export class Handles {
     this.#buttons.forEach((button, i) => this.#describe(button, i, (patch?.degreeU ?? 0) + 1));
   }
 
-  /** Lets all points go where they are. */
-  endDrags() {
-    for (const stop of this.#drags) stop();
-    this.#drags.clear();
+  /** Moves the points to where their pointers are by now. */
+  apply() {
+    this.#drags.apply();
+  }
+
+  /** Lets all points go where they are, without a report. */
+  release() {
+    this.#drags.release();
   }
 
   #add() {
@@ -92,41 +115,10 @@ export class Handles {
     });
   }
 
-  /** The one whose centre is nearest, among those under the pointer. */
-  #nearest(event: PointerEvent) {
-    let [best, min] = [-1, Infinity];
-    this.#buttons.forEach((button, i) => {
-      const { left, top, width, height } = button.getBoundingClientRect();
-      const distance = Math.hypot(event.clientX - left - width / 2, event.clientY - top - height / 2);
-      if (!button.hidden && distance < min) [best, min] = [i, distance];
-    });
-    return best;
-  }
-
-  #down(event: PointerEvent) {
-    if (event.button !== 0 || !(event.target as Element).closest(".handle")) return;
-    const i = this.#nearest(event);
-    event.preventDefault();
-    this.#buttons[i].focus({ preventScroll: true });
-    const [vertex, before] = [this.#vertices[i], this.#pointAt(i)];
-    const zoom = cssZoom(this.#overlay);
-    const follow = (now: PointerEvent, done: boolean) => {
-      const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
-      this.#shift(vertex, before, [dx / zoom, dy / zoom, 0], done);
-    };
-    let moved = false;
-    const stop = capture(event, {
-      move: (now) => {
-        moved ||= now.clientX !== event.clientX || now.clientY !== event.clientY;
-        if (moved) follow(now, false);
-      },
-      end: (last, released) => {
-        this.#drags.delete(stop);
-        if (moved && released) follow(last, true);
-        else if (moved) this.#port.cancelled();
-      },
-    });
-    this.#drags.add(stop);
+  /** @param shift of the pointer since it was pressed, in CSS pixels */
+  #follow(i: number, shift: Point2) {
+    const grabbed = this.#grabbed.get(i);
+    if (grabbed) this.#shift(grabbed.vertex, grabbed.point, [...shift, 0], false);
   }
 
   #pointAt(i: number) {
@@ -134,11 +126,7 @@ export class Handles {
   }
 
   #key(event: KeyboardEvent) {
-    if (event.key === "Escape" && this.#drags.size > 0) {
-      this.endDrags();
-      this.#port.cancelled();
-      return event.preventDefault();
-    }
+    if (event.key === "Escape" && this.#drags.cancel()) return event.preventDefault();
     const i = this.#buttons.indexOf(event.target as HTMLButtonElement);
     const [right, down] = arrowDirection(event) ?? [0, 0];
     const away = event.ctrlKey || event.metaKey ? 0 : (DEPTH_KEYS.get(event.key) ?? 0);

@@ -108,6 +108,8 @@ export const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   probe: { type: String, property: null, initial: null, read: pointOf, expected: "three numbers" },
 };
 
+export const ATTRIBUTE_NAMES = Object.keys(OPTIONS) as (keyof Attributes)[];
+
 /** Checks the attributes of one element and keeps the last valid value of each. */
 export class SettingsReader {
   #valid: Record<string, unknown> = {};
@@ -120,7 +122,7 @@ export class SettingsReader {
   }
 
   read(given: Attributes): Settings {
-    for (const [name, option] of Object.entries(OPTIONS)) this.#check(name, option, given[name as keyof Attributes]);
+    for (const name of ATTRIBUTE_NAMES) this.#check(name, OPTIONS[name], given[name]);
     const { show, tolerance, pixels, flatness, shading, ...plain } = this.#valid as unknown as Checked;
     const detail = flatness ? { flatness } : pixels ? { pixels } : tolerance ? { tolerance } : null;
     return {

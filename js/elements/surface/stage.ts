@@ -1,10 +1,10 @@
 // The canvas and its frames: at most one a turn of the display, and only when something has changed.
-import { devicePixels, observeDevicePixels } from "../../ui/canvas-size.js";
+import { followSize } from "../../ui/canvas-size.js";
 import { moved, sightOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
-import { ContextSlot } from "./context-slot.js";
+import { contextSlotOf } from "./context-slot.js";
 import { followColours } from "../../ui/theme.js";
 import { readTheme } from "./theme.js";
 import type { CameraMatrices, View } from "./camera.js";
@@ -13,6 +13,8 @@ import type { Theme } from "./theme.js";
 
 /** What the stage reports to the element. */
 export interface StagePort {
+  /** At the beginning of each frame: pointers that have moved, and the panel */
+  render: () => void;
   /** After each frame; the size in CSS pixels */
   drawn: (facts: Facts, sight: CameraMatrices, width: number, height: number) => void;
   /** The core cannot make this mesh */
@@ -31,6 +33,7 @@ const LONGEST_FRAME_MS = 100;
 export class Stage {
   geometry = new Geometry();
   #canvas;
+  #overlay;
   #probe;
   #port;
   #view: GlView | FlatView | null = null;
@@ -47,16 +50,18 @@ export class Stage {
   #endings: (() => void)[] = [];
 
   /**
+   * @param overlay is kept over the canvas
    * @param probe from which colours are read
    */
-  constructor(canvas: HTMLCanvasElement, probe: HTMLElement, camera: View, port: StagePort) {
+  constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement, camera: View, port: StagePort) {
     this.#canvas = canvas;
+    this.#overlay = overlay;
     this.#probe = probe;
     this.#camera = camera;
     this.#port = port;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
     this.#lost = this.#view instanceof GlView && this.#view.lost;
-    this.#slot = ContextSlot.of(canvas);
+    this.#slot = contextSlotOf(canvas);
     if (this.#lost) this.#slot.renew();
     port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
@@ -77,14 +82,11 @@ export class Stage {
     };
     canvas.addEventListener("webglcontextlost", lost);
     canvas.addEventListener("webglcontextrestored", restored);
-    const observer = new ResizeObserver((entries) => this.#resize(entries[entries.length - 1]));
-    observeDevicePixels(observer, canvas);
-    const themeEnds = followColours(() => this.recolour());
     this.#endings.push(
       () => canvas.removeEventListener("webglcontextlost", lost),
       () => canvas.removeEventListener("webglcontextrestored", restored),
-      () => observer.disconnect(),
-      themeEnds,
+      followSize(canvas, this.#overlay, () => this.draw()), // at once: the canvas is empty
+      followColours(() => this.recolour()),
     );
   }
 
@@ -141,7 +143,11 @@ export class Stage {
   }
 
   #step(now: number) {
-    this.#frame = 0;
+    try {
+      this.#port.render(); // the scene that it shows is drawn in this frame
+    } finally {
+      this.#frame = 0;
+    }
     const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
     this.#before = now;
     if (this.#port.turning() && this.#scene && !this.#lost)
@@ -177,13 +183,6 @@ export class Stage {
       this.#port.refused(error instanceof Error ? error.message : String(error));
       return null;
     }
-  }
-
-  #resize(entry: ResizeObserverEntry) {
-    const { width, height } = devicePixels(this.#canvas, entry);
-    if (this.#canvas.width === width && this.#canvas.height === height) return;
-    [this.#canvas.width, this.#canvas.height] = [width, height];
-    this.draw(); // at once: the canvas has just been emptied
   }
 
   /** The picture as a file: it is drawn and read in one go, since the browser empties the canvas after a frame. */

@@ -1,15 +1,15 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
 import { css, unsafeCSS } from "lit";
-import { DARK, FONT_FAMILY, LIGHT, SHEET } from "../../ui/tokens.js";
+import { SHEET, themeColours, TOKENS } from "../../ui/tokens.js";
 
-const light = unsafeCSS(`${LIGHT}
+const light = `
   --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-level1: #00805d; --bz-level2: #b3478a;
   --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
-`);
-const dark = unsafeCSS(`${DARK}
+`;
+const dark = `
   --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
   --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
-`);
+`;
 
 /**
  * @cssprop --bz-ink - text
@@ -36,27 +36,11 @@ const dark = unsafeCSS(`${DARK}
  * @cssprop --bz-aspect - the aspect ratio of the picture, width / height
  */
 export const style = css`
-:host {
-  ${light}
-  --bz-hit: 24px;
-  display: block; container-type: inline-size; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
-  font: 400 0.9375rem/1.45 ${unsafeCSS(FONT_FAMILY)}; text-align: start;
-}
-:host([hidden]) { display: none; }
-@media (prefers-color-scheme: dark) { :host { ${dark} } }
-@media screen and (forced-colors: none) {
-  :host([theme="light"]) { color-scheme: light; ${light} }
-  :host([theme="dark"]) { color-scheme: dark; ${dark} }
-}
-@media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
-@media (forced-colors: active) {
-  :host {
-    --bz-ink: CanvasText; --bz-quiet: CanvasText; --bz-paper: Canvas; --bz-panel: Canvas; --bz-raised: Canvas; --bz-rim: CanvasText; --bz-field: CanvasText;
-    --bz-handle: LinkText; --bz-level1: GrayText; --bz-level2: LinkText; --bz-accent: Highlight; --bz-on-accent: HighlightText;
-  }
-  .probe { forced-color-adjust: none; }
-}
-*, ::before, ::after { box-sizing: border-box; }
+${unsafeCSS(TOKENS)}
+${unsafeCSS(themeColours(light, dark))}
+:host { container-type: inline-size; }
+::before { box-sizing: border-box; }
+@media (forced-colors: active) { :host { --bz-level1: GrayText; --bz-level2: LinkText; } }
 ${unsafeCSS(SHEET)}
 .stage { position: relative; background: var(--bz-paper); }
 canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3); cursor: grab; touch-action: pan-y; -webkit-tap-highlight-color: transparent; }

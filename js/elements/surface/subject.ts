@@ -1,86 +1,62 @@
-// What the element shows: the named or given surface and the points that were dragged.
+// What `<bezier-surface>` shows, without its picture: the editor, and the settings, the surface and the scene of its state.
+import { Editor } from "../../editor/editor.js";
+import { Memo } from "../../editor/memo.js";
 import { frameOf } from "./camera.js";
-import { Memo } from "./memo.js";
 import { framingPoints, surfaceNamed } from "./models.js";
+import { ATTRIBUTE_NAMES, SettingsReader } from "./settings.js";
+import { firstState, TRANSIENT, withoutMoves } from "./state.js";
 import type { Rational } from "./loading.js";
 import type { Surface } from "../../surfaces.js";
 import type { Scene } from "./geometry.js";
 import type { Settings } from "./settings.js";
-
-/** What the user has changed of the surface; never modified. */
-export interface Edits {
-  /** A surface of the page's own or of a file, or null where the model's name says which */
-  given: Surface | null;
-  /** The model that the moves belong to, with its height and direction */
-  model: string;
-  /** What was dragged: vertex and place */
-  moves: ReadonlyMap<number, number[]>;
-}
-
-const modelOf = ({ model, height, up }: Settings) => [model, height, up].join(" ");
+import type { State } from "./state.js";
 
 export class Subject {
+  editor = new Editor<State>(firstState(), TRANSIENT, TRANSIENT);
   /** What makes surfaces with weights, once it is loaded. */
   rational: Rational | null = null;
   #memo = new Memo();
-  #edits: Edits = { given: null, model: "", moves: new Map() };
-  /** The surface with all moves. */
-  #edited: { base: Surface; moves: Edits["moves"]; surface: Surface } | null = null;
+  #reader;
 
-  get edits() {
-    return this.#edits;
+  /** @param report is called with what is wrong with an attribute */
+  constructor(report: (problem: string) => void) {
+    this.#reader = new SettingsReader(report);
   }
 
-  set edits(edits) {
-    this.#edits = edits;
+  get state(): State {
+    return this.editor.state;
   }
 
-  /** A surface of the page's own, or null where the model's name says which. */
-  get given() {
-    return this.#edits.given;
+  /** What the attributes amount to; the same object as long as they are the same. */
+  get settings(): Settings {
+    const { state } = this;
+    const given = ATTRIBUTE_NAMES.map((name) => state[name]);
+    return this.#memo.get("settings", given, () => this.#reader.read(state));
   }
 
-  set given(surface) {
-    this.#edits = { given: surface, model: "", moves: new Map() };
-  }
-
-  get edited() {
-    return this.#edits.moves.size > 0;
-  }
-
-  move(vertex: number, to: number[], settings: Settings) {
-    const { given, moves } = this.#edits;
-    this.#edits = { given, model: modelOf(settings), moves: new Map(moves).set(vertex, to) };
-    if (this.#edited?.moves !== moves) return;
-    const { base, surface } = this.#edited;
-    this.#edited = { base, moves: this.#edits.moves, surface: surface.movePoint(vertex, to) };
-  }
-
-  /** Takes back all moves. */
-  restore() {
-    if (this.edited) this.#edits = { ...this.#edits, moves: new Map() };
+  /** The model that is shown where no surface is given, in its height and direction: moves belong to one. */
+  get modelKey(): string {
+    const { model, height, up } = this.settings;
+    return [model, height, up].join(" ");
   }
 
   /** Forgets the moves of another model. */
-  forgetMovesOfOthers(settings: Settings) {
-    if (this.#edits.model !== modelOf(settings)) this.restore();
+  forgetMovesOfOthers() {
+    if (this.state.movedModel !== this.modelKey) this.editor.replaceState(withoutMoves(this.state));
   }
 
   /** With all moves: parts that are taken away and put back keep theirs. */
-  surface(settings: Settings): Surface {
+  get surface(): Surface {
+    const { settings } = this;
     const { model, parts, height, up } = settings;
-    const { given, moves } = this.#edits;
+    const { given, moves } = this.state;
     const base = this.#memo.get(
       "base",
       [given, model, [...parts].join(), height, up, this.rational],
       () => given ?? surfaceNamed(settings, this.rational),
     );
     if (moves.size === 0) return base;
-    if (this.#edited?.base !== base || this.#edited.moves !== moves) {
-      const surface = [...moves].reduce((moved, [vertex, to]) => moved.movePoint(vertex, to), base);
-      this.#edited = { base, moves, surface };
-    }
-    return this.#edited.surface;
+    return this.#memo.get("moved", [base, moves], (before?: Moved) => moved(base, moves, before)).surface;
   }
 
   /**
@@ -88,14 +64,25 @@ export class Subject {
    *
    * @param patch the picked one; the only one is always picked
    */
-  scene(settings: Settings, patch: number | null): Scene {
+  scene(patch: number | null): Scene {
+    const { settings, surface } = this;
     const { model, height, up } = settings;
-    const surface = this.surface(settings);
-    const frame = this.#memo.get("frame", [this.given, model, height, up, this.rational], () =>
-      frameOf(this.given?.vertices ?? framingPoints(settings, this.rational), up),
+    const { given } = this.state;
+    const frame = this.#memo.get("frame", [given, model, height, up, this.rational], () =>
+      frameOf(given?.vertices ?? framingPoints(settings, this.rational), up),
     );
     const known = patch !== null && patch >= 0 && patch < surface.patchCount;
     const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;
     return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));
   }
+}
+
+type Moved = { base: Surface; moves: State["moves"]; surface: Surface };
+
+/** @param before is continued where it has no other moves */
+function moved(base: Surface, moves: State["moves"], before?: Moved): Moved {
+  const isContinued = before?.base === base && [...before.moves.keys()].every((vertex) => moves.has(vertex));
+  const known = isContinued ? before : { moves: new Map(), surface: base };
+  const changed = [...moves].filter(([vertex, to]) => known.moves.get(vertex) !== to);
+  return { base, moves, surface: changed.reduce((at, [vertex, to]) => at.movePoint(vertex, to), known.surface) };
 }

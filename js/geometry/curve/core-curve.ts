@@ -1,3 +1,5 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import * as queries from "../curve-queries.js";
 import { curveLength, curveTimeAtLength, pointAndDirections } from "../arc-length.js";
@@ -5,19 +7,11 @@ import { curveData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { partsAt } from "../parts.js";
 import { flatten, nested, pointAt, pointList, samePoints, requireList, boxAt } from "../points.js";
-import {
-  CheckedPoints,
-  writeArguments,
-  readResult,
-  readResultInto,
-  readLargeResult,
-  readPolyline,
-} from "../../wasm/transfer.js";
-import { core, cubicEval } from "../../wasm/init.js";
 import { affine } from "../affine.js";
 import { readTree } from "../subdivision.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { packedSpline } from "../../wasm/packed-path.js";
+import type { ControlPoints } from "../brand.js";
 import type { SplineData } from "../brand.js";
 import type { PointAtLength } from "../arc-length.js";
 import type { PointLike, PointsLike, TransformLike, Complete } from "../check.js";
@@ -61,13 +55,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   constructor(points: PointArrays<D> | PointsLike, options?: { dimension?: D }) {
     if (!isShown) show();
-    const checked = points as unknown;
-    if (checked instanceof CheckedPoints) {
-      this.#flat = checked.flat;
-      this.#dimension = checked.dimension as D;
-      return;
-    }
-    const { flat, dimension } = checkedPoints(points, options);
+    const { flat, dimension } = checkedData<ControlPoints>(points) ?? checkedPoints(points, options);
     this.#flat = flat;
     this.#dimension = dimension as D;
   }
@@ -145,7 +133,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @internal
    */
   _curveOf(flat: Float64Array): this {
-    return coreCurveOf(new CheckedPoints(flat, this.dimension)) as this;
+    return coreCurveOf({ flat, dimension: this.dimension }) as this;
   }
 
   /**
@@ -154,7 +142,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the number of points
    */
   _write(further?: ArrayLike<number>): number {
-    const view = writeArguments(this.#flat, further?.length);
+    const view = curvesModule.write(this.#flat, further?.length);
     if (further) view.set(further, this.#flat.length);
     return this.#flat.length / this.#dimension;
   }
@@ -164,7 +152,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * Reads the control points of a curve from the arena.
    */
   _read(length: number): this {
-    return this._curveOf(readResult(0, length));
+    return this._curveOf(curvesModule.read(0, length));
   }
 
   /**
@@ -173,7 +161,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @internal
    */
   _readPoint(): Point<D> {
-    return pointAt(readResult(0, 3), 0, this.#dimension);
+    return pointAt(curvesModule.read(0, 3), 0, this.#dimension);
   }
 
   /**
@@ -194,7 +182,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this._flat;
     if (flat.length === 4 * this.dimension) return cubicAt(flat, t) as Point<D>;
-    core().curve_eval(this.dimension, this._write(), t);
+    curvesModule.exports.curve_eval(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -209,9 +197,9 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     const { into } = check.options(options, ["into"]);
     const length = (segments + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
-    const count = core().curve_sample(this.dimension, this._write(), segments);
-    if (into !== undefined) return readResultInto(into, count);
-    return readLargeResult(count);
+    const count = curvesModule.exports.curve_sample(this.dimension, this._write(), segments);
+    if (into !== undefined) return curvesModule.readInto(into, count);
+    return curvesModule.readLarge(count);
   }
 
   /**
@@ -225,14 +213,13 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     const length = parameters.length * this.dimension;
     const into = check.resultArray(check.options(options, ["into"]).into, length);
     const count = this._write(parameters);
-    core().curve_eval_at(this.dimension, count, parameters.length);
-    return readResultInto(into, length);
+    curvesModule.exports.curve_eval_at(this.dimension, count, parameters.length);
+    return curvesModule.readInto(into, length);
   }
 
   /** The derivative as a curve of degree n − 1; the derivative of a line is a line whose two points are equal. */
-  derivative(...surplus: never[]): this {
-    check.noSurplus(surplus, "derivative", 0, "derivativeAt(t)");
-    return this._read(core().curve_derivative(this.dimension, this._write()));
+  derivative(): this {
+    return this._read(curvesModule.exports.curve_derivative(this.dimension, this._write()));
   }
 
   /**
@@ -244,7 +231,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   derivativeAt(t: number, k = 1): Point<D> {
     check.finite(t, "t");
     check.whole(k, "k", 0, 0xffffffff);
-    core().curve_derivative_at(this.dimension, this._write(), t, k);
+    curvesModule.exports.curve_derivative_at(this.dimension, this._write(), t, k);
     return this._readPoint();
   }
 
@@ -256,7 +243,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   tangent(t: number): Point<D> {
     check.finite(t, "t");
-    core().curve_tangent(this.dimension, this._write(), t);
+    curvesModule.exports.curve_tangent(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -268,7 +255,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   normal(t: number): Point<D> {
     check.finite(t, "t");
-    core().curve_normal(this.dimension, this._write(), t);
+    curvesModule.exports.curve_normal(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -280,7 +267,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   curvature(t: number): number {
     check.finite(t, "t");
-    return core().curve_curvature(this.dimension, this._write(), t);
+    return curvesModule.exports.curve_curvature(this.dimension, this._write(), t);
   }
 
   /**
@@ -291,10 +278,10 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   deCasteljau(t: number): Float64Array[] {
     check.finite(t, "t");
-    core().curve_de_casteljau(this.dimension, this._write(), t);
+    curvesModule.exports.curve_de_casteljau(this.dimension, this._write(), t);
     const levels: Float64Array[] = [];
     for (let length = this._flat.length, from = 0; length > 0; length -= this.dimension) {
-      levels.push(readResult(from, from + length));
+      levels.push(curvesModule.read(from, from + length));
       from += length;
     }
     return levels;
@@ -308,7 +295,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   static bernstein(degree: number, t: number): Float64Array {
     check.whole(degree, "degree", 0, 64);
-    return readResult(0, core().bernstein_weights(degree, check.finite(t, "t")));
+    return curvesModule.read(0, curvesModule.exports.bernstein_weights(degree, check.finite(t, "t")));
   }
 
   /**
@@ -321,21 +308,19 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param t the parameter, from 0 to 1; others extrapolate
    */
-  split(t: number, ...surplus: never[]): [this, this];
+  split(t: number): [this, this];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): this[];
+  split(t: number | ArrayLike<number>): this[] {
     if (check.isList(t)) return partsAt(this, t, 1);
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
-    core().curve_split(this.dimension, this._write(), t);
+    curvesModule.exports.curve_split(this.dimension, this._write(), t);
     const n = this._flat.length;
-    return [this._curveOf(readResult(0, n)), this._curveOf(readResult(n, 2 * n))];
+    return [this._curveOf(curvesModule.read(0, n)), this._curveOf(curvesModule.read(n, 2 * n))];
   }
 
   /** Splits the curve at t = ½ into two. */
-  halve(...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "halve", 0, "split(t)");
+  halve(): [this, this] {
     return this.split(0.5);
   }
 
@@ -345,11 +330,10 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @param t0 the parameter of the start
    * @param t1 the parameter of the end
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): this {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    core().curve_subsegment(this.dimension, this._write(), t0, t1);
+    curvesModule.exports.curve_subsegment(this.dimension, this._write(), t0, t1);
     return this._read(this._flat.length);
   }
 
@@ -370,7 +354,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   elevate(times = 1): this {
     check.whole(times, "times", 0, 64);
     let curve: this = this;
-    for (let k = 0; k < times; k++) curve = curve._read(core().curve_elevate(this.dimension, curve._write()));
+    for (let k = 0; k < times; k++)
+      curve = curve._read(curvesModule.exports.curve_elevate(this.dimension, curve._write()));
     return curve;
   }
 
@@ -381,7 +366,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
-    return this._read(core().points_transform(this.dimension, this._write(affine(matrix))));
+    return this._read(curvesModule.exports.points_transform(this.dimension, this._write(affine(matrix))));
   }
 
   /**
@@ -391,11 +376,10 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = core().curve_flatten(this.dimension, this._write(), tolerance);
-    return readPolyline(vertices, this.dimension);
+    const vertices = curvesModule.exports.curve_flatten(this.dimension, this._write(), tolerance);
+    return curvesModule.readPolyline(vertices, this.dimension);
   }
 
   /**
@@ -404,16 +388,14 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param tolerance the largest distance, in the unit of the points
    */
-  subdivide(tolerance: number, ...surplus: never[]): Subdivision<this> {
-    check.noSurplus(surplus, "subdivide", 1);
+  subdivide(tolerance: number): Subdivision<this> {
     check.positive(tolerance, "tolerance");
-    const used = core().curve_subdivide(this.dimension, this._write(), tolerance);
-    return readTree(readResult(0, used), this._flat.length, (flat) => this._curveOf(flat));
+    const used = curvesModule.exports.curve_subdivide(this.dimension, this._write(), tolerance);
+    return readTree(curvesModule.read(0, used), this._flat.length, (flat) => this._curveOf(flat));
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     return this._box(true);
   }
 
@@ -423,10 +405,9 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /** The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only. */
-  hull(...surplus: never[]): Float64Array {
-    check.noSurplus(surplus, "hull", 0, "deCasteljau(t)");
+  hull(): Float64Array {
     this._require2D("hull");
-    return readResult(0, core().curve_hull(this._write()));
+    return curvesModule.read(0, curvesModule.exports.curve_hull(this._write()));
   }
 
   /**
@@ -452,8 +433,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @returns 0 if all control points are equal
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1, "subsegment(t0, t1).length()");
+  length(tolerance?: number): number {
     return curveLength(this._flat, this.dimension, tolerance);
   }
 
@@ -478,8 +458,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -493,17 +472,18 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   equidistantTimes(segments: number): Float64Array {
     check.segmentCount(segments);
-    return readLargeResult(core().curve_equidistant_times(this.dimension, this._write(), segments));
+    return curvesModule.readLarge(
+      curvesModule.exports.curve_equidistant_times(this.dimension, this._write(), segments),
+    );
   }
 
   /**
    * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
    * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
-    return core().curve_area(this._write());
+    return curvesModule.exports.curve_area(this._write());
   }
 
   /**
@@ -515,9 +495,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const found = queries.nearest(this._flat, this.dimension, p);
-    check.noSurplus(surplus, "nearest", 1);
     return found;
   }
 
@@ -538,8 +517,8 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @internal
    */
   _box(exact: boolean): Bounds<D> {
-    core().curve_bounds(this.dimension, this._write(), exact);
-    return boxAt(readResult(0, 6), this.dimension);
+    curvesModule.exports.curve_bounds(this.dimension, this._write(), exact);
+    return boxAt(curvesModule.read(0, 6), this.dimension);
   }
 
   /**
@@ -565,15 +544,15 @@ function show() {
  *
  * @internal
  */
-export function coreCurveOf(points: CheckedPoints): CoreCurve {
-  return new CoreCurve(points as any);
+export function coreCurveOf(points: ControlPoints): CoreCurve {
+  return fromChecked(CoreCurve, points);
 }
 
-function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {
+function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): ControlPoints {
   requireList(points);
   const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
   const count = flat.length / dimension;
-  if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);
+  if (count >= 2 && count <= 65) return { flat, dimension };
   throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
 }
 
@@ -582,7 +561,7 @@ function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): Che
  *
  * @internal
  */
-export function curvePointsOf(json: CurveJSON): CheckedPoints {
+export function curvePointsOf(json: CurveJSON): ControlPoints {
   requireJSON(json, "points", ({ points }) => points !== undefined);
   return checkedPoints(json.points, { dimension: json.dimension });
 }
@@ -592,7 +571,7 @@ export function curvePointsOf(json: CurveJSON): CheckedPoints {
  * of passing them through the arena.
  */
 function cubicAt(p: Float64Array, t: number): Point {
-  const at = cubicEval();
+  const at = curvesModule.cubicEval;
   if (p.length === 8) return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
   return { x: at(p[0], p[3], p[6], p[9], t), y: at(p[1], p[4], p[7], p[10], t), z: at(p[2], p[5], p[8], p[11], t) };
 }

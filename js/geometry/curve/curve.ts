@@ -1,16 +1,16 @@
+import { fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import * as queries from "../curve-queries.js";
 import { CoreCurve, curvePointsOf } from "./core-curve.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
-import { unwrapCount } from "../../wasm/errors.js";
-import { core } from "../../wasm/init.js";
-import { readResult, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
 import { basisNumbers, BASES, pointsInBasis } from "../basis.js";
 import { curveData, typeOf } from "../brand.js";
 import { intersectSplines, readIntersections, readSelfIntersections } from "../intersections.js";
 import { flatten } from "../points.js";
 import { readSpline } from "../spline/spline.js";
 import { curveToThree } from "../../io/three.js";
+import type { ControlPoints } from "../brand.js";
 import type { PointLike, PointsLike } from "../check.js";
 import type { CurveKind, Distance, Extrema } from "../curve-queries.js";
 import type { FrameOptions, Frames } from "../frames.js";
@@ -51,7 +51,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   torsion(t: number): number {
     check.finite(t, "t");
-    return this.dimension === 2 ? 0 : core().curve_torsion(this._write(), t);
+    return this.dimension === 2 ? 0 : curvesModule.exports.curve_torsion(this._write(), t);
   }
 
   /**
@@ -70,12 +70,11 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     const ts = frameTimes(where, 1);
     const args = frameArguments(ts, options);
     const count = this._write(args);
-    return readFrames(unwrapCount(core().curve_frames(count, ts.length, args.length > ts.length)));
+    return readFrames(curvesModule.count(curvesModule.exports.curve_frames(count, ts.length, args.length > ts.length)));
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     return queries.extrema(this._flat, this.dimension);
   }
 
@@ -92,12 +91,12 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */
   inflections(): Float64Array {
     this._require2D("inflections");
-    return readResult(0, core().curve_inflections(this._write()));
+    return curvesModule.read(0, curvesModule.exports.curve_inflections(this._write()));
   }
 
   /** The parameters inside (0, 1) of cusps, where the tangent reverses its direction, sorted. */
   cusps(): Float64Array {
-    return readResult(0, core().curve_cusps(this.dimension, this._write()));
+    return curvesModule.read(0, curvesModule.exports.curve_cusps(this.dimension, this._write()));
   }
 
   /**
@@ -105,7 +104,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * curve that is not planar is "twisted".
    */
   classify(): CurveKind {
-    return queries.CURVE_KINDS[core().curve_classify(this.dimension, this._write())];
+    return queries.CURVE_KINDS[curvesModule.exports.curve_classify(this.dimension, this._write())];
   }
 
   /**
@@ -128,7 +127,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   toBasis(basis: BasisLike): Float64Array {
     const matrix = basisNumbers(basis);
-    return readResult(0, core().curve_to_basis(this.dimension, this._write(matrix)));
+    return curvesModule.read(0, curvesModule.exports.curve_to_basis(this.dimension, this._write(matrix)));
   }
 
   /**
@@ -188,19 +187,18 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     if (ts !== undefined && parameters.length !== count) {
       throw new RangeError(`ts: expected ${count} numbers, one for each point, got ${parameters.length}`);
     }
-    writeArguments(flat, parameters.length).set(parameters, flat.length);
-    const length = core().curve_interpolate(dimension, count, parameters.length);
-    return curveOf(new CheckedPoints(readResult(0, length), dimension)) as Curve<D>;
+    curvesModule.write(flat, parameters.length).set(parameters, flat.length);
+    const length = curvesModule.exports.curve_interpolate(dimension, count, parameters.length);
+    return curveOf({ flat: curvesModule.read(0, length), dimension }) as Curve<D>;
   }
 
   /**
    * The curve of degree n − 1 with the same end points whose largest distance from this one at equal t is smallest, and
    * that distance. A line is returned unchanged with error 0.
    */
-  reduce(...surplus: never[]): Reduced<D> {
-    check.noSurplus(surplus, "reduce", 0);
-    const used = core().curve_reduce(this.dimension, this._write());
-    return { curve: this._curveOf(readResult(1, used)), error: readResult(0, 1)[0] };
+  reduce(): Reduced<D> {
+    const used = curvesModule.exports.curve_reduce(this.dimension, this._write());
+    return { curve: this._curveOf(curvesModule.read(1, used)), error: curvesModule.read(0, 1)[0] };
   }
 
   /**
@@ -221,7 +219,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     this._require2D("offset");
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    return readSpline(core().curve_offset(this._write(), distance, tolerance), 2) as Spline<2>;
+    return readSpline(curvesModule.exports.curve_offset(this._write(), distance, tolerance), 2) as Spline<2>;
   }
 
   /**
@@ -243,27 +241,24 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     if (typeOf(other) !== "curve") return intersectSplines(this.casteljauData(), other) as any;
     const a = this._flat;
     const { flat: b, dimension } = curveData(other, "other");
     check.require2D("intersections", "curve", dimension);
-    const view = writeArguments(a, b.length);
+    const view = curvesModule.write(a, b.length);
     for (let i = 0; i < b.length; i++) view[a.length + i] = b[i];
-    return readIntersections(core().curve_intersect(a.length / 2, b.length / 2)) as any;
+    return readIntersections(curvesModule.exports.curve_intersect(a.length / 2, b.length / 2)) as any;
   }
 
   /**
    * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
    * Parts that the curve retraces (a straight curve that turns back) are not reported. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     this._require2D("selfIntersections");
-    return readSelfIntersections(core().curve_self_intersections(this._write()));
+    return readSelfIntersections(curvesModule.exports.curve_self_intersections(this._write()));
   }
 
   /**
@@ -306,7 +301,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * @internal
    */
   override _curveOf(flat: Float64Array): this {
-    return curveOf(new CheckedPoints(flat, this.dimension)) as this;
+    return curveOf({ flat, dimension: this.dimension }) as this;
   }
 
   /** The coordinates of a curve that must have the same dimension. */
@@ -325,6 +320,6 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
  *
  * @internal
  */
-export function curveOf(points: CheckedPoints): Curve {
-  return new Curve(points as any);
+export function curveOf(points: ControlPoints): Curve {
+  return fromChecked(Curve, points);
 }

@@ -1,3 +1,5 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { basisNumbers } from "../basis.js";
@@ -5,10 +7,8 @@ import { coreCurveOf } from "../curve/core-curve.js";
 import { patchData, requireJSON } from "../brand.js";
 import { affine } from "../affine.js";
 import { showInNode } from "../inspected.js";
-import { degreeOfRows, netNumbers } from "../net.js";
+import { netData, netNumbers } from "../net.js";
 import { nested, samePoints, writePoint, pointAt } from "../points.js";
-import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import { readGrid } from "../grid-mesh.js";
 import { gridOptions, readMesh } from "../mesh.js";
 import { tessellation } from "../tessellation.js";
@@ -63,14 +63,10 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    */
   constructor(net: NetLike, options?: { degreeU?: number; degreeV?: number }) {
     if (!isShown) show();
-    const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
-      "degreeU",
-      "degreeV",
-    ]);
-    this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
-    this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
-    const checked = net as unknown;
-    this.#flat = checked instanceof CheckedPoints ? checked.flat : netNumbers(net, degreeU, degreeV);
+    const { flat, degreeU, degreeV } = checkedData<PatchData>(net) ?? netData(net, options);
+    this.#flat = flat;
+    this.#degreeU = degreeU;
+    this.#degreeV = degreeV;
   }
 
   /** The degree in u. */
@@ -106,8 +102,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    */
-  splitU(u: number, ...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "splitU", 1, "split(u, v)");
+  splitU(u: number): [this, this] {
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -116,8 +111,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
-  splitV(v: number, ...surplus: never[]): [this, this] {
-    check.noSurplus(surplus, "splitV", 1, "split(u, v)");
+  splitV(v: number): [this, this] {
     return this.#split(false, check.finite(v, "v"));
   }
 
@@ -138,11 +132,10 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @throws {RangeError} at degree 64
    */
-  elevate(...surplus: never[]): this {
-    check.noSurplus(surplus, "elevate", 0);
-    writeArguments(this.#flat);
-    const length = core().patch_elevate(this.#degreeU, this.#degreeV);
-    return this._patchOf(readResult(0, length), this.#degreeU + 1, this.#degreeV + 1);
+  elevate(): this {
+    surfacesModule.write(this.#flat);
+    const length = surfacesModule.exports.patch_elevate(this.#degreeU, this.#degreeV);
+    return this._patchOf(surfacesModule.read(0, length), this.#degreeU + 1, this.#degreeV + 1);
   }
 
   /**
@@ -152,8 +145,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
-    writeArguments(this.#flat, 12).set(affine(matrix), this.#flat.length);
-    return this.#withNet(readResult(0, core().points_transform(3, this.#flat.length / 3)));
+    surfacesModule.write(this.#flat, 12).set(affine(matrix), this.#flat.length);
+    return this.#withNet(surfacesModule.read(0, surfacesModule.exports.points_transform(3, this.#flat.length / 3)));
   }
 
   /**
@@ -218,7 +211,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   _writeAt(u: number, v: number): [number, number, number, number] {
     check.finite(u, "u");
     check.finite(v, "v");
-    writeArguments(this.#flat);
+    surfacesModule.write(this.#flat);
     return [this.#degreeU, this.#degreeV, u, v];
   }
 
@@ -227,10 +220,10 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   }
 
   #split(alongU: boolean, at: number): [this, this] {
-    writeArguments(this.#flat);
-    core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
+    surfacesModule.write(this.#flat);
+    surfacesModule.exports.patch_split(this.#degreeU, this.#degreeV, alongU, at);
     const n = this.#flat.length;
-    return [this.#withNet(readResult(0, n)), this.#withNet(readResult(n, 2 * n))];
+    return [this.#withNet(surfacesModule.read(0, n)), this.#withNet(surfacesModule.read(n, 2 * n))];
   }
 
   /**
@@ -240,8 +233,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   eval(u: number, v: number): Point<3> {
-    core().patch_eval(...this._writeAt(u, v));
-    return pointAt(readResult(0, 3), 0, 3);
+    surfacesModule.exports.patch_eval(...this._writeAt(u, v));
+    return pointAt(surfacesModule.read(0, 3), 0, 3);
   }
 
   /**
@@ -251,8 +244,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   partials(u: number, v: number): Partials {
-    core().patch_partials(...this._writeAt(u, v));
-    const numbers = readResult(0, 15);
+    surfacesModule.exports.patch_partials(...this._writeAt(u, v));
+    const numbers = surfacesModule.read(0, 15);
     const at = (k: number) => pointAt(numbers, 3 * k, 3);
     return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
   }
@@ -265,8 +258,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   normal(u: number, v: number): Point<3> {
-    core().patch_normal(...this._writeAt(u, v));
-    return pointAt(readResult(0, 3), 0, 3);
+    surfacesModule.exports.patch_normal(...this._writeAt(u, v));
+    return pointAt(surfacesModule.read(0, 3), 0, 3);
   }
 
   /**
@@ -277,8 +270,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   curvature(u: number, v: number): Curvature {
-    core().patch_curvature(...this._writeAt(u, v));
-    const [gaussian, mean, k1, k2] = readResult(0, 4);
+    surfacesModule.exports.patch_curvature(...this._writeAt(u, v));
+    const [gaussian, mean, k1, k2] = surfacesModule.read(0, 4);
     return { gaussian, mean, k1, k2 };
   }
 
@@ -318,8 +311,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * above degree 24), about one for each multiplication. If that is not enough, the face is at the best local extremum
    * found so far.
    */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> {
     return queries.bounds(this.#surfaceWriter()) as Bounds<3>;
   }
 
@@ -331,16 +323,14 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * or has very different sizes along its axes, the result is the best estimate and its fifth digit may be wrong; where
    * coordinates differ by many powers of ten, the fourth.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     return queries.area(this.#surfaceWriter());
   }
 
   /** An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal. */
-  flatness(...surplus: never[]): number {
-    check.noSurplus(surplus, "flatness", 0);
-    writeArguments(this._flat);
-    return core().patch_flatness(this.degreeU, this.degreeV);
+  flatness(): number {
+    surfacesModule.write(this._flat);
+    return surfacesModule.exports.patch_flatness(this.degreeU, this.degreeV);
   }
 
   /**
@@ -353,9 +343,8 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): PatchPoint {
+  nearest(p: PointLike): PatchPoint {
     const found = queries.nearest(this.#surfaceWriter(), p) as any;
-    check.noSurplus(surplus, "nearest", 1);
     return queries.withoutPatch(found);
   }
 
@@ -378,16 +367,16 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   grid(options: GridOptions): Mesh {
     const checked = gridOptions(options);
     const { u, v, quads, differences } = checked;
-    writeArguments(this._flat);
-    unwrapCount(core().patch_grid(this.degreeU, this.degreeV, u, v, quads, differences));
+    surfacesModule.write(this._flat);
+    surfacesModule.count(surfacesModule.exports.patch_grid(this.degreeU, this.degreeV, u, v, quads, differences));
     return readGrid(1, checked);
   }
 
   /** A mesh of the patch; see `Surface.tessellate`. Here `weld` is "none" by default, so that the mesh has uvs. */
   tessellate(options: TessellationOptions): Mesh {
     const { args, extra, into, ...kind } = tessellation(options, "none");
-    writeArguments(this._flat, extra.length).set(extra, this._flat.length);
-    unwrapCount(core().patch_tessellate(this.degreeU, this.degreeV, ...args));
+    surfacesModule.write(this._flat, extra.length).set(extra, this._flat.length);
+    surfacesModule.count(surfacesModule.exports.patch_tessellate(this.degreeU, this.degreeV, ...args));
     return readMesh(into, kind);
   }
 
@@ -397,7 +386,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    return coreCurveOf(new CheckedPoints(flat, 3)) as unknown as C;
+    return coreCurveOf({ flat, dimension: 3 }) as unknown as C;
   }
 
   #surfaceWriter() {
@@ -405,9 +394,9 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   }
 
   #isocurve(constantU: boolean, at: number) {
-    writeArguments(this._flat);
-    const length = core().patch_isocurve(this.degreeU, this.degreeV, constantU, at);
-    return this._curveOf(readResult(0, length));
+    surfacesModule.write(this._flat);
+    const length = surfacesModule.exports.patch_isocurve(this.degreeU, this.degreeV, constantU, at);
+    return this._curveOf(surfacesModule.read(0, length));
   }
 
   /**
@@ -451,7 +440,7 @@ function corePatchWith(net: NetLike, options: { degreeU?: number; degreeV?: numb
  * @internal
  */
 export function corePatchOf(flat: Float64Array, degreeU: number, degreeV: number): CorePatch {
-  return corePatchWith(new CheckedPoints(flat, 3) as any, { degreeU, degreeV });
+  return fromChecked(CorePatch, { flat, degreeU, degreeV });
 }
 
 /**
@@ -461,8 +450,8 @@ export function corePatchOf(flat: Float64Array, degreeU: number, degreeV: number
  */
 export function netInBasis(basis: BasisLike, net: NetLike): Float64Array {
   const matrix = basisNumbers(basis);
-  writeArguments(netNumbers(net, 3, 3), 16).set(matrix, 48);
-  return readResult(0, core().patch_from_basis());
+  surfacesModule.write(netNumbers(net, 3, 3), 16).set(matrix, 48);
+  return surfacesModule.read(0, surfacesModule.exports.patch_from_basis());
 }
 
 /**

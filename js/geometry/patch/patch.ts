@@ -1,6 +1,6 @@
+import { fromChecked } from "../checked.js";
 import { curveOf } from "../curve/curve.js";
 import { CorePatch, netInBasis, patchArguments } from "./core-patch.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import type { BasisLike } from "../basis.js";
 import type { Curve } from "../curve/curve.js";
 import type { NetLike } from "../net.js";
@@ -42,7 +42,7 @@ export class Patch extends CorePatch<Curve<3>> {
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<3> {
-    return curveOf(new CheckedPoints(flat, 3)) as Curve<3>;
+    return curveOf({ flat, dimension: 3 }) as Curve<3>;
   }
 
   /**
@@ -67,5 +67,5 @@ function patchWith(net: NetLike, options: { degreeU?: number; degreeV?: number }
  * @internal
  */
 export function patchOf(flat: Float64Array, degreeU: number, degreeV: number): Patch {
-  return patchWith(new CheckedPoints(flat, 3) as any, { degreeU, degreeV });
+  return fromChecked(Patch, { flat, degreeU, degreeV });
 }

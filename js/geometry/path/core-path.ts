@@ -1,3 +1,5 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import * as shapes from "./path-shapes.js";
 import { pathData, requireJSON } from "../brand.js";
@@ -15,8 +17,6 @@ import { PathSegmentIndex } from "./path-segment-index.js";
 import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
-import { core } from "../../wasm/init.js";
-import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
 import { coreSplineOf, splineDataOf } from "../spline/core-spline.js";
 import { readSvg } from "../../io/svg-read.js";
 import { PathBuilder } from "./path-builder.js";
@@ -72,16 +72,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   constructor(splines: ArrayLike<CoreSpline | CoreCurve>) {
     if (!isShown) show();
-    const checked = splines as unknown;
-    if (checked instanceof CheckedPath) {
-      this.#packed = checked.packed;
-      return;
-    }
-    if (!Array.isArray(splines)) {
-      const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
-      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
-    }
-    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
+    this.#packed = checkedData<Float64Array>(splines) ?? packedList(splines);
   }
 
   /** The number of subpaths. */
@@ -367,11 +358,10 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param location a subpath and a parameter on it
    */
-  split(location: PathTime, ...surplus: never[]): [this, this];
+  split(location: PathTime): [this, this];
   /** @param locations any number of locations */
-  split(locations: readonly PathTime[], ...surplus: never[]): this[];
-  split(location: PathTime | readonly PathTime[], ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
+  split(locations: readonly PathTime[]): this[];
+  split(location: PathTime | readonly PathTime[]): this[] {
     const ends = Array.isArray(location)
       ? Array.from(location, (each, k) => checkedLocation(this.subpathCount, each, `locations[${k}]`))
       : [checkedLocation(this.subpathCount, location)];
@@ -392,8 +382,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param from the location of the start
    * @param to the location of the end
    */
-  subsegment(from: PathTime, to: PathTime, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(from: PathTime, to: PathTime): this {
     const [a, b] = [checkedLocation(this.subpathCount, from, "from"), checkedLocation(this.subpathCount, to, "to")];
     if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this.subpaths, b, a).reverse())).reverse();
     const isPoint = a.subpath === b.subpath && a.t === b.t;
@@ -415,8 +404,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   #area: number | undefined;
 
   /** The smallest box that contains the path; null for an empty one. */
-  bounds(...surplus: never[]): Bounds<2> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<2> | null {
     if (this.#bounds === undefined) this.#bounds = this._box(true);
     return copyOfBounds(this.#bounds);
   }
@@ -432,12 +420,11 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param tolerance the largest error, by default 1e-12 of the length
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1);
+  length(tolerance?: number): number {
     if (tolerance === undefined) return this.#segmentEnds().at(-1) as number;
     const maxError = check.optionalTolerance(tolerance);
-    writeArguments(this._packed);
-    return readResult(0, core().path_length(maxError))[0];
+    curvesModule.write(this._packed);
+    return curvesModule.read(0, curvesModule.exports.path_length(maxError))[0];
   }
 
   /**
@@ -450,8 +437,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
     if (tolerance !== undefined) {
-      writeArguments(this._packed);
-      return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+      curvesModule.write(this._packed);
+      return readTimes(curvesModule.exports.path_time_at_length(s, maxError))[0] ?? null;
     }
     const ends = this.#segmentEnds();
     const { count } = this.#index();
@@ -484,9 +471,9 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   equidistantTimes(segments: number): PathTime[] {
     check.segmentCount(segments);
-    writeArguments(this._packed);
-    const times = readTimes(core().path_equidistant_times(segments));
-    releaseMemory();
+    curvesModule.write(this._packed);
+    const times = readTimes(curvesModule.exports.path_equidistant_times(segments));
+    curvesModule.release();
     return times;
   }
 
@@ -509,11 +496,10 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
    * line.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     if (this.#area === undefined) {
-      writeArguments(this._packed);
-      this.#area = core().path_area();
+      curvesModule.write(this._packed);
+      this.#area = curvesModule.exports.path_area();
     }
     return this.#area;
   }
@@ -523,9 +509,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    *
    * @param point the point, in the unit of the points
    */
-  nearest(point: PointLike, ...surplus: never[]): PathPoint | null {
+  nearest(point: PointLike): PathPoint | null {
     const p = coordinatesOf(point);
-    check.noSurplus(surplus, "nearest", 1, "Path.index([path]).nearest(point, { maxDistance })");
     if (this.#asked) return this._nearest(p, Infinity);
     this.#asked = true;
     return nearestOnPath(this._packed, p);
@@ -544,8 +529,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   #windingNumber([x, y]: Float64Array): number {
     if (this.#asked) return this.#segmentTree().windingNumber(x, y);
     this.#asked = true;
-    writeArguments(this._packed);
-    return core().path_winding_number(x, y);
+    curvesModule.write(this._packed);
+    return curvesModule.exports.path_winding_number(x, y);
   }
 
   /**
@@ -566,12 +551,11 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param tolerance the largest distance, in the unit of the points
    * @returns `closed`: whether the subpath is; then the last vertex is the first one again
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
     check.positive(tolerance, "tolerance");
-    writeArguments(this._packed);
-    const numbers = readResult(0, core().path_flatten(tolerance));
-    releaseMemory();
+    curvesModule.write(this._packed);
+    const numbers = curvesModule.read(0, curvesModule.exports.path_flatten(tolerance));
+    curvesModule.release();
     const subpaths = extents(this._packed);
     const polylines: { points: Float64Array; ts: Float64Array; closed: boolean }[] = [];
     for (let at = 0; at < numbers.length; ) {
@@ -605,8 +589,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
 
   #segmentEnds() {
     if (!this.#ends) {
-      writeArguments(this._packed);
-      this.#ends = readResult(0, core().path_segment_ends());
+      curvesModule.write(this._packed);
+      this.#ends = curvesModule.read(0, curvesModule.exports.path_segment_ends());
     }
     return this.#ends;
   }
@@ -617,8 +601,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @internal
    */
   _box(exact: boolean) {
-    writeArguments(this._packed);
-    const numbers = readResult(0, core().path_bounds(exact));
+    curvesModule.write(this._packed);
+    const numbers = curvesModule.read(0, curvesModule.exports.path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
 
@@ -759,8 +743,8 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    * @param shapes curves, splines and paths in the plane
    * @throws {TypeError} for other values, and for 3D ones
    */
-  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): CorePath {
-    return corePathOf(packedFrom(shapes, surplus));
+  static from(shapes: Shape | ArrayLike<Shape>): CorePath {
+    return corePathOf(packedFrom(shapes));
   }
 }
 
@@ -771,19 +755,6 @@ function show() {
 
 function corePathOf(packed: Float64Array): CorePath {
   return pathFrom(CorePath, packed); // outside of the class, see ../curve/core-curve.js
-}
-
-/**
- * A packed path that is already checked: the constructor accepts it from inside the package.
- *
- * @internal
- */
-export class CheckedPath {
-  packed: Float64Array;
-
-  constructor(packed: Float64Array) {
-    this.packed = packed;
-  }
 }
 
 /**
@@ -813,7 +784,15 @@ function copyOfBounds(box: Bounds<2> | null): Bounds<2> | null {
 export function pathFrom<P>(Class: PathClass<P>, packed: Float64Array): P {
   if (typeof Class !== "function")
     throw new TypeError("expected a call of a static method on its class, as Path.circle(…)");
-  return new Class(new CheckedPath(packed) as any);
+  return fromChecked(Class, packed);
+}
+
+function packedList(splines: ArrayLike<CoreSpline | CoreCurve>): Float64Array {
+  if (!Array.isArray(splines)) {
+    const hint = typeof splines === "string" ? "; did you mean Path.fromSVG?" : "";
+    throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}${hint}`);
+  }
+  return packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
 }
 
 /**
@@ -821,9 +800,7 @@ export function pathFrom<P>(Class: PathClass<P>, packed: Float64Array): P {
  *
  * @internal
  */
-export function packedFrom(shapes: Shape | ArrayLike<Shape>, surplus: never[]): Float64Array {
-  // A number is the index that `map` passes.
-  if (typeof surplus[0] !== "number") check.noSurplus(surplus, "from", 1, "from([a, b])");
+export function packedFrom(shapes: Shape | ArrayLike<Shape>): Float64Array {
   if (!Array.isArray(shapes)) return packedShape(shapes, "shapes");
   return packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`)));
 }

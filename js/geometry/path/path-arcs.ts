@@ -1,6 +1,5 @@
 // Lines and arcs that approximate a path.
 import * as check from "../check.js";
-import { core } from "../../wasm/init.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { readPath, writePaths } from "./path-boolean.js";
 import type { Point } from "../points.js";
@@ -29,7 +28,7 @@ const NUMBERS = 9;
 export function arcsOf(packed: Float64Array, tolerance: number): CircularArc[][] {
   check.positive(tolerance, "tolerance");
   writePaths([packed]);
-  const numbers = readPath(core(regionsModule).region_arcs(tolerance));
+  const numbers = readPath(regionsModule.exports.region_arcs(tolerance));
   const subpaths: CircularArc[][] = [];
   for (let at = 0; at < numbers.length; ) {
     const end = at + 1 + NUMBERS * numbers[at];

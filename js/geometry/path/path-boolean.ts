@@ -1,12 +1,10 @@
 // Boolean operations: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
-import { core } from "../../wasm/init.js";
 import { packedPath, pathData } from "../brand.js";
 import { describe } from "../describe.js";
 import { extentAt } from "../../wasm/packed-path.js";
 import { isEvenOdd } from "./fill-rule.js";
 import { regionsModule } from "../../wasm/regions-module.js";
-import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.js";
 import type { RegionOptions } from "./fill-rule.js";
 
 /**
@@ -45,7 +43,7 @@ export function writePaths(packed: Float64Array[]) {
     numbers.set(path, at);
     at += path.length;
   }
-  writeArguments(numbers, 0, regionsModule);
+  regionsModule.write(numbers);
 }
 
 /**
@@ -54,8 +52,8 @@ export function writePaths(packed: Float64Array[]) {
  * @returns a packed path
  */
 export function readPath(end: number): Float64Array {
-  const packed = readResult(0, end, regionsModule);
-  releaseMemory(regionsModule);
+  const packed = regionsModule.read(0, end);
+  regionsModule.release();
   return packed;
 }
 
@@ -68,7 +66,7 @@ export function combine(paths: unknown, operation: BooleanOperation, options?: R
   check.oneOf(operation, "operation", OPERATIONS);
   const evenOdd = isEvenOdd(options);
   writePaths(packed);
-  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), packed.length, evenOdd));
+  return readPath(regionsModule.exports.region_combine(OPERATIONS.indexOf(operation), packed.length, evenOdd));
 }
 
 /**
@@ -88,7 +86,7 @@ export function combineWith(
   const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => pathData(value, `paths[${k + 1}]`));
   const all = [path, pathData(other, "other"), ...others];
   writePaths(all);
-  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
+  return readPath(regionsModule.exports.region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
 }
 
 /**
@@ -98,7 +96,7 @@ export function combineWith(
 export function subtract(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(other, "other")]);
-  return readPath(core(regionsModule).region_subtract(evenOdd));
+  return readPath(regionsModule.exports.region_subtract(evenOdd));
 }
 
 /**
@@ -108,7 +106,7 @@ export function subtract(path: Float64Array, other: unknown, options?: RegionOpt
 export function removeOverlaps(path: Float64Array, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path]);
-  return readPath(core(regionsModule).region_combine(0, 1, evenOdd));
+  return readPath(regionsModule.exports.region_combine(0, 1, evenOdd));
 }
 
 /**
@@ -121,7 +119,7 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
   const evenOdd = isEvenOdd(options);
   writePaths(packed);
   const count = packed.length;
-  const numbers = readPath(core(regionsModule).region_faces(count, evenOdd));
+  const numbers = readPath(regionsModule.exports.region_faces(count, evenOdd));
   const found: { packed: Float64Array; inside: boolean[] }[] = [];
   for (let at = 0; at < numbers.length; ) {
     const inside = Array.from(numbers.subarray(at, at + count), (flag) => flag === 1);
@@ -139,7 +137,7 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
 export function divide(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array[] {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(other, "other")]);
-  const numbers = readPath(core(regionsModule).region_divide(evenOdd));
+  const numbers = readPath(regionsModule.exports.region_divide(evenOdd));
   const parts: Float64Array[] = [];
   for (let at = 0, end = 0; at < numbers.length; at = end) {
     end = endOfPath(numbers, at);
@@ -155,5 +153,5 @@ export function divide(path: Float64Array, other: unknown, options?: RegionOptio
 export function clip(path: Float64Array, region: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(region, "region")]);
-  return readPath(core(regionsModule).region_clip(evenOdd));
+  return readPath(regionsModule.exports.region_clip(evenOdd));
 }

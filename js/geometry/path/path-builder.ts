@@ -1,14 +1,12 @@
 import * as check from "../check.js";
-import { directionOfDegrees } from "../../io/svg-arc.js";
-import { PathBuilder as SvgBuilder } from "../../io/svg-read.js";
+import { CommandBuilder } from "../../io/command-builder.js";
+import { degreesOf, directionOfDegrees, quarterTurns } from "../../io/svg-arc.js";
 import { checkTolerance } from "../../io/svg-write.js";
+import { fittingRadii } from "./path-shapes.js";
 
 const [ARC, CUBIC, LINE, MOVE, QUADRATIC] = [65, 67, 76, 77, 81];
 
 const FULL_TURN = 2 * Math.PI;
-
-/** More than the rounding of an angle in quarter turns, which must not add a part. */
-const ANGLE_ROUNDING = 1e-12;
 
 /**
  * A path in the making, with the methods of a canvas context (`CanvasPath`): what a function draws on it becomes a path.
@@ -28,7 +26,7 @@ export class PathBuilder<P> {
    * @param tolerance for arcs, 0 for the default
    */
   constructor(tolerance: number, pathOf: (packed: Float64Array) => P) {
-    this.#builder = new SvgBuilder(tolerance);
+    this.#builder = new CommandBuilder(tolerance);
     this.#tolerance = tolerance;
     this.#pathOf = pathOf;
   }
@@ -104,9 +102,8 @@ export class PathBuilder<P> {
   ) {
     const values = { x, y, radiusX, radiusY, rotation, startAngle, endAngle };
     for (const [name, value] of Object.entries(values)) check.finite(value, name);
-    for (const [name, value] of Object.entries({ radiusX, radiusY })) {
-      if (value < 0) throw new RangeError(`${name}: expected a number from 0, got ${value}`);
-    }
+    check.nonNegative(radiusX, "radiusX");
+    check.nonNegative(radiusY, "radiusY");
     const backwards = check.optionalBoolean(counterclockwise, "counterclockwise");
     const turn = arcAngle(startAngle, endAngle, backwards);
     const [cos, sin] = directionOfDegrees(degreesOf(rotation));
@@ -119,7 +116,7 @@ export class PathBuilder<P> {
     if (this.#started) this.#draw(LINE, start);
     else this.moveTo(start.x, start.y);
     const isFull = Math.abs(turn) === FULL_TURN;
-    const parts = Math.ceil((4 * Math.abs(turn)) / FULL_TURN - ANGLE_ROUNDING);
+    const parts = quarterTurns(turn);
     const [degrees, sweep] = [degreesOf(rotation), turn > 0 ? 1 : 0];
     for (let k = 1; k <= parts; k++) {
       const end = k === parts && isFull ? start : at(k === parts ? startAngle + turn : startAngle + (turn * k) / parts);
@@ -136,7 +133,7 @@ export class PathBuilder<P> {
    */
   arcTo(x1: number, y1: number, x2: number, y2: number, radius: number) {
     for (const [name, value] of Object.entries({ x1, y1, x2, y2, radius })) check.finite(value, name);
-    if (radius < 0) throw new RangeError(`radius: expected a number from 0, got ${radius}`);
+    check.nonNegative(radius, "radius");
     this.#start({ x1, y1 });
     const back = unit(this.#builder.x - x1, this.#builder.y - y1);
     const on = unit(x2 - x1, y2 - y1);
@@ -169,12 +166,8 @@ export class PathBuilder<P> {
    */
   roundRect(x: number, y: number, width: number, height: number, radii: number | ArrayLike<number> = 0) {
     for (const [name, value] of Object.entries({ x, y, width, height })) check.finite(value, name);
-    const list = cornerRadii(radii);
     const [w, h] = [Math.abs(width), Math.abs(height)];
-    const sides = [w, h, w, h];
-    const factors = sides.map((side, k) => side / Math.max(side, list[k] + list[(k + 1) % 4]));
-    const scale = Math.min(...factors.filter((factor) => factor >= 0), 1);
-    const [a, b, c, d] = list.map((radius) => radius * scale);
+    const [a, b, c, d] = fittingRadii(cornerRadii(radii), w, h);
     const [right, down] = [Math.sign(width) || 1, Math.sign(height) || 1];
     const sweep = right * down > 0 ? 1 : 0;
     const at = (u: number, v: number) => ({ x: x + right * u, y: y + down * v });
@@ -208,9 +201,9 @@ export class PathBuilder<P> {
    * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate
    */
   build(): P {
-    this.#builder.endOpen();
-    const packed = this.#builder.packer.packed();
-    this.#builder = new SvgBuilder(this.#tolerance);
+    this.#builder.end(false);
+    const packed = this.#builder.packed();
+    this.#builder = new CommandBuilder(this.#tolerance);
     this.#started = false;
     checkTolerance(packed, this.#tolerance);
     return this.#pathOf(packed);
@@ -240,10 +233,6 @@ function arcAngle(start: number, end: number, backwards: boolean) {
   const angle = backwards ? start - end : end - start;
   const turns = angle >= FULL_TURN ? FULL_TURN : ((angle % FULL_TURN) + FULL_TURN) % FULL_TURN;
   return backwards ? -turns : turns;
-}
-
-function degreesOf(radians: number) {
-  return (radians * 180) / Math.PI; // exact for the multiples of π/2 that f64 rounds to
 }
 
 /** A unit vector; zero for a zero vector. */

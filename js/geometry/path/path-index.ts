@@ -57,8 +57,7 @@ export class PathIndex {
    */
   nearest(point: PointLike, options?: { maxDistance?: number }): NearestPath | null {
     const { maxDistance = Infinity } = check.options(options, ["maxDistance"]);
-    if (maxDistance !== Infinity) check.finite(maxDistance, "maxDistance");
-    if (maxDistance < 0) throw new RangeError(`maxDistance: expected a number from 0, got ${maxDistance}`);
+    if (maxDistance !== Infinity) check.nonNegative(maxDistance, "maxDistance");
     const p = coordinates(point, "point");
     let best: NearestPath | null = null;
     this.#boxes.nearest(p, maxDistance, (item) => {

@@ -1,6 +1,5 @@
 // Positions on paths, read from the arena.
-import { core } from "../../wasm/init.js";
-import { writeArguments, readResult } from "../../wasm/transfer.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import type { Point } from "../points.js";
 
 /** A position on a path: the index of the subpath, and the parameter on it. */
@@ -18,7 +17,7 @@ export type PathPointAtLength = PathTime & { point: Point<2>; tangent: Point<2>;
  * @internal
  */
 export function readTimes(length: number): PathTime[] {
-  const numbers = readResult(0, length);
+  const numbers = curvesModule.read(0, length);
   return Array.from({ length: numbers.length / 2 }, (_, k) => ({ subpath: numbers[2 * k], t: numbers[2 * k + 1] }));
 }
 
@@ -28,7 +27,7 @@ export function readTimes(length: number): PathTime[] {
  * @internal
  */
 export function nearestOnPath(packed: Float64Array, point: Float64Array): PathPoint | null {
-  writeArguments(packed, 2).set(point, packed.length);
-  const [subpath, t, x, y, distance] = readResult(0, core().path_nearest());
+  curvesModule.write(packed, 2).set(point, packed.length);
+  const [subpath, t, x, y, distance] = curvesModule.read(0, curvesModule.exports.path_nearest());
   return subpath === undefined ? null : { subpath, t, point: { x, y }, distance };
 }

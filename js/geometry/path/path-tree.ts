@@ -1,7 +1,6 @@
+import { curvesModule } from "../../wasm/curves-module.js";
 import { BoxTree, writeBox } from "../box-tree.js";
 import { SegmentTree } from "../segment-tree.js";
-import { core } from "../../wasm/init.js";
-import { writeArguments } from "../../wasm/transfer.js";
 import type { PathSegmentIndex } from "./path-segment-index.js";
 import type { PathPoint } from "./path-queries.js";
 
@@ -55,8 +54,8 @@ export class PathTree {
     const { flat, starts, ends, count } = this.#index.subpath(subpath);
     const [start, end] = [starts[0], ends[count - 1] - 2];
     if (flat[start] === flat[end] && flat[start + 1] === flat[end + 1]) return 0;
-    writeArguments(Float64Array.of(flat[end], flat[end + 1], flat[start], flat[start + 1]));
-    return core().curve_crossings(2, x, y);
+    curvesModule.write(Float64Array.of(flat[end], flat[end + 1], flat[start], flat[start + 1]));
+    return curvesModule.exports.curve_crossings(2, x, y);
   }
 
   #part(subpath: number) {

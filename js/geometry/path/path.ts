@@ -1,3 +1,4 @@
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import { contoursToThree } from "../../io/three.js";
 import { CorePath, packedFrom, packedFromJSON, pathFrom } from "./core-path.js";
@@ -9,8 +10,6 @@ import { extremaOfPath, timesAtCoordinateOfPath } from "./path-coordinates.js";
 import { PathIndex } from "./path-index.js";
 import { cssOf, pathDataOf, readPathData } from "../../io/path-data.js";
 import { pathData } from "../brand.js";
-import { core } from "../../wasm/init.js";
-import { readResult, writeArguments } from "../../wasm/transfer.js";
 import { splineOf } from "../spline/spline.js";
 import { packedPaths } from "../../wasm/packed-path.js";
 import type { PointLike } from "../check.js";
@@ -91,8 +90,8 @@ export class Path extends CorePath<Spline<2>> {
    * @param shapes curves, splines and paths in the plane
    * @throws {TypeError} for other values, and for 3D ones
    */
-  static from(shapes: Shape | ArrayLike<Shape>, ...surplus: never[]): Path {
-    return pathOf(packedFrom(shapes, surplus));
+  static from(shapes: Shape | ArrayLike<Shape>): Path {
+    return pathOf(packedFrom(shapes));
   }
 
   /** Combines the regions that any number of paths fill, see `union`. Without paths the result is empty. */
@@ -337,8 +336,7 @@ export class Path extends CorePath<Spline<2>> {
    * increasing and decreasing (the sides of a rectangle), the joints of the constant part are extrema. See
    * `Spline.extrema`.
    */
-  extrema(...surplus: never[]): PathExtrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): PathExtrema {
     return extremaOfPath(this.subpaths);
   }
 
@@ -359,8 +357,8 @@ export class Path extends CorePath<Spline<2>> {
    */
   moments(options?: RegionOptions): Moments {
     if (hasFillRule(options)) return this.removeOverlaps(options).moments();
-    writeArguments(this._packed);
-    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
+    curvesModule.write(this._packed);
+    const [area, x, y, xx, xy, yy] = curvesModule.read(0, curvesModule.exports.path_moments());
     return { area, x, y, xx, xy, yy };
   }
 
@@ -450,9 +448,7 @@ export class Path extends CorePath<Spline<2>> {
    */
   intersections<S extends Shape | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<PathTime, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectPathWith(this._packed, other) as any;
   }
 
@@ -460,8 +456,7 @@ export class Path extends CorePath<Spline<2>> {
    * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
    * Each pair is reported once.
    */
-  selfIntersections(...surplus: never[]): PathIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): PathIntersection[] {
     return selfIntersectPath(this._packed);
   }
 

@@ -1,6 +1,5 @@
 // Intersections of rational and NURBS curves with all shapes of the plane.
-import { core } from "../../wasm/init.js";
-import { unwrapCount } from "../../wasm/errors.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import { packedPath, typeOf } from "../brand.js";
 import { require2D } from "../check.js";
 import { readIntersections, readSelfIntersections, withPathTimes } from "../intersections.js";
@@ -47,10 +46,10 @@ export function intersectSplineWithNurbs(spline: SplineData, curve: NurbsData): 
 export function selfIntersectNurbs(curve: NurbsData): SelfIntersection[] {
   require2D("selfIntersections", "curve", curve.dimension);
   writeNurbs([curve]);
-  return readSelfIntersections(unwrapCount(core().nurbs_self_intersections()));
+  return readSelfIntersections(curvesModule.count(curvesModule.exports.nurbs_self_intersections()));
 }
 
 function intersectPair(a: NurbsData, b: NurbsData): Intersection[] {
   writeNurbs([a, b]);
-  return readIntersections(unwrapCount(core().nurbs_intersect()));
+  return readIntersections(curvesModule.count(curvesModule.exports.nurbs_intersect()));
 }

@@ -1,7 +1,6 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
-import { core } from "../../wasm/init.js";
-import { unwrapCount } from "../../wasm/errors.js";
-import { CheckedPoints, readPolyline, readResult, writeArguments } from "../../wasm/transfer.js";
 import { packedSpline } from "../../wasm/packed-path.js";
 import { directionOfDegrees } from "../../io/svg-arc.js";
 import { svgOfRational } from "../../io/svg-conic.js";
@@ -92,13 +91,9 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   constructor(options: NurbsOptions<D>) {
     if (!isShown) show();
-    const checked = options as unknown;
-    if (checked instanceof CheckedNurbs) {
-      this.#data = checked.data;
-      return;
-    }
-    this.#data = checkedData(options);
-    this.#readSegments();
+    const checked = checkedData<NurbsData>(options);
+    this.#data = checked ?? dataOf(options);
+    if (!checked) this.#readSegments();
   }
 
   /** The degree p of every segment. */
@@ -152,7 +147,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The Greville abscissae: for each control point the mean of the p knots that belong to it, where it pulls the curve most.
    */
   greville(): Float64Array {
-    return readResult(0, core().nurbs_greville(this._write()));
+    return curvesModule.read(0, curvesModule.exports.nurbs_greville(this._write()));
   }
 
   /** The segments: the rational curves over the nonempty knot spans. Each ends at the point with which the next one starts. */
@@ -173,14 +168,14 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   #readSegments(): RationalCurve<D>[] {
     if (this.#segments) return this.#segments;
     const { degree, dimension } = this.#data;
-    const numbers = readResult(0, core().nurbs_segments(this._write()));
+    const numbers = curvesModule.read(0, curvesModule.exports.nurbs_segments(this._write()));
     const count = numbers[0];
     this.#joints = numbers.slice(1, count + 2);
     const n = degree + 1;
     const segment = (_: unknown, k: number) => {
       const at = count + 2 + k * n * (dimension + 1);
       const weights = at + n * dimension;
-      const points = new CheckedPoints(numbers.slice(at, weights), dimension);
+      const points = { flat: numbers.slice(at, weights), dimension };
       return rationalCurveOf(points, numbers.slice(weights, weights + n)) as RationalCurve<D>;
     };
     this.#segments = Array.from({ length: count }, segment);
@@ -394,7 +389,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   insertKnot(t: number, times = 1): NurbsCurve<D> {
     check.finite(t, "t");
     check.whole(times, "times", 0, 64);
-    return this._read(core().nurbs_insert_knot(this._write(), t, times));
+    return this._read(curvesModule.exports.nurbs_insert_knot(this._write(), t, times));
   }
 
   /**
@@ -405,7 +400,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   refine(ts: ArrayLike<number>): NurbsCurve<D> {
     const knots = check.numbers(ts, "ts");
-    return this._read(core().nurbs_refine(this._write(knots), knots.length));
+    return this._read(curvesModule.exports.nurbs_refine(this._write(knots), knots.length));
   }
 
   /**
@@ -424,8 +419,8 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   removeKnot(t: number, options?: { tolerance?: number }): { curve: NurbsCurve<D>; error: number } {
     check.finite(t, "t");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    const end = unwrapCount(core().nurbs_remove_knot(this._write(), t, tolerance));
-    const error = readResult(0, 1)[0];
+    const end = curvesModule.count(curvesModule.exports.nurbs_remove_knot(this._write(), t, tolerance));
+    const error = curvesModule.read(0, 1)[0];
     return { error, curve: tolerance > 0 && error > tolerance ? this : this._read(end, 1) };
   }
 
@@ -438,7 +433,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   elevate(times = 1): NurbsCurve<D> {
     check.whole(times, "times", 0, 64);
     let curve: NurbsCurve<D> = this;
-    for (let k = 0; k < times; k++) curve = curve._read(core().nurbs_elevate(curve._write()));
+    for (let k = 0; k < times; k++) curve = curve._read(curvesModule.exports.nurbs_elevate(curve._write()));
     return curve;
   }
 
@@ -448,8 +443,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param t the parameter, inside of the domain
    * @throws {RangeError} for any other t
    */
-  split(t: number, ...surplus: never[]): [NurbsCurve<D>, NurbsCurve<D>] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(t: number): [NurbsCurve<D>, NurbsCurve<D>] {
     check.finite(t, "t");
     const [from, to] = this.domain;
     if (!(t > from && t < to))
@@ -464,16 +458,15 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param t1 the parameter of the end, in the domain
    * @throws {RangeError} for parameters outside of the domain, and for equal ones
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): NurbsCurve<D> {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): NurbsCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    return this._read(core().nurbs_subsegment(this._write(), t0, t1));
+    return this._read(curvesModule.exports.nurbs_subsegment(this._write(), t0, t1));
   }
 
   /** The same curve with the opposite direction and the same domain. */
   reverse(): NurbsCurve<D> {
-    return this._read(core().nurbs_reverse(this._write()));
+    return this._read(curvesModule.exports.nurbs_reverse(this._write()));
   }
 
   /**
@@ -485,33 +478,31 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   transform(matrix: TransformLike): NurbsCurve<D> {
     const numbers = projective(matrix, this.dimension);
-    if (numbers) return this._read(core().nurbs_project(this._write(numbers)));
+    if (numbers) return this._read(curvesModule.exports.nurbs_project(this._write(numbers)));
     const map = affine(matrix);
     const { flat, dimension } = this.#data;
-    writeArguments(flat, map.length).set(map, flat.length);
-    const length = core().points_transform(dimension, flat.length / dimension);
-    return nurbsOf({ ...this.#data, flat: readResult(0, length) }) as NurbsCurve<D>;
+    curvesModule.write(flat, map.length).set(map, flat.length);
+    const length = curvesModule.exports.points_transform(dimension, flat.length / dimension);
+    return nurbsOf({ ...this.#data, flat: curvesModule.read(0, length) }) as NurbsCurve<D>;
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
-    return boxAt(readResult(0, core().nurbs_bounds(this._write())), this.dimension);
+  bounds(): Bounds<D> {
+    return boxAt(curvesModule.read(0, curvesModule.exports.nurbs_bounds(this._write())), this.dimension);
   }
 
   /** The box of the control points, which contains the curve. */
   controlBounds(): Bounds<D> {
     const { flat, dimension } = this.#data;
-    writeArguments(flat);
-    core().curve_bounds(dimension, flat.length / dimension, false);
-    return boxAt(readResult(0, 2 * dimension), this.dimension);
+    curvesModule.write(flat);
+    curvesModule.exports.curve_bounds(dimension, flat.length / dimension, false);
+    return boxAt(curvesModule.read(0, 2 * dimension), this.dimension);
   }
 
   /** The parameters inside of the domain where a coordinate has a local extremum inside of a segment, sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.dimension }, (_, axis) =>
-      readResult(0, core().nurbs_extrema(this._write(), axis)),
+      curvesModule.read(0, curvesModule.exports.nurbs_extrema(this._write(), axis)),
     );
     return this.dimension === 2 ? { x, y } : { x, y, z };
   }
@@ -523,8 +514,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @returns 0 if all control points are equal
    */
-  length(...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
+  length(): number {
     return this.#readSegments().reduce((sum, segment) => sum + segment.length(), 0);
   }
 
@@ -535,7 +525,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   timeAtLength(s: number): number {
     check.finite(s, "s");
-    return readResult(0, core().nurbs_time_at_length(this._write(), s))[0];
+    return curvesModule.read(0, curvesModule.exports.nurbs_time_at_length(this._write(), s))[0];
   }
 
   /**
@@ -545,8 +535,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -554,8 +543,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
    * line turns counter-clockwise (x right, y up); for a closed curve the enclosed area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     return this.#readSegments().reduce((sum, segment) => sum + segment.area(), 0);
   }
@@ -566,10 +554,9 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const coordinates = new Float64Array(this.dimension);
     writePoint(coordinates, 0, p, this.dimension, "p");
-    check.noSurplus(surplus, "nearest", 1);
     const [segments, joints] = [this.#readSegments(), this.#joints];
     // The nearest start of a segment gives an upper bound; segments whose box is farther away are skipped.
     let max = Infinity;
@@ -605,9 +592,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectNurbs(this.#data, other) as any;
   }
 
@@ -615,8 +600,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The points that the curve passes twice, sorted by t; t < u. Joints and the start of a closed curve do not count as passed
    * twice; the end point of an open curve that ends at its start does. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     return selfIntersectNurbs(this.#data);
   }
 
@@ -627,11 +611,10 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = core().nurbs_flatten(this._write(), tolerance);
-    return readPolyline(unwrapCount(vertices), this.dimension);
+    const vertices = curvesModule.exports.nurbs_flatten(this._write(), tolerance);
+    return curvesModule.readPolyline(curvesModule.count(vertices), this.dimension);
   }
 
   /**
@@ -649,7 +632,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   /** The data of `toSpline`. */
   #spline(tolerance: number | undefined): SplineData {
     const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#data.flat, this.controlBounds());
-    return readSplineData(core().nurbs_to_spline(this._write(), error), this.dimension);
+    return readSplineData(curvesModule.exports.nurbs_to_spline(this._write(), error), this.dimension);
   }
 
   /**
@@ -723,7 +706,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     const { normal } = check.options(options, ["normal"]);
     if (dimension === 2 && normal !== undefined) throw new TypeError("normal: expected none with a 2D center, got one");
     const [u, v] = dimension === 2 ? UNIT_VECTORS : directionsOf(normal ?? [0, 0, 1]);
-    const r = checkedRadius(radius, "radius");
+    const r = check.nonNegative(radius, "radius");
     const scaled = (direction: readonly number[]) => direction.map((x) => x * r);
     return arcBetween(center, dimension, scaled(u), scaled(v), start, end) as NurbsCurve<D>;
   }
@@ -736,7 +719,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for a negative radius
    */
   static circle(center: PointLike, radius: number): NurbsCurve<2> {
-    const r = checkedRadius(radius, "radius");
+    const r = check.nonNegative(radius, "radius");
     return arcBetween(center, 2, [r, 0], [0, r], 0, 2 * Math.PI) as NurbsCurve<2>;
   }
 
@@ -750,7 +733,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for a negative radius
    */
   static ellipse(center: PointLike, radiusX: number, radiusY: number, rotation = 0): NurbsCurve<2> {
-    const [a, b] = [checkedRadius(radiusX, "radiusX"), checkedRadius(radiusY, "radiusY")];
+    const [a, b] = [check.nonNegative(radiusX, "radiusX"), check.nonNegative(radiusY, "radiusY")];
     const [cos, sin] = directionOfDegrees((check.finite(rotation, "rotation") * 180) / Math.PI);
     return arcBetween(center, 2, [cos * a, sin * a], [-sin * b, cos * b], 0, 2 * Math.PI) as NurbsCurve<2>;
   }
@@ -773,8 +756,8 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     const { degree = 3, dimension: requested } = check.options(options, ["degree", "dimension"]);
     check.whole(degree, "degree", 1, 64);
     const { flat, dimension } = flatten(points, requested, 2);
-    writeArguments(flat);
-    const end = core().nurbs_interpolate(dimension, flat.length / dimension, degree);
+    curvesModule.write(flat);
+    const end = curvesModule.exports.nurbs_interpolate(dimension, flat.length / dimension, degree);
     return readNurbs(end, dimension) as NurbsCurve<D>;
   }
 
@@ -837,29 +820,20 @@ function show() {
   isShown = showInNode(NurbsCurve.prototype, "NurbsCurve", (value) => value.toJSON());
 }
 
-/** Data that is already checked: the constructor accepts it from inside the package. */
-class CheckedNurbs {
-  data: NurbsData;
-
-  constructor(data: NurbsData) {
-    this.data = data;
-  }
-}
-
 // Outside of the class, see ../curve/core-curve.js.
 const nurbsFrom = (options: NurbsOptions): NurbsCurve => new NurbsCurve(options);
 
 /**
  * @internal
  */
-export const nurbsOf = (data: NurbsData): NurbsCurve => nurbsFrom(new CheckedNurbs(data) as any);
+export const nurbsOf = (data: NurbsData): NurbsCurve => fromChecked(NurbsCurve, data);
 
 /** Reads a curve from the arena. */
 function readNurbs(end: number, dimension: 2 | 3, from = 0): NurbsCurve {
   return nurbsOf(readNurbsData(end, dimension, from));
 }
 
-function checkedData(options: NurbsOptions): NurbsData {
+function dataOf(options: NurbsOptions): NurbsData {
   const names = ["degree", "points", "weights", "knots", "closed", "dimension"] as const;
   const { degree, points, weights, knots, closed, dimension: requested } = check.options(options, names);
   check.whole(degree, "degree", 1, 64);
@@ -873,12 +847,6 @@ function checkedData(options: NurbsOptions): NurbsData {
     knots: check.numbers(knots, "knots"),
     closed: check.optionalBoolean(closed, "closed"),
   };
-}
-
-function checkedRadius(value: unknown, name: string): number {
-  const radius = check.finite(value, name);
-  if (radius < 0) throw new RangeError(`${name}: expected a number from 0, got ${radius}`);
-  return radius;
 }
 
 /** Two unit vectors that are perpendicular to a normal and to each other. */
@@ -913,8 +881,8 @@ function arcBetween(
   args.set(v, 2 * dimension);
   check.finite(start, "start");
   check.finite(end, "end");
-  writeArguments(args);
-  return readNurbs(core().nurbs_arc(dimension, start, end), dimension);
+  curvesModule.write(args);
+  return readNurbs(curvesModule.exports.nurbs_arc(dimension, start, end), dimension);
 }
 
 /** The curve of a path of one subpath; undefined for any other value. */

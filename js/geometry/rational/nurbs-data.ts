@@ -1,16 +1,15 @@
 // NURBS curves as data, in the arena and made of other shapes. This file imports no class.
+import { curvesModule } from "../../wasm/curves-module.js";
 import { nurbsData, rationalData, splineData, typeOf } from "../brand.js";
-import { core } from "../../wasm/init.js";
-import { readResult, writeArguments } from "../../wasm/transfer.js";
 import type { NurbsData, RationalData, SplineData } from "../brand.js";
 
 /**
  * Writes curves, and then further numbers, to the arena.
  *
  * @internal
- * @param write the arena's function, of any module
+ * @param module of which the arena is
  */
-export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [], write = writeNumbers) {
+export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [], module = curvesModule) {
   const parts = curves.flatMap(({ degree, closed, flat, weights, knots }) => [
     [degree, Number(closed), weights.length, knots.length],
     flat,
@@ -18,19 +17,13 @@ export function writeNurbs(curves: NurbsData[], further: ArrayLike<number> = [],
     knots,
   ]);
   parts.push(further as Float64Array);
-  const view = write(
-    new Float64Array(0),
-    parts.reduce((sum, part) => sum + part.length, 0),
-  );
+  const view = module.arena(parts.reduce((sum, part) => sum + part.length, 0));
   let at = 0;
   for (const numbers of parts) {
     view.set(numbers, at);
     at += numbers.length;
   }
 }
-
-/** Writes numbers to the arena of the module of curves. */
-const writeNumbers = (numbers: Float64Array, extra: number) => writeArguments(numbers, extra);
 
 /**
  * Reads a curve from the arena.
@@ -39,7 +32,7 @@ const writeNumbers = (numbers: Float64Array, extra: number) => writeArguments(nu
  * @param end the index after it, negative if the core reported an error
  */
 export function readNurbsData(end: number, dimension: 2 | 3, from = 0): NurbsData {
-  return nurbsOfNumbers(readResult(from, end), dimension);
+  return nurbsOfNumbers(curvesModule.read(from, end), dimension);
 }
 
 /**
@@ -78,8 +71,8 @@ export function nurbsOfRational({ flat, dimension, weights }: RationalData): Nur
  */
 export function nurbsOfSpline({ flat, dimension, degrees, closed }: SplineData): NurbsData {
   const head = Float64Array.of(degrees.length, Number(closed), ...degrees);
-  writeArguments(head, flat.length).set(flat, head.length);
-  return readNurbsData(core().nurbs_from_spline(dimension), dimension);
+  curvesModule.write(head, flat.length).set(flat, head.length);
+  return readNurbsData(curvesModule.exports.nurbs_from_spline(dimension), dimension);
 }
 
 /**

@@ -1,5 +1,6 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
-import { core, readResult, writeArguments } from "../../wasm/surfaces-transfer.js";
 import { nurbsSurfaceData, requireJSON } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { flatRows, isNested } from "../net.js";
@@ -81,13 +82,9 @@ export class NurbsSurface {
    */
   constructor(options: NurbsSurfaceOptions) {
     if (!isShown) show();
-    const checked = options as unknown;
-    if (checked instanceof CheckedSurface) {
-      this.#data = checked.data;
-      return;
-    }
-    this.#data = checkedData(options);
-    this.#readParts();
+    const checked = checkedData<NurbsSurfaceData>(options);
+    this.#data = checked ?? dataOf(options);
+    if (!checked) this.#readParts();
   }
 
   /** The degree in u. */
@@ -168,7 +165,7 @@ export class NurbsSurface {
     if (this.#parts) return this.#parts;
     const { degreeU, degreeV } = this.#data;
     this.#write();
-    const numbers = readResult(0, core().nurbssurface_patches());
+    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_patches());
     const [u, v] = numbers;
     const first = 2 + u + v;
     const size = 4 * (degreeU + 1) * (degreeV + 1);
@@ -237,7 +234,7 @@ export class NurbsSurface {
     const { degreeU, degreeV, flat, weights, knotsU, knotsV } = this.#data;
     const counts = Float64Array.of(degreeU, degreeV, knotsU.length, knotsV.length);
     const lists = [flat, weights, knotsU, knotsV, further];
-    const view = writeArguments(
+    const view = surfacesModule.write(
       counts,
       lists.reduce((sum, list) => sum + list.length, 0),
     );
@@ -342,7 +339,7 @@ export class NurbsSurface {
   #insertKnot(alongU: boolean, at: number, times: number): NurbsSurface {
     check.whole(times, "times", 0, 64);
     this.#write();
-    return readSurface(core().nurbssurface_insert_knot(alongU, at, times));
+    return readSurface(surfacesModule.exports.nurbssurface_insert_knot(alongU, at, times));
   }
 
   /**
@@ -370,7 +367,7 @@ export class NurbsSurface {
     let surface: NurbsSurface = this;
     for (let k = 0; k < times; k++) {
       surface.#write();
-      surface = readSurface(core().nurbssurface_elevate(alongU));
+      surface = readSurface(surfacesModule.exports.nurbssurface_elevate(alongU));
     }
     return surface;
   }
@@ -381,8 +378,7 @@ export class NurbsSurface {
    * @param u the parameter, inside of the domain
    * @throws {RangeError} for any other u
    */
-  splitU(u: number, ...surplus: never[]): [NurbsSurface, NurbsSurface] {
-    check.noSurplus(surplus, "splitU", 1);
+  splitU(u: number): [NurbsSurface, NurbsSurface] {
     return this.#split("u", u);
   }
 
@@ -392,8 +388,7 @@ export class NurbsSurface {
    * @param v the parameter, inside of the domain
    * @throws {RangeError} for any other v
    */
-  splitV(v: number, ...surplus: never[]): [NurbsSurface, NurbsSurface] {
-    check.noSurplus(surplus, "splitV", 1);
+  splitV(v: number): [NurbsSurface, NurbsSurface] {
     return this.#split("v", v);
   }
 
@@ -404,7 +399,7 @@ export class NurbsSurface {
       throw new RangeError(`${direction}: expected a number inside of the domain, ${from} to ${to}, got ${at}`);
     }
     this.#write();
-    const numbers = readResult(0, core().nurbssurface_split(direction === "u", at));
+    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_split(direction === "u", at));
     const [m, n, knotsU, knotsV] = numbers;
     const end = 4 + 4 * (knotsU - m - 1) * (knotsV - n - 1) + knotsU + knotsV;
     return [surfaceOfNumbers(numbers.subarray(0, end)), surfaceOfNumbers(numbers.subarray(end))];
@@ -432,14 +427,14 @@ export class NurbsSurface {
 
   #isocurve(constantU: boolean, at: number): NurbsCurve<3> {
     this.#write();
-    const numbers = readResult(0, core().nurbssurface_isocurve(constantU, at));
+    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_isocurve(constantU, at));
     return nurbsOf(nurbsOfNumbers(numbers, 3)) as NurbsCurve<3>;
   }
 
   /** The same surface with u in the opposite direction over the same domain, so that the normals point to the other side. */
   reverse(): NurbsSurface {
     this.#write();
-    return readSurface(core().nurbssurface_reverse());
+    return readSurface(surfacesModule.exports.nurbssurface_reverse());
   }
 
   /**
@@ -453,14 +448,13 @@ export class NurbsSurface {
     const numbers = projective(matrix, 3);
     if (!numbers) return surfaceOf({ ...this.#data, flat: transformed(this.#data.flat, matrix) });
     this.#write(numbers);
-    return readSurface(core().nurbssurface_project());
+    return readSurface(surfacesModule.exports.nurbssurface_project());
   }
 
   /** The smallest box that contains the surface: that of all patches, exact up to rounding. */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> {
     this.#write();
-    return boxAt(readResult(0, core().nurbssurface_bounds()), 3);
+    return boxAt(surfacesModule.read(0, surfacesModule.exports.nurbssurface_bounds()), 3);
   }
 
   /**
@@ -488,8 +482,8 @@ export class NurbsSurface {
    * @param v the side V
    */
   static plane(origin: PointLike, u: PointLike, v: PointLike): NurbsSurface {
-    writeArguments(pointsOf([origin, "origin"], [u, "u"], [v, "v"]));
-    return readSurface(core().nurbssurface_plane());
+    surfacesModule.write(pointsOf([origin, "origin"], [u, "u"], [v, "v"]));
+    return readSurface(surfacesModule.exports.nurbssurface_plane());
   }
 
   /**
@@ -562,7 +556,7 @@ export class NurbsSurface {
    */
   static ruled(a: SectionLike, b: SectionLike): NurbsSurface {
     writeCurves([section(a, "a"), section(b, "b")]);
-    return readSurface(core().nurbssurface_ruled());
+    return readSurface(surfacesModule.exports.nurbssurface_ruled());
   }
 
   /**
@@ -573,7 +567,7 @@ export class NurbsSurface {
    */
   static extrude(curve: SectionLike, vector: PointLike): NurbsSurface {
     writeCurves([section(curve, "curve")], pointsOf([vector, "vector"]));
-    return readSurface(core().nurbssurface_extrude());
+    return readSurface(surfacesModule.exports.nurbssurface_extrude());
   }
 
   /**
@@ -591,7 +585,7 @@ export class NurbsSurface {
    */
   static revolve(profile: SectionLike, options?: TurningOptions): NurbsSurface {
     const angle = writeTurning(profile, options);
-    return readSurface(core().nurbssurface_revolve(angle));
+    return readSurface(surfacesModule.exports.nurbssurface_revolve(angle));
   }
 
   /**
@@ -614,7 +608,7 @@ export class NurbsSurface {
       throw new RangeError(`curves: expected at least ${degree + 1} curves (degree ${degree}), got ${sections.length}`);
     }
     writeCurves(sections);
-    return readSurface(core().nurbssurface_loft(sections.length, degree));
+    return readSurface(surfacesModule.exports.nurbssurface_loft(sections.length, degree));
   }
 
   /**
@@ -633,21 +627,12 @@ function show() {
   isShown = showInNode(NurbsSurface.prototype, "NurbsSurface", (value) => value.toJSON());
 }
 
-/** Data that is already checked: the constructor accepts it from inside the package. */
-class CheckedSurface {
-  data: NurbsSurfaceData;
-
-  constructor(data: NurbsSurfaceData) {
-    this.data = data;
-  }
-}
-
 // Outside of the class, see ../curve/core-curve.js.
 const surfaceFrom = (options: NurbsSurfaceOptions): NurbsSurface => new NurbsSurface(options);
-const surfaceOf = (data: NurbsSurfaceData) => surfaceFrom(new CheckedSurface(data) as any);
+const surfaceOf = (data: NurbsSurfaceData) => fromChecked(NurbsSurface, data);
 
 /** Reads a surface from the arena. */
-const readSurface = (end: number) => surfaceOfNumbers(readResult(0, end));
+const readSurface = (end: number) => surfaceOfNumbers(surfacesModule.read(0, end));
 
 /** The surface that numbers of the arena describe. */
 function surfaceOfNumbers(numbers: Float64Array): NurbsSurface {
@@ -676,7 +661,7 @@ function located(joints: Float64Array, t: number): [number, number, number] {
   return [k, t === to ? 1 : (t - from) / (to - from), to - from];
 }
 
-function checkedData(options: NurbsSurfaceOptions): NurbsSurfaceData {
+function dataOf(options: NurbsSurfaceOptions): NurbsSurfaceData {
   const { degreeU, degreeV, points, weights, knotsU, knotsV } = check.options(options, OPTIONS);
   const u = checkedKnots(knotsU, check.whole(degreeU, "degreeU", 1, 64), "U");
   const v = checkedKnots(knotsV, check.whole(degreeV, "degreeV", 1, 64), "V");
@@ -726,6 +711,6 @@ function shape(
   const args = pointsOf([center, "center"], [axis, "axis"]);
   check.finite(a, nameOfA);
   check.finite(b, nameOfB);
-  writeArguments(args);
-  return readSurface(core().nurbssurface_shape(kind, a, b));
+  surfacesModule.write(args);
+  return readSurface(surfacesModule.exports.nurbssurface_shape(kind, a, b));
 }

@@ -1,8 +1,6 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
-import { arena } from "../../wasm/arena.js";
-import { core } from "../../wasm/init.js";
-import { unwrapCount } from "../../wasm/errors.js";
-import { CheckedPoints, readPolyline, readResult, writeArguments } from "../../wasm/transfer.js";
 import { packedSpline } from "../../wasm/packed-path.js";
 import { svgOfRational } from "../../io/svg-conic.js";
 import { checkTolerance, traceOn } from "../../io/svg-write.js";
@@ -28,6 +26,7 @@ import { coreSplineOf, readSplineData } from "../spline/core-spline.js";
 import { intersectNurbs, intersectSplineWithNurbs, selfIntersectNurbs } from "./intersections.js";
 import { nurbsOfRational } from "./nurbs-data.js";
 import { projective } from "./projective.js";
+import type { ControlPoints } from "../brand.js";
 import type { PointAtLength } from "../arc-length.js";
 import type { RationalData, SplineData } from "../brand.js";
 import type { PointLike, PointsLike, TransformLike } from "../check.js";
@@ -85,13 +84,11 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   constructor(points: PointArrays<D> | PointsLike, weights: ArrayLike<number>, options?: { dimension?: D }) {
     if (!isShown) show();
-    const checked = points as unknown;
-    const { flat, dimension } =
-      checked instanceof CheckedPoints ? checked : checkedPoints(points as PointsLike, options);
+    const checked = checkedData<RationalData>(points);
+    const { flat, dimension } = checked ?? checkedPoints(points as PointsLike, options);
     this.#flat = flat;
     this.#dimension = dimension as D;
-    this.#weights =
-      checked instanceof CheckedPoints ? (weights as Float64Array) : checkedWeights(weights, flat.length / dimension);
+    this.#weights = checked?.weights ?? checkedWeights(weights, flat.length / dimension);
   }
 
   /** The degree n: one less than the number of control points. */
@@ -180,7 +177,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   _write(further: ArrayLike<number> = []): number {
     const [flat, weights] = [this.#flat, this.#weights];
-    const view = writeArguments(flat, weights.length + further.length);
+    const view = curvesModule.write(flat, weights.length + further.length);
     for (let i = 0; i < weights.length; i++) view[flat.length + i] = weights[i];
     const end = flat.length + weights.length;
     for (let i = 0; i < further.length; i++) view[end + i] = further[i];
@@ -193,9 +190,9 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param end the index after it, negative if the core reported an error
    */
   _read(end: number, from = 0): RationalCurve<D> {
-    const numbers = readResult(from, end);
+    const numbers = curvesModule.read(from, end);
     const count = numbers.length / (this.#dimension + 1);
-    const points = new CheckedPoints(numbers.slice(0, -count), this.#dimension);
+    const points = { flat: numbers.slice(0, -count), dimension: this.#dimension };
     return rationalCurveOf(points, numbers.slice(-count)) as RationalCurve<D>;
   }
 
@@ -205,7 +202,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @internal
    */
   _readPoint(): Point<D> {
-    return pointAt(arena(3), 0, this.#dimension);
+    return pointAt(curvesModule.arena(3), 0, this.#dimension);
   }
 
   /**
@@ -343,7 +340,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   _derivativeAt(t: number, k: number): Point<D> {
     const derivative = k === 1 && this.#weights.length === 4 ? this.#derivativeOfCubic(t) : undefined;
     if (derivative) return derivative;
-    unwrapCount(core().rational_derivative_at(this.#dimension, this._write(), t, k));
+    curvesModule.count(curvesModule.exports.rational_derivative_at(this.#dimension, this._write(), t, k));
     return this._readPoint();
   }
 
@@ -382,7 +379,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   tangent(t: number): Point<D> {
     this.#requireParameter(t);
-    core().rational_tangent(this.#dimension, this._write(), t);
+    curvesModule.exports.rational_tangent(this.#dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -395,7 +392,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   normal(t: number): Point<D> {
     this.#requireParameter(t);
-    core().rational_normal(this.#dimension, this._write(), t);
+    curvesModule.exports.rational_normal(this.#dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -408,7 +405,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   curvature(t: number): number {
     this.#requireParameter(t);
-    return core().rational_curvature(this.#dimension, this._write(), t);
+    return curvesModule.exports.rational_curvature(this.#dimension, this._write(), t);
   }
 
   /**
@@ -420,20 +417,18 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param t the parameter, from 0 to 1; others extrapolate
    * @throws {RangeError} outside of [0, 1] if a weight of a part would not be above 0
    */
-  split(t: number, ...surplus: never[]): [RationalCurve<D>, RationalCurve<D>];
+  split(t: number): [RationalCurve<D>, RationalCurve<D>];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): RationalCurve<D>[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): RationalCurve<D>[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): RationalCurve<D>[];
+  split(t: number | ArrayLike<number>): RationalCurve<D>[] {
     if (check.isList(t)) return partsAt<RationalCurve<D>>(this, t, 1);
     check.finite(t, "t");
-    const length = unwrapCount(core().rational_split(this.#dimension, this._write(), t));
+    const length = curvesModule.count(curvesModule.exports.rational_split(this.#dimension, this._write(), t));
     return [this._read(length / 2), this._read(length, length / 2)];
   }
 
   /** Splits the curve at t = ½ into two. */
-  halve(...surplus: never[]): [RationalCurve<D>, RationalCurve<D>] {
-    check.noSurplus(surplus, "halve", 0, "split(t)");
+  halve(): [RationalCurve<D>, RationalCurve<D>] {
     return this.split(0.5);
   }
 
@@ -444,11 +439,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param t1 the parameter of the end
    * @throws {RangeError} as `split`
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): RationalCurve<D> {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): RationalCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    return this._read(core().rational_subsegment(this.#dimension, this._write(), t0, t1));
+    return this._read(curvesModule.exports.rational_subsegment(this.#dimension, this._write(), t0, t1));
   }
 
   /** The same curve with the opposite direction. */
@@ -456,7 +450,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     const d = this.#dimension;
     const flat = new Float64Array(this.#flat.length);
     for (let i = 0; i < flat.length; i += d) flat.set(this.#flat.subarray(i, i + d), flat.length - d - i);
-    return rationalCurveOf(new CheckedPoints(flat, d), this.#weights.slice().reverse()) as RationalCurve<D>;
+    return rationalCurveOf({ flat, dimension: d }, this.#weights.slice().reverse()) as RationalCurve<D>;
   }
 
   /**
@@ -468,7 +462,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   elevate(times = 1): RationalCurve<D> {
     check.whole(times, "times", 0, 64);
     let curve: RationalCurve<D> = this;
-    for (let k = 0; k < times; k++) curve = curve._read(core().rational_elevate(this.#dimension, curve._write()));
+    for (let k = 0; k < times; k++)
+      curve = curve._read(curvesModule.exports.rational_elevate(this.#dimension, curve._write()));
     return curve;
   }
 
@@ -481,7 +476,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for a weight beyond 2^500 or below 2^-500
    */
   reparametrize(): RationalCurve<D> {
-    return this._read(core().rational_reparametrize(this.#dimension, this._write()));
+    return this._read(curvesModule.exports.rational_reparametrize(this.#dimension, this._write()));
   }
 
   /**
@@ -497,11 +492,11 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   transform(matrix: TransformLike): RationalCurve<D> {
     const numbers = projective(matrix, this.#dimension);
-    if (numbers) return this._read(core().rational_project(this.#dimension, this._write(numbers)));
+    if (numbers) return this._read(curvesModule.exports.rational_project(this.#dimension, this._write(numbers)));
     const map = affine(matrix);
-    writeArguments(this.#flat, map.length).set(map, this.#flat.length);
-    const length = core().points_transform(this.#dimension, this.#weights.length);
-    const points = new CheckedPoints(readResult(0, length), this.#dimension);
+    curvesModule.write(this.#flat, map.length).set(map, this.#flat.length);
+    const length = curvesModule.exports.points_transform(this.#dimension, this.#weights.length);
+    const points = { flat: curvesModule.read(0, length), dimension: this.#dimension };
     return rationalCurveOf(points, this.#weights) as RationalCurve<D>;
   }
 
@@ -512,31 +507,28 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @returns the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = core().rational_flatten(this.#dimension, this._write(), tolerance);
-    return readPolyline(unwrapCount(vertices), this.#dimension);
+    const vertices = curvesModule.exports.rational_flatten(this.#dimension, this._write(), tolerance);
+    return curvesModule.readPolyline(curvesModule.count(vertices), this.#dimension);
   }
 
   /** The smallest box that contains the curve. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
-    core().rational_bounds(this.#dimension, this._write());
-    return boxAt(readResult(0, 6), this.#dimension);
+  bounds(): Bounds<D> {
+    curvesModule.exports.rational_bounds(this.#dimension, this._write());
+    return boxAt(curvesModule.read(0, 6), this.#dimension);
   }
 
   /** The box of the control points, which contains the curve. */
   controlBounds(): Bounds<D> {
-    core().curve_bounds(this.#dimension, this._write(), false);
-    return boxAt(readResult(0, 6), this.#dimension);
+    curvesModule.exports.curve_bounds(this.#dimension, this._write(), false);
+    return boxAt(curvesModule.read(0, 6), this.#dimension);
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.#dimension }, (_, axis) =>
-      readResult(0, core().rational_extrema(this.#dimension, this._write(), axis)),
+      curvesModule.read(0, curvesModule.exports.rational_extrema(this.#dimension, this._write(), axis)),
     );
     return this.#dimension === 2 ? { x, y } : { x, y, z };
   }
@@ -544,7 +536,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */
   inflections(): Float64Array {
     this._require2D("inflections");
-    return readResult(0, core().rational_inflections(this._write()));
+    return curvesModule.read(0, curvesModule.exports.rational_inflections(this._write()));
   }
 
   /**
@@ -554,9 +546,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @returns 0 if all control points are equal
    */
-  length(...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 0, "subsegment(t0, t1).length()");
-    return core().rational_length(this.#dimension, this._write());
+  length(): number {
+    return curvesModule.exports.rational_length(this.#dimension, this._write());
   }
 
   /**
@@ -568,7 +559,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   timeAtLength(s: number): number {
     check.finite(s, "s");
-    return core().rational_time_at_length(this.#dimension, this._write(), s);
+    return curvesModule.exports.rational_time_at_length(this.#dimension, this._write(), s);
   }
 
   /**
@@ -580,8 +571,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -590,10 +580,9 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. The error is about
    * 10⁻¹⁴ of the square of the size for weights whose ratios are at most 2²⁰. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
-    return core().rational_area(this._write());
+    return curvesModule.exports.rational_area(this._write());
   }
 
   /**
@@ -602,11 +591,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const d = this.#dimension;
     const coordinates = new Float64Array(d);
     writePoint(coordinates, 0, p, d, "p");
-    check.noSurplus(surplus, "nearest", 1);
     return this._nearest(coordinates);
   }
 
@@ -615,7 +603,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param coordinates of the point
    */
   _nearest(coordinates: Float64Array): Nearest<D> {
-    unwrapCount(core().rational_nearest(this.#dimension, this._write(coordinates)));
+    curvesModule.count(curvesModule.exports.rational_nearest(this.#dimension, this._write(coordinates)));
     return readNearest(this.#dimension);
   }
 
@@ -638,9 +626,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   intersections<S extends CoreCurve | RationalCurve | NurbsCurve | CoreSpline | CorePath>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     return intersectNurbs(nurbsOfRational(this.casteljauData()), other) as any;
   }
 
@@ -648,8 +634,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
    * Parts that the curve retraces are not reported; conics have none. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     return selfIntersectNurbs(nurbsOfRational(this.casteljauData()));
   }
 
@@ -670,7 +655,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   /** The data of `toSpline`. */
   #spline(tolerance: number | undefined): SplineData {
     const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#flat, this.controlBounds());
-    return readSplineData(core().rational_to_spline(this.#dimension, this._write(), error), this.#dimension);
+    return readSplineData(
+      curvesModule.exports.rational_to_spline(this.#dimension, this._write(), error),
+      this.#dimension,
+    );
   }
 
   /** The segments of `toSpline` as a packed path, for drawing. */
@@ -738,7 +726,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     const flat = new Float64Array(3 * dimension);
     [p0, p1, p2].forEach((p, k) => writePoint(flat, k * dimension, p, dimension, `p${k}`));
     const weights = Float64Array.of(1, checkedWeight(w, "w"), 1);
-    return rationalCurveOf(new CheckedPoints(flat, dimension), weights) as RationalCurve<D>;
+    return rationalCurveOf({ flat, dimension }, weights) as RationalCurve<D>;
   }
 
   /**
@@ -749,11 +737,11 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   static from<D extends 2 | 3 = 2 | 3>(curve: CoreCurve<D> | RationalCurve<D>): RationalCurve<D> {
     if (typeOf(curve) === "rationalcurve") {
       const { flat, dimension, weights } = rationalData(curve, "curve");
-      return rationalCurveOf(new CheckedPoints(flat, dimension), weights) as RationalCurve<D>;
+      return rationalCurveOf({ flat, dimension }, weights) as RationalCurve<D>;
     }
     const { flat, dimension } = curveData(curve, "curve");
     const weights = new Float64Array(flat.length / dimension).fill(1);
-    return rationalCurveOf(new CheckedPoints(flat, dimension), weights) as RationalCurve<D>;
+    return rationalCurveOf({ flat, dimension }, weights) as RationalCurve<D>;
   }
 
   /**
@@ -778,8 +766,8 @@ function show() {
  *
  * @internal
  */
-export function rationalCurveOf(points: CheckedPoints, weights: Float64Array): RationalCurve {
-  return new RationalCurve(points as any, weights); // outside of the class, see ../curve/core-curve.js
+export function rationalCurveOf(points: ControlPoints, weights: Float64Array): RationalCurve {
+  return fromChecked(RationalCurve, { flat: points.flat, dimension: points.dimension, weights }); // outside of the class, see ../curve/core-curve.js
 }
 
 /**
@@ -793,11 +781,11 @@ export function defaultTolerance(flat: Float64Array, { min, max }: Bounds): numb
   return Math.max(1e-4 * diagonal, 1e-12 * largest) || 1;
 }
 
-function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): CheckedPoints {
+function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): ControlPoints {
   requireList(points);
   const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
   const count = flat.length / dimension;
-  if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);
+  if (count >= 2 && count <= 65) return { flat, dimension };
   throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
 }
 
@@ -856,7 +844,7 @@ function homogeneous(flat: Float64Array, weights: Float64Array, dimension: numbe
     denominator[2 * i] = w;
   }
   return {
-    numerator: coreCurveOf(new CheckedPoints(numerator, 3)) as CoreCurve<3>,
-    denominator: dimension === 2 ? null : (coreCurveOf(new CheckedPoints(denominator, 2)) as CoreCurve<2>),
+    numerator: coreCurveOf({ flat: numerator, dimension: 3 }) as CoreCurve<3>,
+    denominator: dimension === 2 ? null : (coreCurveOf({ flat: denominator, dimension: 2 }) as CoreCurve<2>),
   };
 }

@@ -1,10 +1,10 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
-import { core, readResult, writeArguments } from "../../wasm/surfaces-transfer.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import { affine } from "../affine.js";
 import { patchData, rationalPatchData, requireJSON, typeOf } from "../brand.js";
 import { showInNode } from "../inspected.js";
-import { degreeOfRows, netNumbers } from "../net.js";
+import { netData } from "../net.js";
 import { boxAt, nested, pointAt, samePoints } from "../points.js";
 import { projective } from "./projective.js";
 import { checkedWeights, rationalCurveOf } from "./rational-curve.js";
@@ -53,19 +53,7 @@ export class RationalPatch {
    */
   constructor(net: NetLike, weights: ArrayLike<number>, options?: { degreeU?: number; degreeV?: number }) {
     if (!isShown) show();
-    const checked = net as unknown;
-    const { degreeU = degreeOfRows(net, "u"), degreeV = degreeOfRows(net, "v") } = check.options(options, [
-      "degreeU",
-      "degreeV",
-    ]);
-    check.whole(degreeU, "degreeU", 1, 64);
-    check.whole(degreeV, "degreeV", 1, 64);
-    if (checked instanceof CheckedPoints) {
-      this.#data = { flat: checked.flat, weights: weights as Float64Array, degreeU, degreeV };
-      return;
-    }
-    const flat = netNumbers(net, degreeU, degreeV);
-    this.#data = { flat, weights: checkedWeights(weights, flat.length / 3), degreeU, degreeV };
+    this.#data = checkedData<RationalPatchData>(net) ?? dataOf(net, weights, options);
   }
 
   /** The degree in u. */
@@ -138,7 +126,7 @@ export class RationalPatch {
    */
   #write(further: ArrayLike<number> = []): [number, number] {
     const { flat, weights, degreeU, degreeV } = this.#data;
-    const view = writeArguments(flat, weights.length + further.length);
+    const view = surfacesModule.write(flat, weights.length + further.length);
     view.set(weights, flat.length);
     view.set(further, flat.length + weights.length);
     return [degreeU, degreeV];
@@ -146,7 +134,7 @@ export class RationalPatch {
 
   /** Reads a patch from the arena. */
   #read(end: number, degreeU: number, degreeV: number, from = 0): RationalPatch {
-    const numbers = readResult(from, end);
+    const numbers = surfacesModule.read(from, end);
     return rationalPatchOf(numbers, degreeU, degreeV);
   }
 
@@ -170,7 +158,7 @@ export class RationalPatch {
    */
   _hasPointAt(u: number, v: number): boolean {
     if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return true;
-    return !Number.isNaN(readResult(0, core().rationalpatch_eval(...this.#write(), u, v))[0]);
+    return !Number.isNaN(surfacesModule.read(0, surfacesModule.exports.rationalpatch_eval(...this.#write(), u, v))[0]);
   }
 
   /**
@@ -181,7 +169,7 @@ export class RationalPatch {
    * @throws {RangeError} outside of [0, 1] where the denominator is not above 0
    */
   eval(u: number, v: number): Point<3> {
-    return pointAt(readResult(0, core().rationalpatch_eval(...this.#at(u, v))), 0, 3);
+    return pointAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_eval(...this.#at(u, v))), 0, 3);
   }
 
   /**
@@ -192,7 +180,7 @@ export class RationalPatch {
    * @throws {RangeError} as `eval`
    */
   partials(u: number, v: number): Partials {
-    const numbers = readResult(0, core().rationalpatch_partials(...this.#at(u, v)));
+    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalpatch_partials(...this.#at(u, v)));
     const at = (k: number) => pointAt(numbers, 3 * k, 3);
     return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
   }
@@ -206,7 +194,7 @@ export class RationalPatch {
    * @throws {RangeError} as `eval`
    */
   normal(u: number, v: number): Point<3> {
-    return pointAt(readResult(0, core().rationalpatch_normal(...this.#at(u, v))), 0, 3);
+    return pointAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_normal(...this.#at(u, v))), 0, 3);
   }
 
   /**
@@ -217,7 +205,10 @@ export class RationalPatch {
    * @throws {RangeError} as `eval`
    */
   curvature(u: number, v: number): Curvature {
-    const [gaussian, mean, k1, k2] = readResult(0, core().rationalpatch_curvature(...this.#at(u, v)));
+    const [gaussian, mean, k1, k2] = surfacesModule.read(
+      0,
+      surfacesModule.exports.rationalpatch_curvature(...this.#at(u, v)),
+    );
     return { gaussian, mean, k1, k2 };
   }
 
@@ -242,10 +233,15 @@ export class RationalPatch {
   }
 
   #isocurve(constantU: boolean, at: number): RationalCurve<3> {
-    const numbers = readResult(0, core().rationalpatch_isocurve(...this.#write(), constantU, at));
+    const numbers = surfacesModule.read(
+      0,
+      surfacesModule.exports.rationalpatch_isocurve(...this.#write(), constantU, at),
+    );
     const weights = (numbers.length / 4) * 3;
-    const points = new CheckedPoints(numbers.slice(0, weights), 3);
-    return rationalCurveOf(points, numbers.slice(weights)) as RationalCurve<3>;
+    return rationalCurveOf(
+      { flat: numbers.slice(0, weights), dimension: 3 },
+      numbers.slice(weights),
+    ) as RationalCurve<3>;
   }
 
   /**
@@ -254,8 +250,7 @@ export class RationalPatch {
    * @param u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @throws {RangeError} where a weight of a part would not be above 0
    */
-  splitU(u: number, ...surplus: never[]): [RationalPatch, RationalPatch] {
-    check.noSurplus(surplus, "splitU", 1);
+  splitU(u: number): [RationalPatch, RationalPatch] {
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -265,14 +260,13 @@ export class RationalPatch {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @throws {RangeError} where a weight of a part would not be above 0
    */
-  splitV(v: number, ...surplus: never[]): [RationalPatch, RationalPatch] {
-    check.noSurplus(surplus, "splitV", 1);
+  splitV(v: number): [RationalPatch, RationalPatch] {
     return this.#split(false, check.finite(v, "v"));
   }
 
   #split(alongU: boolean, at: number): [RationalPatch, RationalPatch] {
     const degrees = this.#write();
-    const end = core().rationalpatch_split(...degrees, alongU, at);
+    const end = surfacesModule.exports.rationalpatch_split(...degrees, alongU, at);
     return [this.#read(end < 0 ? end : end / 2, ...degrees), this.#read(end, ...degrees, end / 2)];
   }
 
@@ -281,10 +275,9 @@ export class RationalPatch {
    *
    * @throws {RangeError} at degree 64
    */
-  elevate(...surplus: never[]): RationalPatch {
-    check.noSurplus(surplus, "elevate", 0);
+  elevate(): RationalPatch {
     const [degreeU, degreeV] = this.#write();
-    return this.#read(core().rationalpatch_elevate(degreeU, degreeV), degreeU + 1, degreeV + 1);
+    return this.#read(surfacesModule.exports.rationalpatch_elevate(degreeU, degreeV), degreeU + 1, degreeV + 1);
   }
 
   /**
@@ -297,15 +290,14 @@ export class RationalPatch {
   transform(matrix: TransformLike): RationalPatch {
     const { flat, weights, degreeU, degreeV } = this.#data;
     const numbers = projective(matrix, 3);
-    if (numbers) return this.#read(core().rationalpatch_project(...this.#write(numbers)), degreeU, degreeV);
-    const image = transformed(flat, matrix);
-    return rationalPatchFrom(new CheckedPoints(image, 3) as any, weights, { degreeU, degreeV });
+    if (numbers)
+      return this.#read(surfacesModule.exports.rationalpatch_project(...this.#write(numbers)), degreeU, degreeV);
+    return patchOf({ flat: transformed(flat, matrix), weights, degreeU, degreeV });
   }
 
   /** The smallest box that contains the patch, exact up to rounding; see `Patch.bounds`. */
-  bounds(...surplus: never[]): Bounds<3> {
-    check.noSurplus(surplus, "bounds", 0);
-    return boxAt(readResult(0, core().rationalpatch_bounds(...this.#write())), 3);
+  bounds(): Bounds<3> {
+    return boxAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_bounds(...this.#write())), 3);
   }
 
   /** The patch as JSON: `String(patch)` and `${patch}` give this text. */
@@ -320,12 +312,10 @@ export class RationalPatch {
    */
   static from(patch: CorePatch | RationalPatch): RationalPatch {
     if (typeOf(patch) === "rationalpatch") {
-      const { flat, weights, ...degrees } = rationalPatchData(patch, "patch");
-      return rationalPatchFrom(new CheckedPoints(flat, 3) as any, weights, degrees);
+      return patchOf(rationalPatchData(patch, "patch"));
     }
-    const { flat, degreeU, degreeV } = patchData(patch, "patch");
-    const weights = new Float64Array(flat.length / 3).fill(1);
-    return rationalPatchFrom(new CheckedPoints(flat, 3) as any, weights, { degreeU, degreeV });
+    const data = patchData(patch, "patch");
+    return patchOf({ ...data, weights: new Float64Array(data.flat.length / 3).fill(1) });
   }
 
   /**
@@ -350,14 +340,24 @@ function rationalPatchFrom(net: NetLike, weights: ArrayLike<number>, degrees: { 
   return new RationalPatch(net, weights, degrees);
 }
 
+const patchOf = (data: RationalPatchData): RationalPatch => fromChecked(RationalPatch, data);
+
+function dataOf(
+  net: NetLike,
+  weights: ArrayLike<number>,
+  options?: { degreeU?: number; degreeV?: number },
+): RationalPatchData {
+  const data = netData(net, options);
+  return { ...data, weights: checkedWeights(weights, data.flat.length / 3) };
+}
+
 /**
  * @internal
  * @param numbers the coordinates of the net, then the weights
  */
 export function rationalPatchOf(numbers: Float64Array, degreeU: number, degreeV: number): RationalPatch {
   const at = (numbers.length / 4) * 3;
-  const points = new CheckedPoints(numbers.slice(0, at), 3);
-  return rationalPatchFrom(points as any, numbers.slice(at), { degreeU, degreeV });
+  return patchOf({ flat: numbers.slice(0, at), weights: numbers.slice(at), degreeU, degreeV });
 }
 
 /**
@@ -373,6 +373,6 @@ export function noPointAt(u: number, v: number): RangeError {
  * @internal
  */
 export function transformed(flat: Float64Array, matrix: TransformLike): Float64Array {
-  writeArguments(flat, 12).set(affine(matrix), flat.length);
-  return readResult(0, core().points_transform(3, flat.length / 3));
+  surfacesModule.write(flat, 12).set(affine(matrix), flat.length);
+  return surfacesModule.read(0, surfacesModule.exports.points_transform(3, flat.length / 3));
 }

@@ -1,7 +1,7 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
-import { core, readResult, releaseMemory, unwrapCount, writeArguments } from "../../wasm/surfaces-transfer.js";
 import { parseRationalSurface, rationalSurfaceText } from "../../io/rational-surface-text.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import { patchData, rationalPatchData, rationalSurfaceData, requireJSON, surfaceData, typeOf } from "../brand.js";
 import { showInNode } from "../inspected.js";
 import { meshInto, readMesh, segmentsOf } from "../mesh.js";
@@ -71,8 +71,7 @@ export class RationalSurface {
    */
   constructor(data: RationalSurfaceOptions, options?: { degreeU?: number; degreeV?: number }) {
     if (!isShown) show();
-    const checked = data as unknown;
-    this.#data = checked instanceof CheckedSurface ? checked.data : checkedData(data, options);
+    this.#data = checkedData<RationalSurfaceData>(data) ?? dataOf(data, options);
     this.#starts = startsOf(this.#data.degrees);
   }
 
@@ -160,8 +159,7 @@ export class RationalSurface {
    * The surface as text in the format of `Surface.toText`, from which `parse` creates an equal surface. The net of a patch whose
    * weights are not all 1 is followed by rows of the letter w and the weights of a row of the net.
    */
-  toText(...surplus: never[]): string {
-    check.noSurplus(surplus, "toText", 0);
+  toText(): string {
     return rationalSurfaceText(this.#data);
   }
 
@@ -187,7 +185,7 @@ export class RationalSurface {
     const lists = [degrees, vertices, indices, joined, weights, further];
     const counts = Float64Array.of(vertices.length / 3, degrees.length / 2, joined.length);
     const length = lists.reduce((sum, list) => sum + list.length, 0);
-    const view = writeArguments(counts, length);
+    const view = surfacesModule.write(counts, length);
     let at = counts.length;
     for (const list of lists) {
       view.set(list, at);
@@ -202,32 +200,29 @@ export class RationalSurface {
    */
   topology(): Topology {
     this.#write();
-    return readTopology(readResult(0, core().rationalsurface_topology()));
+    return readTopology(surfacesModule.read(0, surfacesModule.exports.rationalsurface_topology()));
   }
 
   /** The smallest box that contains the surface, exact up to rounding; null without patches. */
-  bounds(...surplus: never[]): Bounds<3> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> | null {
     this.#write();
-    const numbers = readResult(0, core().rationalsurface_bounds());
+    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_bounds());
     return numbers.length ? boxAt(numbers, 3) : null;
   }
 
   /** The total area of all patches; regions that a patch covers twice count twice. */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this.#write();
-    return readResult(0, core().rationalsurface_area())[0];
+    return surfacesModule.read(0, surfacesModule.exports.rationalsurface_area())[0];
   }
 
   /**
    * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
    * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    */
-  volume(...surplus: never[]): number | null {
-    check.noSurplus(surplus, "volume", 0);
+  volume(): number | null {
     this.#write();
-    return readResult(0, core().rationalsurface_volume())[0] ?? null;
+    return surfacesModule.read(0, surfacesModule.exports.rationalsurface_volume())[0] ?? null;
   }
 
   /**
@@ -235,11 +230,10 @@ export class RationalSurface {
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+  nearest(p: PointLike): SurfacePoint | null {
     const [coordinates] = coordinatesOf([p, "p"]);
-    check.noSurplus(surplus, "nearest", 1);
     this.#write(coordinates);
-    return readPoints(readResult(0, core().rationalsurface_nearest()))[0] ?? null;
+    return readPoints(surfacesModule.read(0, surfacesModule.exports.rationalsurface_nearest()))[0] ?? null;
   }
 
   /**
@@ -252,7 +246,7 @@ export class RationalSurface {
   intersectRay(origin: PointLike, direction: PointLike): SurfacePoint[] {
     const [start, along] = coordinatesOf([origin, "origin"], [direction, "direction"]);
     this.#write([...start, ...along]);
-    return readPoints(readResult(0, core().rationalsurface_ray()));
+    return readPoints(surfacesModule.read(0, surfacesModule.exports.rationalsurface_ray()));
   }
 
   /**
@@ -266,7 +260,7 @@ export class RationalSurface {
   tessellate(options: TessellationOptions): Mesh {
     const { args, extra, into, ...kind } = tessellation(options);
     this.#write(extra);
-    unwrapCount(core().rationalsurface_tessellate(...args));
+    surfacesModule.count(surfacesModule.exports.rationalsurface_tessellate(...args));
     return readMesh(into, kind);
   }
 
@@ -281,7 +275,7 @@ export class RationalSurface {
     const earlier = meshInto(into);
     const withQuads = check.optionalBoolean(quads, "quads");
     this.#write();
-    unwrapCount(core().rationalsurface_grid(u, v, withQuads));
+    surfacesModule.count(surfacesModule.exports.rationalsurface_grid(u, v, withQuads));
     return readMesh(earlier);
   }
 
@@ -295,14 +289,14 @@ export class RationalSurface {
   isocurves(options?: { lines?: number }): RationalCurve<3>[] {
     const lines = linesOf(options);
     this.#write();
-    const numbers = readResult(0, core().rationalsurface_isocurves(lines));
-    releaseMemory();
+    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_isocurves(lines));
+    surfacesModule.release();
     const curves: RationalCurve<3>[] = [];
     for (let at = 0; at < numbers.length; ) {
       const weights = at + 1 + 3 * numbers[at];
       const end = weights + numbers[at];
-      const points = new CheckedPoints(numbers.slice(at + 1, weights), 3);
-      curves.push(rationalCurveOf(points, numbers.slice(weights, end)) as RationalCurve<3>);
+      const flat = numbers.slice(at + 1, weights);
+      curves.push(rationalCurveOf({ flat, dimension: 3 }, numbers.slice(weights, end)) as RationalCurve<3>);
       at = end;
     }
     return curves;
@@ -317,7 +311,7 @@ export class RationalSurface {
   wireframe(options: WireframeOptions): Mesh {
     const { args, into } = wireframeArguments(options);
     this.#write();
-    unwrapCount(core().rationalsurface_wireframe(...args));
+    surfacesModule.count(surfacesModule.exports.rationalsurface_wireframe(...args));
     return readMesh(into, { separatePatches: false });
   }
 
@@ -339,7 +333,7 @@ export class RationalSurface {
     const lines = linesOf(others);
     const tolerancePx = check.optionalTolerance(tolerance);
     this.#write(m);
-    unwrapCount(core().rationalsurface_trace(sink, lines, tolerancePx));
+    surfacesModule.count(surfacesModule.exports.rationalsurface_trace(sink, lines, tolerancePx));
   }
 
   /**
@@ -381,7 +375,7 @@ export class RationalSurface {
    */
   static solidOfRevolution(profile: SectionLike, options?: TurningOptions): RationalSurface {
     const angle = writeTurning(profile, options);
-    const numbers = readResult(0, core().rationalsurface_solid_of_revolution(angle));
+    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_solid_of_revolution(angle));
     const patches: WeightedPatch[] = [];
     for (let at = 0; at < numbers.length; ) {
       const [degreeU, degreeV] = numbers.subarray(at, at + 2);
@@ -424,18 +418,9 @@ function show() {
   }));
 }
 
-/** Data that is already checked: the constructor accepts it from inside the package. */
-class CheckedSurface {
-  data: RationalSurfaceData;
-
-  constructor(data: RationalSurfaceData) {
-    this.data = data;
-  }
-}
-
 // Outside of the class, see ../curve/core-curve.js.
 function surfaceOf(data: RationalSurfaceData): RationalSurface {
-  return new RationalSurface(new CheckedSurface(data) as any);
+  return fromChecked(RationalSurface, data);
 }
 
 type WeightedPatch = PatchData & { weights: Float64Array };
@@ -470,7 +455,7 @@ function startsOf(degrees: number[]): Uint32Array {
   return starts;
 }
 
-function checkedData(
+function dataOf(
   data: RationalSurfaceOptions,
   options: { degreeU?: number; degreeV?: number } | undefined,
 ): RationalSurfaceData {

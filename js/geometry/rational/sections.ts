@@ -1,6 +1,6 @@
 // Curves as arguments of surfaces: the sections of a loft, the profile of a surface of revolution. This file imports no class.
 import * as check from "../check.js";
-import { writeArguments } from "../../wasm/surfaces-transfer.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import { writePoint } from "../points.js";
 import { nurbsDataOf, writeNurbs } from "./nurbs-data.js";
 import type { NurbsData } from "../brand.js";
@@ -44,7 +44,7 @@ export function section(curve: SectionLike, name: string): NurbsData {
  * @internal
  */
 export function writeCurves(curves: NurbsData[], further?: Float64Array) {
-  writeNurbs(curves, further, writeArguments);
+  writeNurbs(curves, further, surfacesModule);
 }
 
 /**

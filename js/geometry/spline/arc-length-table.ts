@@ -1,7 +1,6 @@
 // The arc lengths of the segments of a spline. The sums are those of the core (`src/spline/length.rs`), so that a kept
 // table gives the same times as the core's own.
-import { core } from "../../wasm/init.js";
-import { readResult, writeArguments } from "../../wasm/transfer.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import type { SegmentIndex } from "./segment-index.js";
 
 /**
@@ -13,9 +12,9 @@ export function arcLengthsOf(index: SegmentIndex): Float64Array {
   const ends = new Float64Array(index.count + 1);
   for (let k = 0; k < index.count; k++) {
     const points = index.pointsOf(k);
-    writeArguments(points);
-    const count = core().curve_length(index.dimension, points.length / index.dimension, 0);
-    ends[k + 1] = ends[k] + readResult(0, count)[0];
+    curvesModule.write(points);
+    const count = curvesModule.exports.curve_length(index.dimension, points.length / index.dimension, 0);
+    ends[k + 1] = ends[k] + curvesModule.read(0, count)[0];
   }
   return ends;
 }

@@ -1,3 +1,5 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
 import { pointAndDirections } from "../arc-length.js";
 import { arcLengthsOf, segmentAtLength } from "./arc-length-table.js";
@@ -8,15 +10,6 @@ import { showInNode } from "../inspected.js";
 import { partsAt } from "../parts.js";
 import { flatten, nested, pointAt, pointList, samePoints, writePoint, requireList, boxAt } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
-import {
-  CheckedPoints,
-  writeArguments,
-  readResult,
-  readPolyline,
-  readResultInto,
-  releaseMemory,
-} from "../../wasm/transfer.js";
-import { core } from "../../wasm/init.js";
 import { affine } from "../affine.js";
 import { modeCode, modeCodes } from "../joints.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
@@ -78,12 +71,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   constructor(points: PointArrays<D> | PointsLike, options?: { degree?: number; closed?: boolean; dimension?: D }) {
     if (!isShown) show();
-    const checked = points as unknown;
-    if (checked instanceof CheckedSplineData) {
-      this.#data = checked.data;
-      return;
-    }
-    this.#data = checkedData(points, options);
+    this.#data = checkedData<SplineData>(points) ?? dataOf(points, options);
   }
 
   /** 2 in the plane, 3 in space. */
@@ -197,7 +185,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    return coreCurveOf(new CheckedPoints(flat, this.dimension)) as unknown as C;
+    return coreCurveOf({ flat, dimension: this.dimension }) as unknown as C;
   }
 
   /**
@@ -217,7 +205,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   _write(further?: ArrayLike<number>): D {
     const { flat, dimension, degrees, closed } = this.#data;
     const head = 2 + degrees.length;
-    const view = writeArguments(
+    const view = curvesModule.write(
       Float64Array.of(degrees.length, closed ? 1 : 0),
       head + flat.length + (further?.length ?? 0),
     );
@@ -241,7 +229,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @internal
    */
   _readPoint(): Point<D> {
-    return pointAt(readResult(0, 3), 0, this.dimension);
+    return pointAt(curvesModule.read(0, 3), 0, this.dimension);
   }
 
   /**
@@ -339,9 +327,9 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const into = check.options(options, ["into"]).into;
     const length = (segmentsPerCurve * this.segmentCount + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
-    const count = core().spline_sample(this._write(), segmentsPerCurve);
-    const result = into ? readResultInto(into, count) : readResult(0, count);
-    releaseMemory();
+    const count = curvesModule.exports.spline_sample(this._write(), segmentsPerCurve);
+    const result = into ? curvesModule.readInto(into, count) : curvesModule.read(0, count);
+    curvesModule.release();
     return result;
   }
 
@@ -355,8 +343,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const parameters = check.numbers(ts, "ts");
     const length = parameters.length * this.dimension;
     const into = check.resultArray(check.options(options, ["into"]).into, length);
-    core().spline_eval_at(this._write(parameters), parameters.length);
-    return readResultInto(into, length);
+    curvesModule.exports.spline_eval_at(this._write(parameters), parameters.length);
+    return curvesModule.readInto(into, length);
   }
 
   /**
@@ -364,26 +352,24 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param tolerance the largest distance, in the unit of the points
    */
-  flatten(tolerance: number, ...surplus: never[]): { points: Float64Array; ts: Float64Array } {
-    check.noSurplus(surplus, "flatten", 1);
+  flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    return readPolyline(core().spline_flatten(this._write(), tolerance), this.dimension);
+    return curvesModule.readPolyline(curvesModule.exports.spline_flatten(this._write(), tolerance), this.dimension);
   }
 
   /** The smallest box that contains the spline. */
-  bounds(...surplus: never[]): Bounds<D> {
-    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
+  bounds(): Bounds<D> {
     if (!this.#bounds) {
-      core().spline_bounds(this._write(), true);
-      this.#bounds = readResult(0, 6);
+      curvesModule.exports.spline_bounds(this._write(), true);
+      this.#bounds = curvesModule.read(0, 6);
     }
     return boxAt(this.#bounds, this.dimension);
   }
 
   /** The box of the control points. */
   controlBounds(): Bounds<D> {
-    core().spline_bounds(this._write(), false);
-    return boxAt(readResult(0, 6), this.dimension);
+    curvesModule.exports.spline_bounds(this._write(), false);
+    return boxAt(curvesModule.read(0, 6), this.dimension);
   }
 
   /**
@@ -394,8 +380,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   continuity(joint: number, tolerance?: number): Continuity {
     this._checkJoint(joint);
-    const count = core().spline_continuity(this._write(), joint, check.optionalTolerance(tolerance));
-    const [c0, g1, c1, g2, c2, gap, angle] = readResult(0, count);
+    const count = curvesModule.exports.spline_continuity(this._write(), joint, check.optionalTolerance(tolerance));
+    const [c0, g1, c1, g2, c2, gap, angle] = curvesModule.read(0, count);
     return { c0: c0 === 1, g1: g1 === 1, c1: c1 === 1, g2: g2 === 1, c2: c2 === 1, gap, angle };
   }
 
@@ -406,7 +392,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   append(point: PointLike): this {
     if (this.closed) throw new RangeError("append: expected an open spline, which has an end, got a closed one");
-    return this._read(core().spline_append(this._write(this._coordinates(point, "point"))));
+    return this._read(curvesModule.exports.spline_append(this._write(this._coordinates(point, "point"))));
   }
 
   /**
@@ -435,7 +421,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const args = new Float64Array(position.length + modes.length);
     args.set(position);
     args.set(modes, position.length);
-    return this._read(core().spline_move_point(this._write(args), index));
+    return this._read(curvesModule.exports.spline_move_point(this._write(args), index));
   }
 
   /**
@@ -448,7 +434,9 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   setJoint(joint: number, mode: JointMode): this {
     this._checkJoint(joint);
-    return this._read(core().spline_set_joint(this._write(), joint, modeCode(mode, "mode", this.dimension)));
+    return this._read(
+      curvesModule.exports.spline_set_joint(this._write(), joint, modeCode(mode, "mode", this.dimension)),
+    );
   }
 
   /**
@@ -464,11 +452,10 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param t 0 to the number of segments; values outside extrapolate the first and the last segment
    * @throws {RangeError} for a t that is not finite
    */
-  split(t: number, ...surplus: never[]): [this, this];
+  split(t: number): [this, this];
   /** @param ts any number of parameters */
-  split(ts: ArrayLike<number>, ...surplus: never[]): this[];
-  split(t: number | ArrayLike<number>, ...surplus: never[]): this[] {
-    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
+  split(ts: ArrayLike<number>): this[];
+  split(t: number | ArrayLike<number>): this[] {
     if (check.isList(t)) return partsAt(this, t, this.segmentCount);
     const { k, segment, rest } = this._locate(t);
     const count = this.segmentCount;
@@ -487,8 +474,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param t1 the parameter of the end
    * @throws {RangeError} for a value that is not finite
    */
-  subsegment(t0: number, t1: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "subsegment", 2);
+  subsegment(t0: number, t1: number): this {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     if (t0 > t1) return this.subsegment(t1, t0).reverse();
@@ -507,12 +493,11 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @throws {TypeError} in 3D
    */
-  hull(...surplus: never[]): Float64Array {
-    check.noSurplus(surplus, "hull", 0);
+  hull(): Float64Array {
     this._require2D("hull");
     const { flat } = this.casteljauData();
-    writeArguments(flat);
-    return readResult(0, core().curve_hull(flat.length / 2));
+    curvesModule.write(flat);
+    return curvesModule.read(0, curvesModule.exports.curve_hull(flat.length / 2));
   }
 
   /**
@@ -520,10 +505,9 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param t 0 to the number of segments
    */
-  insert(t: number, ...surplus: never[]): this {
-    check.noSurplus(surplus, "insert", 1);
+  insert(t: number): this {
     check.finite(t, "t");
-    return this._read(core().spline_insert(this._write(), t));
+    return this._read(curvesModule.exports.spline_insert(this._write(), t));
   }
 
   /**
@@ -533,12 +517,12 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   remove(joint: number): this {
     this._checkJoint(joint);
-    return this._read(core().spline_remove(this._write(), joint));
+    return this._read(curvesModule.exports.spline_remove(this._write(), joint));
   }
 
   /** The same spline with the opposite direction. */
   reverse(): this {
-    return this._read(core().spline_reverse(this._write()));
+    return this._read(curvesModule.exports.spline_reverse(this._write()));
   }
 
   /**
@@ -549,9 +533,9 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { flat, dimension } = this.casteljauData();
-    writeArguments(flat, 12).set(affine(matrix), flat.length);
-    const length = core().points_transform(dimension, flat.length / dimension);
-    return this._splineOf({ ...this.casteljauData(), flat: readResult(0, length) });
+    curvesModule.write(flat, 12).set(affine(matrix), flat.length);
+    const length = curvesModule.exports.points_transform(dimension, flat.length / dimension);
+    return this._splineOf({ ...this.casteljauData(), flat: curvesModule.read(0, length) });
   }
 
   /**
@@ -574,11 +558,10 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param tolerance the largest error, in the unit of the points, if it is to be smaller
    */
-  length(tolerance?: number, ...surplus: never[]): number {
-    check.noSurplus(surplus, "length", 1);
+  length(tolerance?: number): number {
     if (tolerance === undefined) return this._arcLengths[this.segmentCount];
     const maxError = check.optionalTolerance(tolerance);
-    return readResult(0, core().spline_length(this._write(), maxError))[0];
+    return curvesModule.read(0, curvesModule.exports.spline_length(this._write(), maxError))[0];
   }
 
   /**
@@ -595,7 +578,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
     if (tolerance !== undefined && tolerance < this.#acceptedTolerance) {
-      const [t] = readResult(0, core().spline_time_at_length(this._write(), s, maxError));
+      const [t] = curvesModule.read(0, curvesModule.exports.spline_time_at_length(this._write(), s, maxError));
       this.#acceptedTolerance = tolerance;
       return t;
     }
@@ -613,8 +596,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param s in the unit of the points
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s: number, ...surplus: never[]): PointAtLength<D> {
-    check.noSurplus(surplus, "pointAtLength", 1);
+  pointAtLength(s: number): PointAtLength<D> {
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -627,8 +609,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   equidistantTimes(segments: number): Float64Array {
     check.segmentCount(segments);
     if (segments < this.segmentCount && this._arcLengths[this.segmentCount] > 0) return this.#fewTimes(segments);
-    const ts = readResult(0, core().spline_equidistant_times(this._write(), segments));
-    releaseMemory();
+    const ts = curvesModule.read(0, curvesModule.exports.spline_equidistant_times(this._write(), segments));
+    curvesModule.release();
     return ts;
   }
 
@@ -636,11 +618,10 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * The signed area swept by the line from the origin to the point of the spline, positive while that line turns
    * counter-clockwise (x right, y up). For a closed spline it is the enclosed area. 2D only.
    */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     this._require2D("area");
     this._write();
-    return core().spline_area();
+    return curvesModule.exports.spline_area();
   }
 
   /**
@@ -652,9 +633,8 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): Nearest<D> {
+  nearest(p: PointLike): Nearest<D> {
     const point = this._coordinates(p, "p");
-    check.noSurplus(surplus, "nearest", 1);
     this.#tree ??= new SegmentTree(this._index);
     const { k, found } = this.#tree.nearest(point) as { k: number; found: Nearest<D> };
     return { ...found, t: k + found.t };
@@ -761,23 +741,10 @@ function show() {
  * @internal
  */
 export function coreSplineOf(data: SplineData): CoreSpline {
-  return new CoreSpline(new CheckedSplineData(data) as any); // outside of the class, see ../curve/core-curve.js
+  return fromChecked(CoreSpline, data); // outside of the class, see ../curve/core-curve.js
 }
 
-/**
- * Data that is already checked: the constructor accepts it from inside the package.
- *
- * @internal
- */
-export class CheckedSplineData {
-  data: SplineData;
-
-  constructor(data: SplineData) {
-    this.data = data;
-  }
-}
-
-function checkedData(points: PointsLike, options: SplineOptions | undefined): SplineData {
+function dataOf(points: PointsLike, options: SplineOptions | undefined): SplineData {
   requireList(points);
   const { degree = 3, closed, dimension: requested } = check.options(options, ["degree", "closed", "dimension"]);
   const isClosed = check.optionalBoolean(closed, "closed");
@@ -819,7 +786,7 @@ export function splineDataOf(json: SplineJSON): SplineData {
  * @internal
  */
 export function readSplineData(length: number, dimension: 2 | 3): SplineData {
-  const numbers = readResult(0, length);
+  const numbers = curvesModule.read(0, length);
   const head = 2 + numbers[0];
   return {
     flat: numbers.slice(head),
@@ -847,6 +814,6 @@ export function joinCurves(
   if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a ${5 - dimension}D one`);
   const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed") ? 1 : 0;
   const degrees = data.map((curve) => curve.degrees[0]);
-  writeArguments(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
-  return { length: core().spline_from_curves(dimension), dimension };
+  curvesModule.write(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
+  return { length: curvesModule.exports.spline_from_curves(dimension), dimension };
 }

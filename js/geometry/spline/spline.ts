@@ -1,10 +1,9 @@
+import { fromChecked } from "../checked.js";
+import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
-import { CoreSpline, joinCurves, CheckedSplineData, readSplineData, splineDataOf } from "./core-spline.js";
+import { CoreSpline, joinCurves, readSplineData, splineDataOf } from "./core-spline.js";
 import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
-import { unwrapCount } from "../../wasm/errors.js";
-import { core } from "../../wasm/init.js";
-import { releaseMemory, CheckedPoints, writeArguments } from "../../wasm/transfer.js";
 import { fromBSpline, toBSpline } from "../bspline.js";
 import { curveOf } from "../curve/curve.js";
 import { interpolate } from "../interpolate.js";
@@ -96,7 +95,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const ts = frameTimes(where, this.segmentCount);
     const args = frameArguments(ts, options);
     this._write(args);
-    return readFrames(unwrapCount(core().spline_frames(ts.length, args.length > ts.length)));
+    return readFrames(curvesModule.count(curvesModule.exports.spline_frames(ts.length, args.length > ts.length)));
   }
 
   /**
@@ -104,8 +103,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
    * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
    */
-  extrema(...surplus: never[]): Extrema {
-    check.noSurplus(surplus, "extrema", 0);
+  extrema(): Extrema {
     return splineExtrema(this._index, this.segments());
   }
 
@@ -206,9 +204,12 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const distance = check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
-    writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best), dimension);
-    releaseMemory();
+    curvesModule.write(flat);
+    const spline = readSpline(
+      curvesModule.exports.spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best),
+      dimension,
+    );
+    curvesModule.release();
     return spline as Spline<D>;
   }
 
@@ -223,9 +224,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    */
   intersections<S extends CoreCurve | CoreSpline | CorePath | RationalCurve | NurbsCurve>(
     other: S,
-    ...surplus: never[]
   ): Intersection<number, S extends CorePath ? PathTime : number>[] {
-    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     return intersectSplines(this.casteljauData(), other) as any;
   }
@@ -234,8 +233,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * The points that the spline passes twice, sorted by t; t < u. Joints and the start of a closed spline do not count
    * as passed twice; the end point of an open spline that ends at its start does. 2D only.
    */
-  selfIntersections(...surplus: never[]): SelfIntersection[] {
-    check.noSurplus(surplus, "selfIntersections", 0);
+  selfIntersections(): SelfIntersection[] {
     this._require2D("selfIntersections");
     return selfIntersectSpline(this.casteljauData());
   }
@@ -267,7 +265,9 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const extrema = check.optionalBoolean(checked.extrema, "extrema");
     const decimals = precision === undefined ? -1 : check.whole(precision, "precision", 0, 15);
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
-    return this._read(core().spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best));
+    return this._read(
+      curvesModule.exports.spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best),
+    );
   }
 
   /**
@@ -284,7 +284,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const code = joinCode(join);
     const maxError = check.optionalTolerance(tolerance);
     this._write();
-    return this._read(core().spline_offset(distance, maxError, code));
+    return this._read(curvesModule.exports.spline_offset(distance, maxError, code));
   }
 
   /**
@@ -313,7 +313,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<D> {
-    return curveOf(new CheckedPoints(flat, this.dimension)) as Curve<D>;
+    return curveOf({ flat, dimension: this.dimension }) as Curve<D>;
   }
 
   /**
@@ -332,7 +332,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
  * @internal
  */
 export function splineOf(data: SplineData): Spline {
-  return new Spline(new CheckedSplineData(data) as any); // outside of the class, see curve.js
+  return fromChecked(Spline, data); // outside of the class, see curve.js
 }
 
 /**

@@ -1,15 +1,15 @@
+import { checkedData, fromChecked } from "../checked.js";
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
 import * as queries from "../surface-queries.js";
 import { affine } from "../affine.js";
 import { coreCurveOf } from "../curve/core-curve.js";
 import { corePatchOf } from "../patch/core-patch.js";
-import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
+import { joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
 import { showInNode } from "../inspected.js";
 import { writePoint } from "../points.js";
 import { checkedNetwork, networkJSON, networkOfJSON, networkOfPatches } from "../surface-network.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import { surfaceText } from "../../io/surface-text.js";
-import { core, writeArguments, readResult, unwrapCount } from "../../wasm/surfaces-transfer.js";
 import { subdivide } from "../flat-pieces.js";
 import { readGrid } from "../grid-mesh.js";
 import { gridOptions, readMesh } from "../mesh.js";
@@ -65,12 +65,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     options?: { degreeU?: number; degreeV?: number },
   ) {
     if (!isShown) show();
-    const checked = data as unknown;
-    if (checked instanceof CheckedNetwork) {
-      this.#network = checked.network;
-      return;
-    }
-    this.#network = checkedNetwork(data, options, joinedOf);
+    this.#network = checkedData<Network>(data) ?? checkedNetwork(data, options, joinedOf);
   }
 
   /**
@@ -79,8 +74,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * `patches` and their number, then for each a row with its degrees in u and v, followed by its net, for each j a row
    * with the vertex numbers, from 0, of the points Pᵢⱼ.
    */
-  toText(...surplus: never[]): string {
-    check.noSurplus(surplus, "toText", 0);
+  toText(): string {
     return surfaceText(this.#network);
   }
 
@@ -149,9 +143,9 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { vertices } = this.#network;
-    writeArguments(vertices, 12).set(affine(matrix), vertices.length);
-    const length = core().points_transform(3, vertices.length / 3);
-    return this._surfaceOf({ ...this.#network, vertices: readResult(0, length) });
+    surfacesModule.write(vertices, 12).set(affine(matrix), vertices.length);
+    const length = surfacesModule.exports.points_transform(3, vertices.length / 3);
+    return this._surfaceOf({ ...this.#network, vertices: surfacesModule.read(0, length) });
   }
 
   /**
@@ -202,7 +196,10 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const joinedAt = from + vertices.length + indices.length;
     const joinedCount = withJoined ? joined.length : 0;
     const at = joinedAt + joinedCount;
-    const view = writeArguments(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
+    const view = surfacesModule.write(
+      Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount),
+      at + extra,
+    );
     view.set(degrees, 3);
     view.set(vertices, from);
     view.set(indices, from + vertices.length);
@@ -228,21 +225,19 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    */
   topology(): Topology {
     this._write();
-    return readTopology(readResult(0, core().surface_topology()));
+    return readTopology(surfacesModule.read(0, surfacesModule.exports.surface_topology()));
   }
 
   /**
    * The smallest box that contains the surface, exact up to rounding; null without patches. The limit of steps of
    * `Patch.bounds` applies to each patch.
    */
-  bounds(...surplus: never[]): Bounds<3> | null {
-    check.noSurplus(surplus, "bounds", 0);
+  bounds(): Bounds<3> | null {
     return queries.bounds(this.#writer(false));
   }
 
   /** The total area of all patches with a relative error below 1e-8; see `Patch.area`. */
-  area(...surplus: never[]): number {
-    check.noSurplus(surplus, "area", 0);
+  area(): number {
     return queries.area(this.#writer(false));
   }
 
@@ -250,8 +245,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
    * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    */
-  volume(...surplus: never[]): number | null {
-    check.noSurplus(surplus, "volume", 0);
+  volume(): number | null {
     return queries.volume(this.#writer(true));
   }
 
@@ -261,9 +255,8 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *
    * @param p the point, in the unit of the points
    */
-  nearest(p: PointLike, ...surplus: never[]): SurfacePoint | null {
+  nearest(p: PointLike): SurfacePoint | null {
     const found = queries.nearest(this.#writer(false), p);
-    check.noSurplus(surplus, "nearest", 1);
     return found;
   }
 
@@ -287,7 +280,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const checked = gridOptions(options);
     const { u, v, quads, differences } = checked;
     this._write(0, false);
-    unwrapCount(core().surface_grid(u, v, quads, differences));
+    surfacesModule.count(surfacesModule.exports.surface_grid(u, v, quads, differences));
     return readGrid(this.patchCount, checked);
   }
 
@@ -307,7 +300,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const { args, extra, into, ...kind } = tessellation(options);
     const end = this._write(extra.length);
     end.view.set(extra, end.at);
-    unwrapCount(core().surface_tessellate(...args));
+    surfacesModule.count(surfacesModule.exports.surface_tessellate(...args));
     return readMesh(into, kind);
   }
 
@@ -355,8 +348,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    *   and if all pieces, including split ones, have more than 2²⁴ control points together and 128 for each of the
    *   surface (the lower limit for degrees above 5)
    */
-  subdivide(tolerance: number, ...surplus: never[]): FlatPiece[] {
-    check.noSurplus(surplus, "subdivide", 1);
+  subdivide(tolerance: number): FlatPiece[] {
     return subdivide(() => this._write(), tolerance);
   }
 
@@ -380,7 +372,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const tolerancePx = check.optionalTolerance(tolerance);
     const end = this._write(16);
     end.view.set(m, end.at);
-    unwrapCount(core().surface_trace(sink, lines, tolerancePx));
+    surfacesModule.count(surfacesModule.exports.surface_trace(sink, lines, tolerancePx));
   }
 
   /**
@@ -389,7 +381,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    * @internal
    */
   _curveOf(flat: Float64Array): C {
-    return coreCurveOf(new CheckedPoints(flat, 3)) as unknown as C;
+    return coreCurveOf({ flat, dimension: 3 }) as unknown as C;
   }
 
   #writer(withJoined: boolean): (extra: number) => { view: Float64Array; at: number } {
@@ -481,7 +473,7 @@ function coreSurfaceOf(network: Network): CoreSurface {
 export function surfaceFrom<S>(Class: SurfaceClass<S>, network: Network): S {
   if (typeof Class !== "function")
     throw new TypeError("expected a call of a static method on its class, as Surface.teapot()");
-  return new Class(new CheckedNetwork(network) as any);
+  return fromChecked(Class, network);
 }
 
 /** What Node's console shows of a surface. */

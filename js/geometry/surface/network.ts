@@ -1,7 +1,7 @@
 // The data of surfaces: reading it from the arena, and the models that the core contains.
+import { surfacesModule } from "../../wasm/surfaces-module.js";
 import * as check from "../check.js";
 import { parseSurface } from "../../io/surface-text.js";
-import { core, writeArguments, readResult, releaseMemory } from "../../wasm/surfaces-transfer.js";
 import type { Network } from "../brand.js";
 
 /** The parts of the teapot, its height and the axis that points up. */
@@ -24,19 +24,6 @@ const PARTS = ["rim", "body", "handle", "spout", "lid", "bottom"] as const;
 const TEAPOT_OPTIONS = [...PARTS, "height", "up"] as const;
 
 /**
- * A network that is already checked: constructors accept it from inside the package.
- *
- * @internal
- */
-export class CheckedNetwork {
-  network: Network;
-
-  constructor(network: Network) {
-    this.network = network;
-  }
-}
-
-/**
  * See `Surface.teapot`.
  *
  * @internal
@@ -49,7 +36,7 @@ export function teapotNetwork(options?: TeapotOptions): Network {
     (sum, part, k) => (check.optionalBoolean(checked[part], part, true) ? sum | (1 << k) : sum),
     0,
   );
-  return readNetwork(core().surface_teapot(bits, height === "original", up === "y"));
+  return readNetwork(surfacesModule.exports.surface_teapot(bits, height === "original", up === "y"));
 }
 
 /**
@@ -58,7 +45,7 @@ export function teapotNetwork(options?: TeapotOptions): Network {
  * @internal
  */
 export function teasetNetwork(isSpoon: boolean, options?: { up?: "z" | "y" }): Network {
-  return readNetwork(core().surface_teaset(isSpoon, upAxis(check.options(options, ["up"]).up) === "y"));
+  return readNetwork(surfacesModule.exports.surface_teaset(isSpoon, upAxis(check.options(options, ["up"]).up) === "y"));
 }
 
 /**
@@ -73,7 +60,7 @@ export function parsedNetwork(text: string): Network {
 
 /** Reads a surface from the arena, see `write` in src/wasm/surface.rs. */
 function readNetwork(length: number): Network {
-  const numbers = readResult(0, length);
+  const numbers = surfacesModule.read(0, length);
   const [vertices, patches, joined] = numbers;
   const from = 3 + 2 * patches;
   const to = from + 3 * vertices;
@@ -92,9 +79,9 @@ function readNetwork(length: number): Network {
  * @internal
  */
 export function joinedOf(vertices: Float64Array): Float64Array {
-  writeArguments(vertices);
-  const joined = readResult(0, core().points_joined(vertices.length / 3));
-  releaseMemory();
+  surfacesModule.write(vertices);
+  const joined = surfacesModule.read(0, surfacesModule.exports.points_joined(vertices.length / 3));
+  surfacesModule.release();
   return joined;
 }
 

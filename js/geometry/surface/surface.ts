@@ -3,7 +3,6 @@ import { patchOf } from "../patch/patch.js";
 import { CoreSurface, surfaceFrom } from "./core-surface.js";
 import { joinedOf, parsedNetwork } from "./network.js";
 import { networkOfJSON } from "../surface-network.js";
-import { CheckedPoints } from "../../wasm/transfer.js";
 import type { Curve } from "../curve/curve.js";
 import type { Patch } from "../patch/patch.js";
 import type { Network } from "../brand.js";
@@ -54,7 +53,7 @@ export class Surface extends CoreSurface<Patch, Curve<3>> {
    * @internal
    */
   override _curveOf(flat: Float64Array): Curve<3> {
-    return curveOf(new CheckedPoints(flat, 3)) as Curve<3>;
+    return curveOf({ flat, dimension: 3 }) as Curve<3>;
   }
 
   /**

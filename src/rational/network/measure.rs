@@ -196,7 +196,7 @@ impl Tile {
 }
 
 /// The nodes and weights of the rule in an interval.
-pub(super) fn nodes([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> {
+fn nodes([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     (0..2 * GAUSS_8.nodes.len()).map(move |k| {
         let offset = half * GAUSS_8.nodes[k / 2];

@@ -4,7 +4,6 @@
 //! have the same vertices and weights, bit for bit.
 
 use super::RationalSurface;
-use super::measure::nodes;
 use crate::bernstein::roots::{crossings, max_of};
 use crate::bernstein::wronskian::Wronskian;
 use crate::geometry::error::Error;
@@ -33,9 +32,10 @@ impl RationalSurface {
     /// An end of an open profile that is not on the axis has a disk, or a sector of it. After less than a full turn there are also
     /// two caps between the profile and the axis, which consist of the perpendiculars from the profile to the axis; for a profile
     /// that ends where it starts they consist of the lines from the profile to its centroid. All edges are shared by two patches,
-    /// and the normals point outwards; the direction is that of a positive volume by a Gauss rule on parts of the profile. The volume
+    /// and the normals point outwards: the volume is positive. It
     /// is that of Pappus: the angle times ½ ∫ r² dz, or times the area of a closed profile and the distance of its centroid from
-    /// the axis. The time is proportional to the number of patches.
+    /// the axis. The time is that of
+    /// [`volume`](Self::volume).
     ///
     /// Where the profile is perpendicular to the axis, these two caps have triangles without area. An angle near 0 or a profile without
     /// area gives a surface without volume, whose edges may belong to more than two patches.
@@ -61,56 +61,19 @@ impl RationalSurface {
         axis: DVec3,
         angle: f64,
     ) -> Result<Self, Error> {
-        let mut turning = Turning::new(profile, origin, axis)?;
-        let (is_part, is_closed) = (
-            angle.abs() < TAU,
-            turning.profile.start() == turning.profile.end(),
-        );
+        let turning = Turning::new(profile, origin, axis)?;
+        let (is_part, is_closed) = turning.kind(angle);
         let tip = centroid(&turning.profile);
         if is_part && is_closed {
             turning.check_around(tip)?;
         } else if is_part {
             turning.check_along()?;
         }
-        // The side of a profile in the direction of the axis faces outwards.
-        if turning.moment() * angle < 0.0 {
-            turning = Turning::new(&turning.profile.reverse(), origin, axis)?;
+        let solid = turning.capped(tip, angle)?;
+        if solid.volume().is_none_or(|volume| volume >= 0.0) {
+            return Ok(solid);
         }
-        turning.level();
-        let side = turning.surface(angle)?;
-        let [columns, rows] = [side.joints_u(), side.joints_v()].map(|joints| joints.len() - 1);
-        let grid: Vec<&[RationalPatch]> = side.patches().chunks(columns).collect();
-        let feet = turning.feet()?;
-        let mut patches = Vec::new();
-        if is_part {
-            let turned = turning.arc(tip, 1.0).turned(angle)?.end();
-            for (is_last, column, tip) in [(false, 0, tip), (true, columns - 1, turned)] {
-                for (row, feet) in grid.iter().zip(&feet) {
-                    let line = row[column].column(is_last);
-                    let tips = vec![tip; line.len()];
-                    let feet = if is_closed {
-                        &tips[..]
-                    } else {
-                        feet.control_points()
-                    };
-                    patches.push(cap(line, feet, is_last));
-                }
-            }
-        }
-        let ends = [(0, feet[0].start()), (rows - 1, feet[rows - 1].end())];
-        for (is_last, (row, center)) in [false, true].into_iter().zip(ends) {
-            for patch in grid[row] {
-                let line = patch.row(is_last);
-                let center = vec![center; line.len()];
-                let is_pole = line.iter().all(|part| part.point == line[0].point);
-                if !is_closed && !is_pole {
-                    patches.push(cap(line, &center, !is_last));
-                }
-            }
-        }
-        patches.extend_from_slice(side.patches());
-        patches.retain(|patch| !is_line(patch));
-        Self::from_patches(&patches)
+        Turning::new(&turning.profile.reverse(), origin, axis)?.capped(tip, angle)
     }
 }
 
@@ -158,6 +121,53 @@ fn is_line(patch: &RationalPatch) -> bool {
 }
 
 impl Turning {
+    /// Whether an angle is less than a full turn, and whether the profile ends where it starts.
+    fn kind(&self, angle: f64) -> (bool, bool) {
+        let is_closed = self.profile.start() == self.profile.end();
+        (angle.abs() < TAU, is_closed)
+    }
+
+    /// The side and its caps, whose normals point outwards for a positive volume. The caps beside the side have the tip in common for a
+    /// profile that ends where it starts.
+    fn capped(mut self, tip: DVec3, angle: f64) -> Result<RationalSurface, Error> {
+        self.level();
+        let (is_part, is_closed) = self.kind(angle);
+        let side = self.surface(angle)?;
+        let [columns, rows] = [side.joints_u(), side.joints_v()].map(|joints| joints.len() - 1);
+        let grid: Vec<&[RationalPatch]> = side.patches().chunks(columns).collect();
+        let feet = self.feet()?;
+        let mut patches = Vec::new();
+        if is_part {
+            let turned = self.arc(tip, 1.0).turned(angle)?.end();
+            for (is_last, column, tip) in [(false, 0, tip), (true, columns - 1, turned)] {
+                for (row, feet) in grid.iter().zip(&feet) {
+                    let line = row[column].column(is_last);
+                    let tips = vec![tip; line.len()];
+                    let feet = if is_closed {
+                        &tips[..]
+                    } else {
+                        feet.control_points()
+                    };
+                    patches.push(cap(line, feet, is_last));
+                }
+            }
+        }
+        let ends = [(0, feet[0].start()), (rows - 1, feet[rows - 1].end())];
+        for (is_last, (row, center)) in [false, true].into_iter().zip(ends) {
+            for patch in grid[row] {
+                let line = patch.row(is_last);
+                let center = vec![center; line.len()];
+                let is_pole = line.iter().all(|part| part.point == line[0].point);
+                if !is_closed && !is_pole {
+                    patches.push(cap(line, &center, !is_last));
+                }
+            }
+        }
+        patches.extend_from_slice(side.patches());
+        patches.retain(|patch| !is_line(patch));
+        RationalSurface::from_patches(&patches)
+    }
+
     /// Moves points to the height of the point before if they differ by rounding, so that a part across the axis has one foot.
     fn level(&mut self) {
         let axis = self.axis;
@@ -177,26 +187,6 @@ impl Turning {
         let (weights, knots) = (profile.weights(), profile.knots());
         let curve = NurbsCurve::new(profile.degree(), &feet, Some(weights), knots, false)?;
         Ok(curve.segments().to_vec())
-    }
-
-    /// ∫ r² dz along the profile up to a positive factor, by a Gauss rule on as many parts of each segment as its degree.
-    fn moment(&self) -> f64 {
-        let Normalized { scale, .. } =
-            Normalized::around(self.origin, self.profile.control_points());
-        let rate = |segment: &RationalCurve<DVec3>, t: f64| {
-            let radius = self.arc(segment.eval(t), 1.0).x * scale;
-            let slope = segment.derivative_at(t, 1).unwrap_or_default() * scale;
-            radius.length_squared() * slope.dot(self.axis)
-        };
-        let segments = self.profile.segments().iter();
-        let parts = segments.map(|segment| {
-            let n = segment.degree();
-            let parts = (0..n).flat_map(|k| nodes([ratio(k, n), ratio(k + 1, n)]));
-            parts
-                .map(|(t, weight)| weight * rate(segment, t))
-                .sum::<f64>()
-        });
-        parts.sum()
     }
 
     /// Returns an error if the profile turns back along the axis.

@@ -136,8 +136,7 @@ function variable(name, declaration, checker) {
 function signatureOf(declaration, title) {
   const doc = docOf(declaration);
   const parameters = declaration.parameters
-    // "surplus" refuses arguments that peers take; "this" is the class, which is in the title.
-    .filter((parameter) => !["surplus", "this"].includes(parameter.name.getText()))
+    .filter((parameter) => parameter.name.getText() !== "this") // the class, which is in the title
     .map((parameter) => parameterOf(parameter, doc.parameters.get(parameter.name.getText()) ?? ""));
   const ofClass = declaration.parameters.some((parameter) => parameter.name.getText() === "this");
   const written = cleanType(declaration.type?.getText() ?? "void");

@@ -1,7 +1,7 @@
 // Templates that several figures share: sliders, choices, marks, handles.
 import { html, svg } from "lit";
 import { arrowDirection } from "#js/ui/keys.js";
-import { capture } from "#js/ui/capture.js";
+import { dragHandle } from "#js/ui/capture.js";
 import { live } from "lit/directives/live.js";
 
 /**
@@ -181,22 +181,20 @@ function drag(start, { at, place, unplace, size, box, move, done = () => {}, can
   if (nearest !== handle) return void nearest.dispatchEvent(new PointerEvent("pointerdown", start));
   const stage = /** @type {HTMLElement} */ (handle.offsetParent ?? handle.parentElement);
   handle.querySelector("input")?.focus({ preventScroll: true });
+  /** @returns {[number, number]} */
   const pixels = (/** @type {PointerEvent} */ event) => {
     const rect = stage.getBoundingClientRect();
     return [((event.clientX - rect.left) * size[0]) / rect.width, ((event.clientY - rect.top) * size[1]) / rect.height];
   };
-  const [x, y] = pixels(start);
-  const [cx, cy] = place(at);
   const end = (/** @type {boolean} */ released) => {
     handle.removeEventListener("keydown", onEscape);
     if (!released) cancel();
     done();
   };
-  const stop = capture(start, {
-    move: (event) => {
-      const [px, py] = pixels(event);
-      move(within(box, unplace([px - x + cx, py - y + cy])));
-    },
+  const stop = dragHandle(start, {
+    from: place(at),
+    placeOf: pixels,
+    move: (to) => move(within(box, unplace(to))),
     end: (_, released) => end(released),
   });
   const onEscape = (/** @type {KeyboardEvent} */ event) => {

@@ -31,3 +31,13 @@ export class Memo {
     this.#kept.clear();
   }
 }
+
+/** A function that makes one value for each object, as long as the object exists. */
+export function cached<Key extends object, Value>(make: (key: Key) => Value): (key: Key) => Value {
+  const known: WeakMap<Key, { value: Value }> = new WeakMap();
+  return (key) => {
+    const entry = known.get(key) ?? { value: make(key) };
+    known.set(key, entry);
+    return entry.value;
+  };
+}

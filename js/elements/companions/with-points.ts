@@ -4,7 +4,7 @@ import type { Point2, PointsLike } from "./points.js";
 import type { PropertyDeclarations } from "lit";
 
 /** A companion with points of its own while it is linked to nothing. */
-export class Pointed extends Linked {
+export class LinkedWithPoints extends Linked {
   /** @internal As it was given, good or not. */
   declare given: PointsLike;
 
