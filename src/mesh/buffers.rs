@@ -1,5 +1,6 @@
 //! Vertex and index buffers of meshes.
 
+use casteljau_kernels::mesh::layout::{lower_halves, push_vector, rounded};
 use glam::DVec3;
 
 /// The maximum number of vertices with 16-bit indices.
@@ -107,16 +108,15 @@ impl Mesh<f64> {
 
     /// Appends a vertex.
     pub(crate) fn push(&mut self, position: DVec3, normal: DVec3) {
-        self.positions.extend(position.to_array());
-        self.normals.extend(normal.to_array());
+        push_vector(&mut self.positions, position);
+        push_vector(&mut self.normals, normal);
     }
 
     /// The same mesh in f32.
     pub fn to_f32(self) -> Mesh {
-        let narrow = |numbers: Vec<f64>| numbers.into_iter().map(to_f32).collect();
         Mesh {
-            positions: narrow(self.positions),
-            normals: narrow(self.normals),
+            positions: rounded(&self.positions),
+            normals: rounded(&self.normals),
             uvs: self.uvs,
             patch_ids: self.patch_ids,
             indices: self.indices,
@@ -138,11 +138,7 @@ impl Indices {
         if vertices > MAX_U16_VERTICES {
             return Self::U32(numbers);
         }
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "the indices are below 65,536"
-        )]
-        Self::U16(numbers.into_iter().map(|number| number as u16).collect())
+        Self::U16(lower_halves(&numbers))
     }
 
     /// The number of indices.

@@ -86,20 +86,25 @@ pub(crate) trait Bends: Copy {
     /// The sum of the lengths' terms in [`distance`](Self::distance) is at most this times the distance.
     const MAX_EXCESS: f64;
 
+    /// Whether the halves of a piece are cells without bounds of their own if those of the piece suffice. Otherwise the bounds for
+    /// the halves may show that the piece needs no cut.
+    const SUFFICE_FOR_HALVES: bool;
+
     /// The bounds for a whole patch, the only entry of the stack.
-    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self;
+    fn of_patch(stack: &mut SecondDifferences, frame: &Frame) -> Self;
 
     /// The bounds for the two halves of the piece, which are on top of the stack.
-    fn of_halves(&self, stack: &SecondDifferences, frame: &Frame) -> [Self; 2];
+    fn of_halves(&self, stack: &mut SecondDifferences, frame: &Frame) -> [Self; 2];
 
-    /// Bounds for a piece from those for its halves.
-    fn joined(halves: &[Self; 2]) -> Self;
+    /// The maximum distance of flat triangles over a piece with these sides, from the bounds for its halves, which are on top of
+    /// the stack.
+    fn joined_distance(halves: &[Self; 2], stack: &SecondDifferences, sides: [f64; 2]) -> f64;
 
-    /// The bounds as lengths.
-    fn lengths(&self) -> [f64; 3];
+    /// The bounds for the piece on top of the stack as lengths.
+    fn lengths(&self, stack: &SecondDifferences) -> [f64; 3];
 
-    /// The maximum distance of flat triangles over the piece, whose sides in the patch's parameters are given.
-    fn distance(&self, sides: [f64; 2]) -> f64;
+    /// The maximum distance of flat triangles over the piece on top of the stack, if its sides in the patch's parameters are these.
+    fn distance(&self, stack: &SecondDifferences, sides: [f64; 2]) -> f64;
 
     /// The bounding box of the control points of the piece, which is on top of the stack.
     fn control_box(&self, stack: &SecondDifferences) -> [[f32; 3]; 2];

@@ -136,24 +136,27 @@ impl SpaceCurve for Curve<DVec3> {
 
 impl Bends for [f64; 3] {
     const MAX_EXCESS: f64 = 1.0;
+    const SUFFICE_FOR_HALVES: bool = false;
 
-    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self {
+    fn of_patch(stack: &mut SecondDifferences, frame: &Frame) -> Self {
         longest(stack, 0, frame)
     }
 
-    fn of_halves(&self, stack: &SecondDifferences, frame: &Frame) -> [Self; 2] {
+    fn of_halves(&self, stack: &mut SecondDifferences, frame: &Frame) -> [Self; 2] {
         [longest(stack, 1, frame), longest(stack, 0, frame)]
     }
 
-    fn joined([near, far]: &[Self; 2]) -> Self {
-        [0, 1, 2].map(|k| larger(near[k], far[k]))
+    fn joined_distance([near, far]: &[Self; 2], stack: &SecondDifferences, sides: [f64; 2]) -> f64 {
+        [0, 1, 2]
+            .map(|k| larger(near[k], far[k]))
+            .distance(stack, sides)
     }
 
-    fn lengths(&self) -> [f64; 3] {
+    fn lengths(&self, _stack: &SecondDifferences) -> [f64; 3] {
         *self
     }
 
-    fn distance(&self, [h, k]: [f64; 2]) -> f64 {
+    fn distance(&self, _stack: &SecondDifferences, [h, k]: [f64; 2]) -> f64 {
         let [uu, uv, vv] = self;
         (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
     }

@@ -5,7 +5,7 @@
 //! M₃ = n(n − 1) max |Δvv| (Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives", CAGD 3,
 //! 1986). So the bound also holds for the triangles that join pieces of different sizes. A piece that is too large is
 //! halved in the direction with the larger second derivative. If the maxima over the two halves show that the piece was
-//! not too large, it is not split. All cuts are at dyadic parameters, which are exact.
+//! not too large, it is not split. The halves of a rational piece whose bounds suffice for them are not examined. All cuts are at dyadic parameters, which are exact.
 
 use super::mesh_patch::{Bends, Frame, MeshPatch};
 use super::options::Detail;
@@ -77,7 +77,7 @@ impl AdaptiveSubdivider<'_> {
             },
             lengths: [1.0; 2],
             depth: 0,
-            bends: P::Bends::of_patch(&self.second_differences, &self.frame),
+            bends: P::Bends::of_patch(&mut self.second_differences, &self.frame),
         }];
         let net = patch.net();
         let closed_directions = closed_directions(&net.points, net.columns);
@@ -86,12 +86,13 @@ impl AdaptiveSubdivider<'_> {
             if has_position {
                 tolerance = self.tolerance(&piece.bends);
             }
-            let distance = piece.bends.distance(piece.lengths);
+            let stack = &mut self.second_differences;
+            let distance = piece.bends.distance(stack, piece.lengths);
             // A forecast counts the cells that the piece may need, without cutting it further.
             if self.forecast == Some(piece.depth) {
-                self.expected += piece.min_cells(tolerance);
-                self.expected_max += piece.halved_cells(tolerance);
-                self.second_differences.pop();
+                self.expected += piece.min_cells(stack, tolerance);
+                self.expected_max += piece.halved_cells(stack, tolerance);
+                stack.pop();
                 continue;
             }
             if self.cells.len() >= self.limit {
@@ -100,26 +101,48 @@ impl AdaptiveSubdivider<'_> {
             // Around a tube the piece is cut even if its triangles would be near enough.
             let closed_direction = piece.closed_direction(closed_directions);
             let along_u = if distance > tolerance {
-                piece.longer_along_u()
+                piece.longer_along_u(stack)
             } else {
                 closed_direction
             };
             let Some(along_u) = along_u else {
+                stack.pop();
                 self.add(piece.cell);
-                self.second_differences.pop();
                 continue;
             };
-            self.second_differences.halve(along_u);
+            let lengths = piece.half_lengths(along_u);
+            // Where the bounds for the piece suffice for its halves, these need none of their own.
+            if P::Bends::SUFFICE_FOR_HALVES
+                && !has_position
+                && closed_direction.is_none()
+                && piece.bends.distance(stack, lengths) <= tolerance
+                && self.cells.len() + 1 < self.limit
+            {
+                stack.pop();
+                let [near, far] = piece.half_cells(along_u);
+                self.add(far);
+                self.add(near);
+                continue;
+            }
+            stack.halve(along_u);
             // The larger of the bounds on both halves is a tighter bound for the piece, which may then need no cut.
-            let halves = piece.bends.of_halves(&self.second_differences, &self.frame);
-            let closer = P::Bends::joined(&halves);
-            if closed_direction.is_none() && closer.distance(piece.lengths) <= tolerance {
-                self.add(piece.cell);
+            let halves = piece.bends.of_halves(stack, &self.frame);
+            if closed_direction.is_none()
+                && P::Bends::joined_distance(&halves, stack, piece.lengths) <= tolerance
+            {
                 // Those of both halves.
-                self.second_differences.pop();
-                self.second_differences.pop();
+                stack.pop();
+                stack.pop();
+                self.add(piece.cell);
             } else {
-                pieces.extend(piece.halves(along_u, halves));
+                for (cell, bends) in piece.half_cells(along_u).into_iter().zip(halves) {
+                    pieces.push(PatchPiece {
+                        cell,
+                        lengths,
+                        depth: piece.depth + 1,
+                        bends,
+                    });
+                }
             }
         }
         Ok(())
@@ -174,10 +197,10 @@ impl AdaptiveSubdivider<'_> {
 impl<B: Bends> PatchPiece<B> {
     /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
     /// both are equal. `None` if the parameters cannot be halved again.
-    fn longer_along_u(&self) -> Option<bool> {
+    fn longer_along_u(&self, stack: &SecondDifferences) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
         let [h, k] = self.lengths;
-        let [uu, _, vv] = self.bends.lengths();
+        let [uu, _, vv] = self.bends.lengths(stack);
         let (along_u, along_v) = (h * h * uu, k * k * vv);
         let better = along_u > along_v || (along_u == along_v && du >= dv);
         match (du > 1, dv > 1) {
@@ -189,9 +212,9 @@ impl<B: Bends> PatchPiece<B> {
 
     /// A lower bound on the number of cells if the second derivatives are constant: with i × j equal cells,
     /// a/i² + b/(i·j) + c/j² must be within the tolerance, so i·j is at least each of the resulting lower bounds.
-    fn min_cells(&self, tolerance: f64) -> f64 {
+    fn min_cells(&self, stack: &SecondDifferences, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
-        let [uu, uv, vv] = self.bends.lengths();
+        let [uu, uv, vv] = self.bends.lengths(stack);
         let tolerance = tolerance * B::MAX_EXCESS;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
         // a/i² + c/j² ≥ 2√(ac)/(i·j), the arithmetic and the geometric mean; and i·j ≥ i ≥ √(a/tolerance).
@@ -201,13 +224,14 @@ impl<B: Bends> PatchPiece<B> {
 
     /// The number of cells from repeated halving until they are within the tolerance, if the second derivatives are
     /// constant.
-    fn halved_cells(mut self, tolerance: f64) -> f64 {
+    fn halved_cells(mut self, stack: &SecondDifferences, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while self.bends.distance(self.lengths) > tolerance {
-            let Some(along_u) = self.longer_along_u() else {
+        while self.bends.distance(stack, self.lengths) > tolerance {
+            let Some(along_u) = self.longer_along_u(stack) else {
                 break;
             };
-            [self, _] = self.halves(along_u, [self.bends; 2]);
+            self.lengths = self.half_lengths(along_u);
+            [self.cell, _] = self.half_cells(along_u);
             cells *= 2.0;
         }
         cells
@@ -224,27 +248,24 @@ impl<B: Bends> PatchPiece<B> {
         }
     }
 
-    fn halves(&self, along_u: bool, bends: [B; 2]) -> [Self; 2] {
-        let (mut near, [mut h, mut k]) = (self.cell, self.lengths);
+    fn half_lengths(&self, along_u: bool) -> [f64; 2] {
+        let [h, k] = self.lengths;
+        if along_u { [h / 2.0, k] } else { [h, k / 2.0] }
+    }
+
+    fn half_cells(&self, along_u: bool) -> [Cell; 2] {
+        let mut near = self.cell;
         let mut far;
         if along_u {
             near.du /= 2;
-            h /= 2.0;
             far = near;
             far.u += near.du;
         } else {
             near.dv /= 2;
-            k /= 2.0;
             far = near;
             far.v += near.dv;
         }
-        let (cells, lengths) = ([near, far], [h, k]);
-        [0, 1].map(|k| Self {
-            cell: cells[k],
-            lengths,
-            depth: self.depth + 1,
-            bends: bends[k],
-        })
+        [near, far]
     }
 }
 

@@ -50,9 +50,9 @@ impl StitchedMesh {
             last: vec![NONE; self.nodes.len()],
             of_corner: vec![NONE; self.corners.len()],
         };
-        let mut numbers = Vec::with_capacity(3 * self.triangles.len());
-        for triangle in &self.triangles {
-            numbers.extend(triangle.map(|corner| welder.vertex(corner, weld)));
+        let mut numbers = self.triangles.as_flattened().to_vec();
+        for number in &mut numbers {
+            *number = welder.vertex(*number, weld);
         }
         if weld == Weld::Position {
             welder.average_normals(&numbers);

@@ -19,13 +19,19 @@ pub struct Cell {
     pub dv: u32,
 }
 
-/// The vertices of one patch, identified by their parameters, in two orders.
+/// Marks the last vertex of a column, which has no next one.
+const NONE: u32 = u32::MAX;
+
+/// The vertices of one patch, identified by their parameters.
 #[derive(Debug, Default)]
 pub struct CellTriangulator {
     /// v in the upper half, u in the lower half: row by row. The number of a vertex is its index in this list.
     rows: Vec<u64>,
-    /// u in the upper half, v in the lower half: column by column.
+    /// The next vertex in the column of each vertex.
+    next_in_column: Vec<u32>,
+    /// The u of each column, and its last vertex so far.
     columns: Vec<u64>,
+    last: Vec<u32>,
     /// The two polylines around a cell, both from its corner (u₁, v₀) to (u₀, v₁): through (u₀, v₀), and through (u₁,
     /// v₁).
     below: Vec<u32>,
@@ -88,10 +94,26 @@ impl CellTriangulator {
             self.rows.extend([pack(cell.v, cell.u), far]);
         }
         sort_distinct(&mut self.rows);
-        let across = self.rows.iter().map(|&key| key.rotate_right(32));
+        self.link_columns();
+    }
+
+    /// Finds the next vertex in the column of each vertex.
+    fn link_columns(&mut self) {
+        let us = self.rows.iter().map(|&key| u64::from(lower_half(key)));
         self.columns.clear();
-        self.columns.extend(across);
-        self.columns.sort_unstable();
+        self.columns.extend(us);
+        sort_distinct(&mut self.columns);
+        self.last.clear();
+        self.last.resize(self.columns.len(), NONE);
+        self.next_in_column.clear();
+        self.next_in_column.resize(self.rows.len(), NONE);
+        for (vertex, &key) in self.rows.iter().enumerate() {
+            let column = index_of(&self.columns, u64::from(lower_half(key)));
+            let before = std::mem::replace(&mut self.last[column], to_u32(vertex));
+            if let Some(next) = self.next_in_column.get_mut(before as usize) {
+                *next = to_u32(vertex);
+            }
+        }
     }
 
     /// The parameters (u, v) of all vertices, in the order of their numbers.
@@ -112,12 +134,14 @@ impl CellTriangulator {
         from..from + to_u32(after.take_while(|&&key| key < to).count())
     }
 
-    /// Appends the numbers of the vertices in a column between two keys, exclusive.
-    fn along_column(&self, from: u64, to: u64, polyline: &mut Vec<u32>) {
-        let after = &self.columns[index_of(&self.columns, from) + 1..];
-        for key in after.iter().take_while(|&&key| key < to) {
-            polyline.push(self.of_row(key.rotate_right(32)));
+    /// Appends the numbers of the vertices in a column after the vertex `from` and before v; returns that of the next one.
+    fn along_column(&self, from: u32, v: u32, polyline: &mut Vec<u32>) -> u32 {
+        let mut vertex = self.next_in_column[from as usize];
+        while upper_half(self.rows[vertex as usize]) < v {
+            polyline.push(vertex);
+            vertex = self.next_in_column[vertex as usize];
         }
+        vertex
     }
 
     /// Computes the two polylines of a cell.
@@ -125,18 +149,18 @@ impl CellTriangulator {
         let Cell { u, v, du, dv } = *cell;
         let (far_u, far_v) = (u + du, v + dv);
         let near = self.along_row(self.of_row(pack(v, u)), pack(v, far_u));
-        let far = self.along_row(self.of_row(pack(far_v, u)), pack(far_v, far_u));
         let mut below = std::mem::take(&mut self.below);
         below.clear();
         below.push(near.end);
         below.extend(near.clone().rev());
-        self.along_column(pack(u, v), pack(u, far_v), &mut below);
+        let far = self.along_column(near.start, far_v, &mut below);
+        let far = self.along_row(far, pack(far_v, far_u));
         below.push(far.start);
         self.below = below;
         let mut above = std::mem::take(&mut self.above);
         above.clear();
         above.push(near.end);
-        self.along_column(pack(far_u, v), pack(far_u, far_v), &mut above);
+        self.along_column(near.end, far_v, &mut above);
         above.push(far.end);
         above.extend(far.rev());
         self.above = above;

@@ -63,6 +63,32 @@ macro_rules! fill_indices {
 fill_indices!(fill_indices_u16, u16);
 fill_indices!(fill_indices_u32, u32);
 
+/// Appends the coordinates of a vector.
+#[inline(never)]
+pub fn push_vector(numbers: &mut Vec<f64>, vector: DVec3) {
+    numbers.extend_from_slice(&vector.to_array());
+}
+
+/// The nearest f32 of each number.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is intended"
+)]
+#[inline(never)]
+pub fn rounded(numbers: &[f64]) -> Vec<f32> {
+    numbers.iter().map(|&number| number as f32).collect()
+}
+
+/// The lower 16 bits of each number.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "only the lower half is needed"
+)]
+#[inline(never)]
+pub fn lower_halves(numbers: &[u32]) -> Vec<u16> {
+    numbers.iter().map(|&number| number as u16).collect()
+}
+
 /// Copies the vertices with the given indices; an index out of range leaves its entry unchanged.
 pub fn collect_points(vertices: &[DVec3], indices: &[u32], out: &mut [DVec3]) {
     for (out, &index) in out.iter_mut().zip(indices) {

@@ -1,6 +1,8 @@
 //! Evaluation of a patch at many parameters: points and normal vectors, row by row.
 
 use crate::numeric::lanes::f64x2;
+use crate::numeric::order::larger;
+use glam::DVec3;
 
 /// A point or a vector.
 pub type Vector3 = [f64; 3];
@@ -89,6 +91,40 @@ impl RowSampler<4> {
             blend_homogeneous(along_u, slopes),
             blend_homogeneous(along_v, values),
         ]
+    }
+
+    /// The point at (u, v), and the [`directions`] there.
+    #[inline(never)]
+    pub fn point_and_directions(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
+        let [[x, y, z, weight], along_u, along_v] = self.sample(u, v);
+        let point = DVec3::new(x, y, z) / weight;
+        (point, directions(point, weight, [along_u, along_v], [u, v]))
+    }
+}
+
+/// Directions of ∂u and ∂v at a point of a rational patch, from the sums of the homogeneous differences along u and v.
+///
+/// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
+/// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
+#[inline(always)]
+pub fn directions(point: DVec3, weight: f64, sums: [Vector4; 2], at: [f64; 2]) -> [DVec3; 2] {
+    let direction = |[x, y, z, change]: Vector4, t: f64| {
+        (DVec3::new(x, y, z) - point * change) / (2.0 * weight + (1.0 - 2.0 * t) * change)
+    };
+    let [along_u, along_v] = sums;
+    [direction(along_u, at[0]), direction(along_v, at[1])]
+}
+
+/// The unit vector of a × b; `None` if that is not longer than `min_length`.
+#[inline(never)]
+pub fn unit_normal([a, b]: [DVec3; 2], min_length: f64) -> Option<DVec3> {
+    let cross_product = a.cross(b);
+    if cross_product.length_squared() > min_length * min_length {
+        let DVec3 { x, y, z } = cross_product.abs();
+        let direction = cross_product / larger(larger(x, y), z);
+        Some(direction / direction.dot(direction).sqrt())
+    } else {
+        None
     }
 }
 

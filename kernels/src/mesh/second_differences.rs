@@ -27,11 +27,12 @@ pub struct RationalBends {
     /// The bounding box of the control points, and the smallest and the largest weight.
     low: f32x4,
     high: f32x4,
-    /// The maximum length of the vectors in each net of second differences of A, along the axis and across it.
-    along: [f32; 3],
-    across: [f32; 3],
+    /// The maximum length of the vectors in each net of second differences of A, along the axis and across it. The fourth lanes
+    /// repeat the first ones.
+    along: f32x4,
+    across: f32x4,
     /// The maximum size of the second differences of w.
-    weights: [f32; 3],
+    weights: f32x4,
     /// The largest distance of a control point from the origin of A.
     radius: f32,
     /// The direction of the mixed second differences, or zero: the axis for the halves.
@@ -51,9 +52,11 @@ impl RationalBends {
     #[inline(never)]
     pub fn lengths(&self) -> [f64; 3] {
         let scale = self.scale();
+        let (along, across) = (self.along.to_array(), self.across.to_array());
+        let weights = self.weights.to_array();
         let length = |k: usize| {
-            let (along, across) = (f64::from(self.along[k]), f64::from(self.across[k]));
-            (f64::sqrt(along * along + across * across) + self.of_weights(k)) * scale
+            let (along, across) = (f64::from(along[k]), f64::from(across[k]));
+            (f64::sqrt(along * along + across * across) + self.of_weights(weights[k])) * scale
         };
         [length(0), length(1), length(2)]
     }
@@ -62,35 +65,40 @@ impl RationalBends {
     #[inline(never)]
     pub fn distance(&self, [h, k]: [f64; 2]) -> f64 {
         let sum = |uu: f64, uv: f64, vv: f64| h * h * uu + 2.0 * h * k * uv + k * k * vv;
-        let sum_of = |[uu, uv, vv]: [f32; 3]| sum(uu.into(), uv.into(), vv.into());
+        let sum_of = |lanes: f32x4| {
+            let [uu, uv, vv, _] = lanes.to_array();
+            sum(uu.into(), uv.into(), vv.into())
+        };
         let (along, across) = (sum_of(self.along), sum_of(self.across));
-        let weights = sum(self.of_weights(0), self.of_weights(1), self.of_weights(2));
+        let [uu, uv, vv, _] = self
+            .weights
+            .to_array()
+            .map(|weight| self.of_weights(weight));
+        let weights = sum(uu, uv, vv);
         (f64::sqrt(along * along + across * across) + weights) * self.scale() / 8.0
     }
 
     /// The bounds for a part from those for its halves, which have the same axis.
-    #[inline(never)]
-    pub fn of_halves([near, far]: &[Self; 2]) -> Self {
+    #[inline(always)]
+    fn of_halves(near: &Self, far: &Self) -> Self {
         let (low, high) = (near.low.fast_min(far.low), near.high.fast_max(far.high));
         let off = |half: &Self| distance(center(low, high), center(half.low, half.high));
-        let both =
-            |a: [f32; 3], b: [f32; 3]| [larger(a[0], b[0]), larger(a[1], b[1]), larger(a[2], b[2])];
         Self {
             low,
             high,
-            along: both(near.along, far.along),
-            across: both(near.across, far.across),
-            weights: both(near.weights, far.weights),
+            along: near.along.fast_max(far.along),
+            across: near.across.fast_max(far.across),
+            weights: near.weights.fast_max(far.weights),
             // Moving the origin by a vector adds Δw times that vector to ΔA.
             radius: 0.5 * distance(low, high) + larger(off(near), off(far)),
             axis: near.axis,
         }
     }
 
-    /// ρ|Δw|, where rounding errors of A are relative to the patch's size, which is 1.
+    /// ρ|Δw| for the maximum size of Δw, where rounding errors of A are relative to the patch's size, which is 1.
     #[inline(always)]
-    fn of_weights(&self, k: usize) -> f64 {
-        (f64::from(self.radius) + 4.0 * BEND_SLACK) * f64::from(self.weights[k])
+    fn of_weights(&self, weight: f32) -> f64 {
+        (f64::from(self.radius) + 4.0 * BEND_SLACK) * f64::from(weight)
     }
 
     #[inline(always)]
@@ -106,6 +114,8 @@ pub struct SecondDifferences {
     /// Number of vectors of one part.
     count: usize,
     vectors: Vec<f32x4>,
+    /// The bounds for each part, if they are homogeneous and [`bound`](Self::bound) was called.
+    bends: Vec<RationalBends>,
 }
 
 impl SecondDifferences {
@@ -115,6 +125,7 @@ impl SecondDifferences {
         self.sizes = sizes.map(|(columns, rows)| if rows == 0 { (0, 0) } else { (columns, rows) });
         self.count = sizes.iter().map(|(columns, rows)| columns * rows).sum();
         self.vectors.clear();
+        self.bends.clear();
         self.vectors.extend(vectors.map(f32x4::new));
     }
 
@@ -143,6 +154,35 @@ impl SecondDifferences {
     /// Removes the last part.
     pub fn pop(&mut self) {
         self.vectors.truncate(self.vectors.len() - self.count);
+        self.bends.pop();
+    }
+
+    /// Computes [`RationalBends`] of the only part, whose vectors are homogeneous.
+    pub fn bound(&mut self) {
+        self.bends.push(self.rational_bends(0, None));
+    }
+
+    /// Replaces the last [`RationalBends`], those of the part that was halved, by those of both halves.
+    #[inline(never)]
+    pub fn bound_halves(&mut self) {
+        let whole = self.bends.pop();
+        let near = self.rational_bends(1, whole.as_ref());
+        let far = self.rational_bends(0, whole.as_ref());
+        self.bends.extend([near, far]);
+    }
+
+    /// Those of the last part.
+    pub fn last_bends(&self) -> &RationalBends {
+        &self.bends[self.bends.len() - 1]
+    }
+
+    /// [`RationalBends::distance`] for the part whose halves are the last two parts.
+    #[inline(never)]
+    pub fn joined_distance(&self, sides: [f64; 2]) -> f64 {
+        let [.., near, far] = &self.bends[..] else {
+            return f64::INFINITY;
+        };
+        RationalBends::of_halves(near, far).distance(sides)
     }
 
     /// The maximum length of the vectors in each net of second differences, of the part that is `before` positions
@@ -173,7 +213,7 @@ impl SecondDifferences {
     /// [`RationalBends`] of the part that is `before` positions below the last one, whose vectors are homogeneous, with the axis
     /// of the part of which it is a half.
     #[inline(never)]
-    pub fn rational_bends(&self, before: usize, whole: Option<&RationalBends>) -> RationalBends {
+    fn rational_bends(&self, before: usize, whole: Option<&RationalBends>) -> RationalBends {
         let end = self.vectors.len() - before * self.count;
         let part = &self.vectors[end - self.count..end];
         let [uu, uv, vv, _] = self.sizes;
@@ -193,9 +233,9 @@ impl SecondDifferences {
         RationalBends {
             low,
             high,
-            along: [uu.0, uv.0, vv.0],
-            across: [uu.1, uv.1, vv.1],
-            weights: [uu.2, uv.2, vv.2],
+            along: largest([uu.0, uv.0, vv.0]).sqrt(),
+            across: largest([uu.1, uv.1, vv.1]).sqrt(),
+            weights: largest([uu.2, uv.2, vv.2]),
             radius: 0.5 * distance(low, high),
             axis: unit([dx - weight * x, dy - weight * y, dz - weight * z]),
         }
@@ -254,13 +294,21 @@ fn unit([x, y, z]: [f32; 3]) -> [f32; 3] {
     }
 }
 
-/// The maximum length of A − wc of homogeneous vectors (A, w), along a unit vector and across it, and the maximum |w|.
+/// The largest number of each of three vectors; the fourth lane repeats the first one.
+#[inline(always)]
+fn largest([a, b, c]: [f32x4; 3]) -> f32x4 {
+    let [x, y, z, w] = f32x4::transpose([a, b, c, a]);
+    x.fast_max(y).fast_max(z.fast_max(w))
+}
+
+/// The maxima in each lane of the squared lengths of A − wc of homogeneous vectors (A, w), along a unit vector and across it,
+/// and of |w|.
 #[inline(always)]
 fn longest_about(
     net: &[f32x4],
     (cx, cy, cz): (f32x4, f32x4, f32x4),
     (ax, ay, az): (f32x4, f32x4, f32x4),
-) -> (f32, f32, f32) {
+) -> (f32x4, f32x4, f32x4) {
     let (mut along, mut across, mut weight) = (f32x4::ZERO, f32x4::ZERO, f32x4::ZERO);
     let mut add = |four: [f32x4; 4]| {
         let [x, y, z, w] = f32x4::transpose(four);
@@ -269,7 +317,7 @@ fn longest_about(
         let (x, y, z) = (x - part * ax, y - part * ay, z - part * az);
         along = along.fast_max(part * part);
         across = across.fast_max(x * x + y * y + z * z);
-        weight = weight.fast_max(w * w);
+        weight = weight.fast_max(w.abs());
     };
     let (fours, others) = net.as_chunks();
     fours.iter().for_each(|&four| add(four));
@@ -277,11 +325,7 @@ fn longest_about(
         let at = |k: usize| others.get(k).copied().unwrap_or(first);
         add([first, at(1), at(2), first]);
     }
-    let longest = |squares: f32x4| {
-        let [a, b, c, d] = squares.to_array();
-        f32::sqrt(larger(larger(a, b), larger(c, d)))
-    };
-    (longest(along), longest(across), longest(weight))
+    (along, across, weight)
 }
 
 /// [`split_net_with`] for a size that is known at compile time.

@@ -4,7 +4,7 @@
 //! samples bit for bit; normals come from differences in scaled coordinates.
 
 use super::RationalSurface;
-use super::mesh::{Normals, differences_u, differences_v, directions};
+use super::mesh::{Normals, differences_u, differences_v};
 use crate::geometry::error::Error;
 use crate::mesh::buffers::to_f32;
 use crate::mesh::generic_grid_evaluator::{GridWeights, blend, prepare, round};
@@ -12,6 +12,7 @@ use crate::mesh::grid_mesh::GridMeshBuilder;
 use crate::mesh::{Grid, GridMethod, Mesh};
 use crate::rational::patch::RationalPatch;
 use crate::rational::weighted::Homogeneous;
+use casteljau_kernels::mesh::row_sampler::directions;
 use glam::DVec3;
 use std::ops::Range;
 #[cfg(feature = "rayon")]
@@ -119,7 +120,8 @@ impl RationalGrid {
                 let (values, slopes) = (values.at(iu), slopes.at(iu));
                 let homogeneous = blend(values, points);
                 let point = homogeneous.point();
-                let sums = [blend(slopes, along_u), blend(values, along_v)];
+                let sums = [blend(slopes, along_u), blend(values, along_v)]
+                    .map(|sum| sum.vector.extend(sum.weight).to_array());
                 let (u, v) = self.grid.uv(iu, iv);
                 let local = finder.frame.local_point(point);
                 let along = directions(local, homogeneous.weight, sums, [u, v]);

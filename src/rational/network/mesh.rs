@@ -9,7 +9,6 @@
 use super::RationalSurface;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
-use crate::geometry::point::Point;
 use crate::mesh::Mesh;
 use crate::mesh::adaptive::{tessellate, tessellate_f64};
 use crate::mesh::buffers::to_f32;
@@ -25,8 +24,8 @@ use crate::rational::weighted::Homogeneous;
 use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
 use crate::surface::topology::SideUse;
-use casteljau_kernels::mesh::row_sampler::RowSampler;
-use casteljau_kernels::mesh::second_differences::{RationalBends, SecondDifferences};
+use casteljau_kernels::mesh::row_sampler::{RowSampler, unit_normal};
+use casteljau_kernels::mesh::second_differences::SecondDifferences;
 use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
 
@@ -169,50 +168,43 @@ impl RationalPatch {
     }
 }
 
-/// What bounds the second derivatives of a piece.
+/// The size of the patch, by which the bounds on the stack are multiplied. They stay there, because a piece is copied several times.
 #[derive(Clone, Copy)]
 pub(crate) struct PieceBends {
-    bends: RationalBends,
-    /// The size of the patch.
     size: f64,
 }
 
 impl Bends for PieceBends {
     /// √a² + b² is at least (a + b)/√2.
     const MAX_EXCESS: f64 = std::f64::consts::SQRT_2;
+    /// They take most of the time of a cut.
+    const SUFFICE_FOR_HALVES: bool = true;
 
-    fn of_patch(stack: &SecondDifferences, frame: &Frame) -> Self {
-        Self {
-            bends: stack.rational_bends(0, None),
-            size: frame.size,
-        }
+    fn of_patch(stack: &mut SecondDifferences, frame: &Frame) -> Self {
+        stack.bound();
+        Self { size: frame.size }
     }
 
-    fn of_halves(&self, stack: &SecondDifferences, _frame: &Frame) -> [Self; 2] {
-        let half = |before| Self {
-            bends: stack.rational_bends(before, Some(&self.bends)),
-            size: self.size,
-        };
-        [half(1), half(0)]
+    fn of_halves(&self, stack: &mut SecondDifferences, _frame: &Frame) -> [Self; 2] {
+        stack.bound_halves();
+        [*self; 2]
     }
 
-    fn joined([near, far]: &[Self; 2]) -> Self {
-        Self {
-            bends: RationalBends::of_halves(&[near.bends, far.bends]),
-            ..*near
-        }
+    fn joined_distance([half, _]: &[Self; 2], stack: &SecondDifferences, sides: [f64; 2]) -> f64 {
+        stack.joined_distance(sides) * half.size
     }
 
-    fn lengths(&self) -> [f64; 3] {
-        self.bends.lengths().map(|length| length * self.size)
+    fn lengths(&self, stack: &SecondDifferences) -> [f64; 3] {
+        let lengths = stack.last_bends().lengths();
+        lengths.map(|length| length * self.size)
     }
 
-    fn distance(&self, sides: [f64; 2]) -> f64 {
-        self.bends.distance(sides) * self.size
+    fn distance(&self, stack: &SecondDifferences, sides: [f64; 2]) -> f64 {
+        stack.last_bends().distance(sides) * self.size
     }
 
-    fn control_box(&self, _stack: &SecondDifferences) -> [[f32; 3]; 2] {
-        self.bends.control_box()
+    fn control_box(&self, stack: &SecondDifferences) -> [[f32; 3]; 2] {
+        stack.last_bends().control_box()
     }
 }
 
@@ -260,40 +252,13 @@ impl RationalSampler {
             derivative(along_v, patch.degree_v()),
         ]
     }
-
-    /// The point at (u, v) in scaled coordinates, and the [`directions`] there.
-    fn sample(&mut self, u: f64, v: f64) -> (DVec3, [DVec3; 2]) {
-        let [point, along_u, along_v] = self.homogeneous(u, v);
-        let local = point.vector / point.weight;
-        let along = directions(local, point.weight, [along_u, along_v], [u, v]);
-        (local, along)
-    }
-}
-
-/// Directions of ∂u and ∂v at a point of a patch, from the sums of the homogeneous differences along u and v.
-///
-/// ∂u is m/w times Au − S wu, where Au and wu are sums of differences. With w₀ and w₁, the sums of the weights at the starts
-/// and at the ends of these differences, it is divided by w₀ + w₁ instead of w, on which its rounding errors depend.
-pub(super) fn directions(
-    local: DVec3,
-    weight: f64,
-    sums: [Homogeneous<DVec3>; 2],
-    at: [f64; 2],
-) -> [DVec3; 2] {
-    [0, 1].map(|k| {
-        let Homogeneous {
-            vector,
-            weight: change,
-        } = sums[k];
-        (vector - local * change) / (2.0 * weight + (1.0 - 2.0 * at[k]) * change)
-    })
 }
 
 /// Normals of a rational patch at many parameters.
 pub(super) struct Normals {
     pub(super) patch: RationalPatch,
     pub(super) frame: Scaling,
-    /// The length of ∂u × ∂v, as of [`directions`], above which it exceeds rounding noise.
+    /// The length of ∂u × ∂v, as of `directions` of the kernels, above which it exceeds rounding noise.
     min_length: f64,
     /// The last normal net, and the point that is its origin.
     limits: Option<(DVec3, NormalNet)>,
@@ -321,17 +286,10 @@ impl Normals {
         }
     }
 
-    /// ∂u × ∂v; `None` if it does not exceed rounding noise.
-    fn cross_product(&self, [along_u, along_v]: [DVec3; 2]) -> Option<DVec3> {
-        let cross_product = along_u.cross(along_v);
-        let is_regular = cross_product.length_squared() > self.min_length * self.min_length;
-        is_regular.then_some(cross_product)
-    }
-
-    /// The unit normal at (u, v), where ∂u and ∂v have the given [`directions`].
+    /// The unit normal at (u, v), where ∂u and ∂v have the given directions.
     pub(super) fn normal(&mut self, along: [DVec3; 2], [u, v]: [f64; 2]) -> DVec3 {
-        match self.cross_product(along) {
-            Some(cross_product) => Point::unit(cross_product),
+        match unit_normal(along, self.min_length) {
+            Some(normal) => normal,
             // All points of an edge that is a pole are equal, so that they have one net.
             None => self.limits(u, v).limit(u, v),
         }
@@ -357,13 +315,13 @@ impl Normals {
 
 impl PatchSampler for RationalSampler {
     fn has_area(&mut self) -> bool {
-        let (_, along) = self.sample(0.5, 0.5);
+        let (_, along) = self.samples.point_and_directions(0.5, 0.5);
         let normals = &mut self.normals;
-        normals.cross_product(along).is_some() || !normals.limits(0.5, 0.5).vanishes()
+        unit_normal(along, normals.min_length).is_some() || !normals.limits(0.5, 0.5).vanishes()
     }
 
     fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
-        let (local, along) = self.sample(u, v);
+        let (local, along) = self.samples.point_and_directions(u, v);
         let frame = &self.normals.frame;
         let point = local * frame.size + frame.centre;
         (point, self.normals.normal(along, [u, v]))

@@ -114,11 +114,14 @@ impl Factor {
         let columns = self.columns + other.columns - 1;
         let rows = self.net.len() / self.columns + other.net.len() / other.columns - 1;
         let mut net: Net = std::iter::repeat_n(DVec3::ZERO, columns * rows).collect();
-        for (a, &left) in self.net.iter().enumerate() {
-            for (b, &right) in other.net.iter().enumerate() {
-                let column = a % self.columns + b % other.columns;
-                let row = a / self.columns + b / other.columns;
-                net[row * columns + column] += multiply(left, right);
+        for (j, left) in self.net.chunks(self.columns).enumerate() {
+            for (k, right) in other.net.chunks(other.columns).enumerate() {
+                let row = &mut net[(j + k) * columns..];
+                for (i, &left) in left.iter().enumerate() {
+                    for (sum, &right) in row[i..].iter_mut().zip(right) {
+                        *sum += multiply(left, right);
+                    }
+                }
             }
         }
         Self { net, columns }
