@@ -30,7 +30,7 @@ const FIGURES = ["#figure-curve", "#figure-basis", "#figure-insert", "#figure-le
 for (const width of [360, 1280]) {
   test(`at ${width} px figures are as tall before the scripts as afterwards`, async (t) => {
     const isPhone = width < 500;
-    const options = { viewport: { width, height: 900 }, hasTouch: isPhone, isMobile: isPhone };
+    const options = { viewport: { width, height: 1000 }, hasTouch: isPhone, isMobile: isPhone };
     const plain = await openPage(t, "/curves/parameter/", { ...options, javaScriptEnabled: false });
     const page = await openPage(t, "/curves/parameter/", { ...options, reducedMotion: "reduce" });
     for (const id of FIGURES) {

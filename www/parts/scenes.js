@@ -13,7 +13,8 @@ const MIN_WIDTH_PX = 480;
 /** Makes a figure beside the text narrower, and so lower, if its sheet is taller than the window. @param {HTMLElement} figure */
 function fit(figure) {
   const sheet = /** @type {HTMLElement} */ (figure.querySelector(":scope > .sheet"));
-  if (!BESIDE.matches || document.fullscreenElement || sheet.scrollHeight <= sheet.clientHeight + 1) return;
+  const max = Number.parseFloat(getComputedStyle(sheet).maxHeight); // NaN without a task
+  if (!BESIDE.matches || document.fullscreenElement || !(sheet.scrollHeight > max + 1)) return;
   const width = Math.floor((figure.offsetWidth * sheet.clientHeight) / sheet.scrollHeight);
   figure.style.maxInlineSize = `${Math.max(MIN_WIDTH_PX, width)}px`;
 }
