@@ -1,14 +1,9 @@
 // The cost of moving a point: all script from a pointermove to the end of its frame, with all layers of
 // <bezier-applet>, from the browser's trace of its main thread.
-import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
 import { LAYER_NAMES } from "#js/editor/state.js";
-import { chromePath, FLAGS } from "../../tests/page/chrome.js";
-import { serve } from "../../tests/page/server.js";
 import { median, spread } from "./harness.js";
-
-const root = fileURLToPath(new URL("../../", import.meta.url));
+import { hasBrowser, traceOf } from "./trace.js";
 
 /** A page with the two cubics of the tutorial. */
 const PAGE = `<!doctype html><html lang="en"><title>Frame</title><script type="module" src="/dist/elements.js"></script>
@@ -27,16 +22,12 @@ const WARM_UP_MOVES = 40;
 /** The pause between two moves, so that each has its own frame. */
 const PAUSE_MS = 40;
 
-/** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur?: number, tdur?: number, args?: any }} TraceEvent times in µs */
-
-/** @typedef {{ id: string, work: string, peer: null, unit: string, theirs: null, ours: number, ratio: null, spread: number[] }} Result */
-
 /**
  * @param {import("./harness.js").Effort} effort
- * @returns {Promise<Result[]>} empty without Chromium
+ * @returns {Promise<import("./trace.js").Result[]>} empty without Chromium
  */
 export async function results(effort) {
-  if (!existsSync(chromePath())) return [];
+  if (!hasBrowser()) return [];
   const times = await moves(WARM_UP_MOVES, Math.max(20, effort.rounds));
   const ns = times.map((us) => 1000 * us);
   return [
@@ -59,12 +50,7 @@ export async function results(effort) {
  * @returns {Promise<number[]>} time of the main thread for each move in µs
  */
 async function moves(warmUp, count) {
-  const site = await serve({ "/dist/": `${root}dist` });
-  site.pages.set("/frame.html", PAGE);
-  const browser = await chromium.launch({ executablePath: chromePath(), args: FLAGS });
-  try {
-    const page = await browser.newPage({ viewport: { width: 700, height: 1200 } });
-    await page.goto(`${site.url}/frame.html`);
+  const events = await traceOf(PAGE, ["devtools.timeline", "v8"], async (page) => {
     const handle = page.locator("bezier-applet [data-index='1']").first();
     await handle.waitFor({ state: "attached" });
     const box = await handle.boundingBox();
@@ -75,15 +61,11 @@ async function moves(warmUp, count) {
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let k = 0; k < warmUp; k++) await step(page, at(k));
-    await browser.startTracing(page, { categories: ["devtools.timeline", "v8"] });
-    for (let k = 0; k < count; k++) await step(page, at(warmUp + k));
-    const trace = JSON.parse((await browser.stopTracing()).toString());
-    await page.mouse.up();
-    return scriptPerMove(trace.traceEvents);
-  } finally {
-    await browser.close();
-    site.close();
-  }
+    return async () => {
+      for (let k = 0; k < count; k++) await step(page, at(warmUp + k));
+    };
+  });
+  return scriptPerMove(events);
 }
 
 /**
@@ -96,11 +78,11 @@ async function step(page, [x, y]) {
 }
 
 /**
- * @param {TraceEvent[]} events
+ * @param {import("./trace.js").TraceEvent[]} events
  * @returns {number[]}
  */
 function scriptPerMove(events) {
-  const isMove = (/** @type {TraceEvent} */ event) =>
+  const isMove = (/** @type {import("./trace.js").TraceEvent} */ event) =>
     event.name === "EventDispatch" && event.args?.data?.type === "pointermove";
   const first = events.find(isMove);
   if (!first) throw new Error("frame: the page received no pointermove");

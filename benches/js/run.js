@@ -6,7 +6,7 @@
 //   node benches/js/run.js --quick    runs each row once to check that both sides agree; writes nothing
 //
 // targets.js has the targets, rows.js measures one row in a process of its own with harness.js, table.js prints. The rows
-// are in the files that FILES names, in adaptive.js, start.js, frame.js, scroll.js (which needs `npm run build:site`) and growth.js; native.js reads the results of
+// are in the files that FILES names, in adaptive.js, start.js, frame.js, scroll.js and growth.js; native.js reads the results of
 // `cargo bench`.
 import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -118,7 +118,7 @@ const compared = FILES.flatMap(resultsOf);
 const adaptiveRows = isSelected("adaptive-verb") ? rowsIn("adaptive", ...(quick ? ["--quick"] : [])) : [];
 const startRows = filters.length ? [] : start.results(effort);
 const frameRows = quick || !isSelected("frame") ? [] : await frame.results(effort);
-const scrollRows = quick || !isSelected("scroll") ? [] : await scroll.results(effort);
+const scrollRows = quick || !isSelected("scroll") ? [] : await scroll.results();
 const growthRows = resultsOf("growth").map((result) => judge(result));
 const nativeRows = quick ? [] : native.results().filter(({ id }) => isSelected(id));
 const rows = [...compared, ...adaptiveRows, ...startRows, ...frameRows, ...scrollRows, ...nativeRows].map((result) =>
@@ -136,7 +136,7 @@ console.log(quick ? QUICK_LEGEND : LEGEND);
 if (rows.length) console.log(comparisons(rows));
 if (growthRows.length) console.log(`\n${growths(growthRows)}`);
 if (!quick && !filters.length && !frameRows.length)
-  console.log("\nNo row for the frame: Chromium was not found (CHROME_PATH).");
+  console.log("\nNo rows for frames and scrolling: Chromium was not found (CHROME_PATH).");
 if (!quick && !filters.length && !nativeRows.length) console.log("\nNo native rows: run `cargo bench` first.");
 if (!quick && !filters.length) {
   writeFileSync(

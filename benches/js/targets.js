@@ -70,6 +70,7 @@ export const TARGETS = {
   size: { max: 365_000 }, // bytes
   "size-elements": { max: 45_000 },
   frame: { max: 4e6 }, // ns
+  scroll: { max: 50e6 }, // ns
 
   "growth-segments": { max: 1.25 },
   "growth-patches": { max: 1.25 },

@@ -14,6 +14,7 @@ mod rational;
 mod regions;
 mod simplify;
 mod stroke;
+mod surfaces;
 mod teapot;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -25,6 +26,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, forms::bench, nearest::bench, offset::bench, rational::bench, regions::bench, simplify::bench, stroke::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, forms::bench, nearest::bench, offset::bench, rational::bench, regions::bench, simplify::bench, stroke::bench, surfaces::bench, teapot::bench
 }
 criterion_main!(all);

@@ -33,9 +33,9 @@ export function capture(
   };
   target.setPointerCapture(id);
   listen(target, "pointermove", move);
-  // An element that was removed gets no more events.
-  for (const on of [target, target.ownerDocument])
-    for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(on, type, finish);
+  for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) listen(target, type, finish);
+  // An element that was removed gets no more events; its drag goes on until the pointer is released.
+  for (const type of ["pointerup", "pointercancel"]) listen(target.ownerDocument, type, finish);
   return () => {
     listening.abort();
     if (target.hasPointerCapture(id)) target.releasePointerCapture(id);

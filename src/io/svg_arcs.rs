@@ -37,6 +37,49 @@ const CANDIDATES: [(Option<usize>, f64); 6] = [
     (None, 16.0 * f64::EPSILON),
 ];
 
+/// The number of cubics of an arc of less than half a turn that is compared with its middle: even, and enough for it.
+#[cfg(feature = "nurbs")]
+const PIECES: usize = 4;
+
+/// An arc of less than half a turn with the fewest digits with which it is read as passing its middle, if there is one: rounded
+/// radii of nearly half an ellipse may move it.
+#[cfg(feature = "nurbs")]
+pub(super) fn shortest(arc: &Arc, middle: DVec2) -> Option<Arc> {
+    let largest = [arc.from, arc.to, middle]
+        .iter()
+        .fold(0.0, |m: f64, p| m.max(p.x.abs()).max(p.y.abs()));
+    rounded(arc, |shape| passes(shape, middle, ROUNDING * largest))
+}
+
+/// Whether an arc is read as passing a point in its middle, up to an error in each coordinate.
+#[cfg(feature = "nurbs")]
+fn passes(shape: &Arc, middle: DVec2, max: f64) -> bool {
+    let mut ends = Vec::new();
+    let push = |points: &[DVec2]| {
+        ends.push(points[2]);
+        true
+    };
+    let is_arc = arc(shape, None, PIECES, push) && ends.len() == PIECES;
+    is_arc && {
+        let off = ends[PIECES / 2 - 1] - middle;
+        off.x.abs() <= max && off.y.abs() <= max
+    }
+}
+
+/// The first of the candidates that is the arc.
+fn rounded(arc: &Arc, is_same: impl Fn(&Arc) -> bool) -> Option<Arc> {
+    CANDIDATES.iter().find_map(|&(digits, less)| {
+        let round = |x: f64| digits.map_or(x, |digits| significant(x, digits));
+        let radii = arc.radii * (1.0 - less);
+        let shape = Arc {
+            radii: DVec2::new(round(radii.x), round(radii.y)),
+            degrees: round(arc.degrees),
+            ..*arc
+        };
+        is_same(&shape).then_some(shape)
+    })
+}
+
 /// An elliptical arc and the cubics that it may consist of.
 pub(super) struct Run<'a> {
     /// The point at the angle φ from the start is center + u cos φ + v sin φ.
@@ -105,16 +148,7 @@ impl<'a> Run<'a> {
             .iter()
             .flat_map(|cubic| cubic.iter())
             .fold(0.0, |m: f64, p| m.max(p.x.abs()).max(p.y.abs()));
-        CANDIDATES.iter().find_map(|&(digits, less)| {
-            let round = |x: f64| digits.map_or(x, |digits| significant(x, digits));
-            let radii = arc.radii * (1.0 - less);
-            let rounded = Arc {
-                radii: DVec2::new(round(radii.x), round(radii.y)),
-                degrees: round(arc.degrees),
-                ..arc
-            };
-            self.is_arc(&rounded, ROUNDING * largest).then_some(rounded)
-        })
+        rounded(&arc, |shape| self.is_arc(shape, ROUNDING * largest))
     }
 
     /// The number of cubics into which an arc is divided at least to be compared with these: 1 if they are as many as it is

@@ -1,6 +1,8 @@
 //! Writing paths as SVG path data.
 
 use super::svg_arcs::Run;
+#[cfg(feature = "nurbs")]
+use super::svg_arcs::shortest;
 use crate::curve::Curve;
 use crate::curve::trace::PathSink;
 use crate::geometry::check::check_tolerance;
@@ -198,8 +200,8 @@ impl Spline<DVec2> {
 
 #[cfg(feature = "nurbs")]
 impl RationalCurve<DVec2> {
-    /// The curve as SVG path data: an arc of a circle or an ellipse as `A`, which is read as the same arc up to rounding; others as
-    /// lines and cubics within `tolerance`.
+    /// The curve as SVG path data: an arc of a circle or an ellipse as `A`, with the fewest of 12, 15 or all digits that are read as
+    /// the same arc up to rounding; others as lines and cubics within `tolerance`.
     ///
     /// # Errors
     /// As [`trace_within`](Self::trace_within).
@@ -239,6 +241,25 @@ impl NurbsCurve<DVec2> {
         }
         Ok(writer.text)
     }
+}
+
+/// The arc that a conic is, with the fewest digits; `None` if it is none, or if numbers in text move it.
+#[cfg(feature = "nurbs")]
+fn arc_of_conic(curve: &RationalCurve<DVec2>) -> Option<Arc> {
+    let arc = curve.to_elliptical_arc()?;
+    let (p, w) = (curve.control_points(), curve.weights());
+    // The point in the middle of the standard form, with the weights 1, w, 1.
+    let w = w[1] / (w[0].sqrt() * w[2].sqrt());
+    let middle = ((p[0] + p[2]) * 0.5 + p[1] * w) / (1.0 + w);
+    let shape = Arc {
+        from: curve.start(),
+        to: curve.end(),
+        radii: arc.radii,
+        degrees: arc.rotation.to_degrees(),
+        large: false,
+        sweep: arc.sweep_angle > 0.0,
+    };
+    shortest(&shape, middle)
 }
 
 /// The sink that writes path data.
@@ -305,25 +326,22 @@ impl Writer {
     /// Continues with a rational curve.
     #[cfg(feature = "nurbs")]
     fn rational(&mut self, curve: &RationalCurve<DVec2>, tolerance: f64) {
-        let Some(arc) = curve.to_elliptical_arc() else {
-            let mut draw = |part: &Curve<DVec2>| part.trace_on(self, Some(tolerance));
-            return curve.for_each_polynomial(tolerance, &mut draw);
-        };
-        let (radii, to) = (arc.radii, curve.end());
-        let numbers = [radii.x, radii.y, arc.rotation.to_degrees(), to.x, to.y];
-        let [rx, ry, degrees, x, y] = numbers.map(written_number);
-        // A conic turns by less than half a turn.
-        let sweep = u8::from(arc.sweep_angle > 0.0);
-        push(
-            &mut self.text,
-            format_args!(" A{rx},{ry} {degrees} 0 {sweep} {x},{y}"),
-        );
+        if let Some(arc) = arc_of_conic(curve) {
+            return self.push_arc(&arc);
+        }
+        let mut draw = |part: &Curve<DVec2>| part.trace_on(self, Some(tolerance));
+        curve.for_each_polynomial(tolerance, &mut draw);
     }
 
     fn arc_exactly(&mut self, run: &Run<'_>) -> bool {
         let Some(arc) = run.exact_arc() else {
             return false;
         };
+        self.push_arc(&arc);
+        true
+    }
+
+    fn push_arc(&mut self, arc: &Arc) {
         let (radii, to) = (arc.radii, arc.to);
         let [rx, ry, degrees, x, y] =
             [radii.x, radii.y, arc.degrees, to.x, to.y].map(written_number);
@@ -332,7 +350,6 @@ impl Writer {
             &mut self.text,
             format_args!(" A{rx},{ry} {degrees} {large} {sweep} {x},{y}"),
         );
-        true
     }
 
     /// The radii are rounded, or rounded down by one unit of the last digit: of half an ellipse, larger radii would move the center far.

@@ -15,6 +15,7 @@ use casteljau_kernels::curve::arc_length::rational_cubic::{
 };
 use casteljau_kernels::curve::arc_length::speed::rational_speed_integral;
 use casteljau_kernels::numeric::vector::Vector;
+use casteljau_kernels::numeric::zero::regula_falsi;
 use glam::DVec3;
 
 impl<P: Point> RationalCurve<P> {
@@ -51,9 +52,13 @@ impl<P: Point> RationalCurve<P> {
     /// The parameter t at a given arc length s: the inverse of the length from 0 to t.
     ///
     /// s runs from 0 to the whole length; outside this range the result is the nearer end, 0 or 1. For a curve that is
-    /// a point it is 0; for NaN it is NaN. The error, as a length, is at most 10⁻¹² of the whole length.
+    /// a point it is 0; for NaN it is NaN. The error, as a length, is at most 10⁻¹² of the whole length, or that of rounding t; ratios of
+    /// weights are as for [`length`](Self::length).
     #[doc(alias = "inv_arclen")]
     pub fn time_at_length(&self, s: f64) -> f64 {
+        if let Some(t) = self.time_by_kernel(s) {
+            return t;
+        }
         let normalized = self.around_start();
         let table = self.length_table(&normalized);
         let length = table
@@ -72,6 +77,29 @@ impl<P: Point> RationalCurve<P> {
             tangent: self.tangent(t),
             normal: self.normal(t),
         }
+    }
+
+    /// [`time_at_length`](Self::time_at_length) where the table is not accurate, by the lengths of parts.
+    fn time_by_kernel(&self, s: f64) -> Option<f64> {
+        let [max, min] = [f64::max, f64::min].map(|f| self.weights.iter().copied().reduce(f));
+        if !(2..=3).contains(&self.degree()) || max? <= MAX_RATIO_OF_TABLE * min? {
+            return None;
+        }
+        let length = self.length();
+        if !(s > 0.0 && s < length) {
+            return Some(if s.is_nan() {
+                s
+            } else {
+                f64::from(u8::from(s > 0.0))
+            });
+        }
+        let rest = |t: f64| s - self.split_unchecked(t).0.length();
+        Some(regula_falsi(
+            [0.0, 1.0],
+            [s, s - length],
+            f64::EPSILON,
+            rest,
+        ))
     }
 
     /// The map to points relative to the start, of a moderate size.
@@ -106,6 +134,9 @@ impl<P: Point> RationalCurve<P> {
             .map(|speed| ArcLengthTable::new(speed, f64::INFINITY))
     }
 }
+
+/// For larger ratios of the weights the table of lengths is not accurate.
+const MAX_RATIO_OF_TABLE: f64 = (1 << 20) as f64;
 
 /// For larger ratios of the weights the squares of D in the kernel may leave the range of f64.
 const MAX_RATIO: f64 = (1_u128 << 100) as f64;

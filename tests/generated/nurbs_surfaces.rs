@@ -221,6 +221,11 @@ pub(crate) fn approx_eq(surface: NurbsSurface, tolerance: f64) -> Checked {
     holds!(surface.approx_eq(&surface, 0.0), "not equal to itself")
 }
 
+/// The length of a vector, without squares, which underflow for small ones.
+fn length_of(vector: DVec3) -> f64 {
+    vector.x.hypot(vector.y).hypot(vector.z)
+}
+
 /// Checks the points of a surface by their distances from an axis and along it.
 fn is_around(
     surface: &NurbsSurface,
@@ -233,7 +238,7 @@ fn is_around(
     for (u, v) in locations(4) {
         let from_center = surface.eval(u, v) - center;
         let along = from_center.dot(axis);
-        check([(from_center - axis * along).length(), along], v, slack)?;
+        check([length_of(from_center - axis * along), along], v, slack)?;
     }
     Ok(())
 }
@@ -244,10 +249,8 @@ pub(crate) fn sphere(points: [DVec3; 4], radius: f64) -> Checked {
     let surface = answer!(NurbsSurface::sphere(points[0], radius, points[1]), SHAPE);
     let largest = points[0].abs().max_element() + radius;
     for (u, v) in locations(4) {
-        // Squares of small radii would underflow.
-        let offset = surface.eval(u, v) - points[0];
         near(
-            offset.x.hypot(offset.y).hypot(offset.z),
+            length_of(surface.eval(u, v) - points[0]),
             radius,
             64.0 * slack(largest, 2),
             format_args!("({u}, {v})"),

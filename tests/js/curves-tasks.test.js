@@ -184,7 +184,7 @@ testTasks([
       { family: "b-spline" },
       { family: "cardinal", tension: 0 }, // the same as Catmull–Rom
       { family: "cardinal", tension: 1 }, // corners
-      { points: FIVE.with(1, [110, 30]), family: "centripetal" }, // the lines cross
+      { points: FIVE.with(1, [110, 30]), family: "centripetal" }, // the lines between the points cross, and every spline
     ],
     { points: FIVE.with(1, [52, 62]), family: "centripetal" },
   ],

@@ -47,6 +47,46 @@ test("nothing runs before it is near; what the page put in is shown until then",
   assert.equal(await page.locator("#still").isVisible(), false);
 });
 
+test("elements that come near together start one in each idle moment, without those that were scrolled past", async (t) => {
+  const more = "<bezier-applet></bezier-applet>".repeat(5);
+  const queue = "globalThis.idle = []; globalThis.requestIdleCallback = (act) => globalThis.idle.push(act);";
+  const html = appletPage("", "", more).replace("<h1>", `<script>${queue}</script><h1>`);
+  const page = await openPage(t, { html }, { viewport: { width: 800, height: 4000 } });
+  const started = () =>
+    page.evaluate(
+      () =>
+        [...document.querySelectorAll("bezier-applet")].filter((each) => each.shadowRoot?.querySelector(".overlay"))
+          .length,
+    );
+  const waiting = () => page.waitForFunction(() => globalThis.idle.length === 1);
+  const frames = () =>
+    page.evaluate(async () => {
+      for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    });
+  const next = async () => {
+    await waiting();
+    await page.evaluate(() => globalThis.idle.shift()());
+    await frames();
+  };
+  await waiting();
+  assert.equal(await started(), 0);
+  for (let count = 1; count <= 3; count++) {
+    await next();
+    assert.equal(await started(), count);
+  }
+  const push = (/** @type {string} */ margin) =>
+    page.evaluate((value) => {
+      document.querySelector("main").style.marginTop = value;
+    }, margin);
+  await push("9000px");
+  await frames();
+  for (let count = 4; count <= 6; count++) await next();
+  assert.equal(await started(), 3);
+  await push("0");
+  for (let count = 4; count <= 6; count++) await next();
+  assert.equal(await started(), 6);
+});
+
 test("moved about it keeps its state and works; taken away it stops", async (t) => {
   const page = await openApplet(t, "controls", { more: `<section id="there"></section>` });
   await drag(page, 1, 30, 30);

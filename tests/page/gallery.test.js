@@ -5,7 +5,7 @@ import { boxOf, openPage } from "./browser.js";
 
 for (const [path, part, count] of /** @type {const} */ ([
   ["/recipes/", "figure[data-recipe]", 15],
-  ["/figures/", "main > section > :not(h2)", 22],
+  ["/figures/", "main > section > :not(h2)", 26],
 ])) {
   test(`${path} begins with a picture for each section, without scripts, too`, async (t) => {
     const page = await openPage(t, path, { javaScriptEnabled: false, viewport: { width: 1280, height: 800 } });

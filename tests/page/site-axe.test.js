@@ -10,7 +10,7 @@ import { openStrict, PAGES, settled } from "./site-pages.js";
 const DRAWN = {
   "/figures/": ["fig-bytes svg rect"],
   "/curves/joining/": ["#joint [data-index]"],
-  "/curves/basis-matrix/": ["#basis [data-index]"],
+  "/curves/splines/": ["#basis [data-index]"],
   "/curves/recursive-rendering/": ["#recursion [data-index]"],
   ...Object.fromEntries(Object.entries(TAGS).map(([path, tag]) => [path, [`${tag} svg`]])),
 };

@@ -53,6 +53,18 @@ fn svg_path_data_has_arcs() {
         circle.to_svg(1e-3).expect("a tolerance"),
         "M1.5,2 A0.5,0.5 0 0 1 1,2.5 A0.5,0.5 0 0 1 0.5,2 A0.5,0.5 0 0 1 1,1.5 A0.5,0.5 0 0 1 1.5,2 Z"
     );
+    // Rounding leaves no traces in the text.
+    let slanted = NurbsCurve::ellipse(DVec2::new(0.1, 0.7), DVec2::new(0.3, 0.2), 0.3);
+    let text = slanted.expect("finite").to_svg(1e-3).expect("a tolerance");
+    let arcs: Vec<&str> = text.split(" A").skip(1).collect();
+    assert_eq!(arcs.len(), 4);
+    let degrees = 0.3_f64.to_degrees();
+    for arc in arcs {
+        assert!(
+            arc.starts_with(&format!("0.3,0.2 {degrees:.13} 0 1 ")),
+            "{arc}"
+        );
+    }
     let mut rng = Rng(22);
     for _ in 0..100 {
         let points = [(); 3].map(|()| DVec2::new(rng.signed(), rng.signed()));

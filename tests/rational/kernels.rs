@@ -50,6 +50,23 @@ fn lengths_of_arcs_with_extreme_weights() {
 }
 
 #[test]
+fn times_at_lengths_with_extreme_weights() {
+    for exponent in [-50, -30, -22, -12, 0, 15, 30, 50] {
+        let arc = with_ratio(&unit_arc(0.7), f64::from(exponent).exp2());
+        for s in [1e-3, 0.1, 0.5, 0.7, 1.2, 1.3999] {
+            let t = arc.time_at_length(s);
+            // Near t = 1, the next number is far away on the curve if the last weight is small.
+            let next = (arc.eval(t.next_up().min(1.0)) - arc.eval(t.next_down())).length();
+            let off = (arc.eval(t) - DVec2::new(s.cos(), s.sin())).length();
+            assert!(off <= 2e-12 + next, "2^{exponent} at {s}: {off:e}");
+        }
+        assert_eq!(arc.time_at_length(-1.0), 0.0);
+        assert_eq!(arc.time_at_length(1.5), 1.0);
+        assert!(arc.time_at_length(f64::NAN).is_nan());
+    }
+}
+
+#[test]
 fn lengths_of_polynomial_cubics_with_extreme_weights() {
     let mut rng = Rng(31);
     for k in 0..2000 {

@@ -216,6 +216,54 @@ fn normals_at_poles_are_limits() {
 }
 
 #[test]
+fn normals_do_not_depend_on_the_size_of_weights() {
+    let mut rng = Rng(37);
+    for case in 0..200 {
+        let (m, n) = (1 + rng.below(3), 1 + rng.below(3));
+        let columns = m + 1;
+        let count = columns * (n + 1);
+        let net: Vec<DVec3> = (0..count).map(|_| random_point(&mut rng)).collect();
+        let weights: Vec<f64> = net
+            .iter()
+            .map(|_| within(&mut rng, -30.0, 30.0).exp2())
+            .collect();
+        let patch = RationalPatch::new(&net, &weights, m, n).expect("valid");
+        // At a corner, weights change only the lengths of the derivatives.
+        for (u, v) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+            let (i, j) = (if u > 0.0 { m } else { 0 }, if v > 0.0 { n } else { 0 });
+            let corner = net[j * columns + i];
+            let inner_u = net[j * columns + if i > 0 { m - 1 } else { 1 }] - corner;
+            let inner_v = net[(if j > 0 { n - 1 } else { 1 }) * columns + i] - corner;
+            let sign = (1.0 - 2.0 * u) * (1.0 - 2.0 * v);
+            let expected = inner_u.cross(inner_v).normalize() * sign;
+            let off = (patch.normal(u, v) - expected).length();
+            assert!(off < 1e-12, "{case} at ({u}, {v}): {off:e}");
+        }
+        // The polynomial patch with other parameters: t/(1 − t) is multiplied by r along u and by s along v.
+        let [r, s] = [(); 2].map(|()| within(&mut rng, -20.0, 20.0).exp2());
+        let power = |x: f64, k: usize| x.powi(i32::try_from(k).expect("small"));
+        let weights: Vec<f64> = (0..count)
+            .map(|k| power(r, k % columns) * power(s, k / columns))
+            .collect();
+        let (patch, plain) = (
+            RationalPatch::new(&net, &weights, m, n).expect("valid"),
+            Patch::new(&net, m, n).expect("valid"),
+        );
+        let mapped = |t: f64, r: f64| r * t / (1.0 - t + r * t);
+        for (u, v) in [(0.5, 0.5), (0.1, 0.9), (0.001, 0.3), (0.0, 0.3), (0.7, 1.0)] {
+            let [a, b] = [mapped(u, r), mapped(v, s)];
+            let partials = plain.partials(a, b);
+            let expected = partials.u.cross(partials.v);
+            if expected.length() > 0.1 {
+                let off = (patch.normal(u, v) - expected.normalize()).length();
+                // The derivatives have 2^-20 of the size of the patch, and its rounding errors.
+                assert!(off < 1e-8, "{case} at ({u}, {v}): {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn normals_at_poles_do_not_depend_on_the_degree() {
     let sphere = NurbsSurface::sphere(DVec3::ONE, 2.0, DVec3::Z).expect("valid");
     let mut patch = sphere.patches()[0].clone();

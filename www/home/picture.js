@@ -1,5 +1,7 @@
 // What the pictures of the first page share: points of an SVG, marks that can be dragged, and animations that end.
 
+import { capture } from "#js/ui/capture.js";
+
 const SVG = "http://www.w3.org/2000/svg";
 
 /** Whether the reader wants no animation. */
@@ -62,19 +64,10 @@ export function onDrag(svg, mark, { start, move, end }) {
     if (event.button !== 0) return;
     event.preventDefault();
     start(pointIn(svg, event));
-    mark.setPointerCapture(event.pointerId);
-    const drag = new AbortController();
-    const { signal } = drag;
-    mark.addEventListener("pointermove", (moved) => move(pointIn(svg, moved)), { signal });
-    for (const type of ["pointerup", "pointercancel"])
-      mark.addEventListener(
-        type,
-        () => {
-          drag.abort();
-          end?.(type === "pointercancel");
-        },
-        { signal },
-      );
+    capture(event, {
+      move: (moved) => move(pointIn(svg, moved)),
+      end: (_, released) => end?.(!released),
+    });
   });
 }
 

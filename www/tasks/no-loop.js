@@ -1,4 +1,4 @@
-import { farthest, polygonCrosses, splineOf } from "../figures/lib/families.js";
+import { farthest, splineOf } from "../figures/lib/families.js";
 import { verdict } from "./utils/curves.js";
 
 /** A spline passes through points from which it is closer than this, in the units of the figure. */
@@ -8,13 +8,11 @@ export const predict = {
   options: ["the natural spline", "the centripetal spline", "both"],
   answer: 1,
   because:
-    "Both the uniform spline and the natural spline give each piece the same time. A short piece gets velocities that suit its long neighbours, so its handles are much too long for it. The centripetal spline gives a short piece less time.",
+    "Both the Catmull–Rom spline and the natural spline give each piece the same time. A short piece gets velocities that suit its long neighbours, so its handles are much too long for it. The centripetal spline gives a short piece less time.",
 };
 
 /** @param {unknown} _figure @param {{ points: [number, number][], family: any, tension: number }} element */
 export function check(_figure, { points, family, tension }) {
-  if (polygonCrosses(points))
-    return verdict(false, "The lines between the points cross. Move them so that they do not.");
   if (!splineOf("catmull-rom", points, 0).selfIntersections().length)
     return verdict(false, "The Catmull–Rom spline of these points does not cross itself yet.");
   if (family === "catmull-rom")

@@ -98,16 +98,19 @@ export class AppletController {
   /** The element is in the page, and its shadow tree is up to date. */
   start() {
     const { host } = this;
+    const isNew = !this.picture; // then it has just read the colours
     this.picture ??= this.#createPicture();
-    if (!this.isRunning) {
+    const wasRunning = this.isRunning;
+    if (!wasRunning) {
       this.#stopListening = this.#listenToPage();
-      this.picture.start(() => this.#draw());
-      this.#drawn.theme = ""; // colours may have changed meanwhile
+      this.picture.start(() => this.#draw()); // draws in the next frame, when the size is known
+      this.#drawn.theme = isNew ? host.theme : ""; // colours may have changed meanwhile
     }
     if (!this.announced.includes(this.message)) this.announcer?.say();
     const { state, readonly, theme } = this.#drawn;
     if (theme !== host.theme) this.picture.readTheme();
-    if (state !== this.editor.state || readonly !== host.readonly || theme !== host.theme) void this.schedule();
+    const isDrawn = state === this.editor.state && readonly === host.readonly && theme === host.theme;
+    if (wasRunning && !isDrawn) void this.schedule();
     this.#drawn.theme = host.theme;
   }
 

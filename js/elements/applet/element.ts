@@ -8,6 +8,7 @@ import { figureOf } from "../../editor/figure.js";
 import { FIELDS, jsonOf, stateOf } from "../../editor/schema.js";
 import { allPointsToggled, firstState, weightsOf } from "../../editor/state.js";
 import { missing } from "../loading.js";
+import { whenIdle } from "../start-queue.js";
 import { loadDrawing, loadRational } from "./loading.js";
 import { publicFigure } from "./report.js";
 import type { PropertyDeclaration } from "lit";
@@ -72,6 +73,8 @@ export class BezierApplet extends LitElement {
   #watch: IntersectionObserver | null = null;
   /** What the user can do, and everything in the shadow root; null before they are loaded. */
   #view: { controller: AppletController; frame: typeof frame } | null = null;
+  /** Whether it is near now. */
+  #visible = false;
   /** Whether it is near, or was since it came into the page. */
   #near = false;
   /** The state of the last event `update`. */
@@ -264,9 +267,14 @@ export class BezierApplet extends LitElement {
   }
 
   async #seen(near: boolean) {
+    this.#visible = near;
     if (!near || this.#near || !this.isConnected) return;
     this.#near = true;
     try {
+      await loadDrawing();
+      await whenIdle();
+      this.#near &&= this.#visible; // it may have been scrolled past
+      if (!this.#near) return;
       await this.#loaded();
       if (this.model.message === missing()) this.model.say("");
     } catch {

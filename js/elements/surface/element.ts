@@ -13,7 +13,7 @@ import { frame } from "./frame.js";
 import { missing } from "../loading.js";
 import { loadDrawing, loadRational } from "./loading.js";
 import { ATTRIBUTE_NAMES, isRational } from "./settings.js";
-import { whenIdle } from "./start-queue.js";
+import { whenIdle } from "../start-queue.js";
 import { withoutMoves, withPointAt, withSurface } from "./state.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
@@ -33,11 +33,11 @@ import type { PanelPort } from "./panel.js";
 
 /** Root margin for lazy loading. */
 const NEAR = "300px";
-/** Farther away than so many heights of what is seen it gives the graphics card back. */
+/** Root margin of the WebGL context: farther away it is released. */
 const FAR = "150% 0px";
-/** A file is shown with no more, at first. */
+/** Limit of the triangles in the first picture of a file. */
 const MAX_TRIANGLES = 1e6;
-/** Where the sliders begin: in radii of the surface, and in pixels. */
+/** First values of the sliders: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 
 /** A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own. */
@@ -88,18 +88,17 @@ export class BezierSurface extends LitElement {
 
   static styles = style;
   #subject = new Subject((problem) => console.warn(`<${this.localName}> ${problem}`));
-  /** The state of which Lit knows. */
-  #known: State = this.#subject.state;
+  /** The state of the last call of `#stateChanged`. */
+  #lastState: State = this.#subject.state;
   #stage: Stage | null = null;
   #handles: Handles | null = null;
   #labels: Labels | null = null;
-  #watches: IntersectionObserver[] = [];
+  #observers: IntersectionObserver[] = [];
   #removeListeners: (() => void) | null = null;
   #camera: View = HOME;
-  /** What there is to see; see STATES. */
-  #state: keyof typeof STATES = "coming";
-  /** The stage being fetched, for this stay in the document. */
-  #coming: Promise<void> | null = null;
+  #pictureState: keyof typeof STATES = "loading";
+  /** Loads what draws, since the element was connected. */
+  #starting: Promise<void> | null = null;
   #facts: Facts | null = null;
   #rotation = new AutoRotation();
   #files = new FileController({
@@ -117,10 +116,10 @@ export class BezierSurface extends LitElement {
   #model = "";
   /** The surface that was set last. */
   #awaited: unknown = null;
-  #visible = false;
-  #kept = false;
-  /** Whether the canvas holds a picture: before, and while the graphics card is given back, the page's own is shown. */
-  #drawn = false;
+  #isVisible = false;
+  #isNear = false;
+  /** Whether the canvas holds a picture: before, and while the WebGL context is released, the poster is shown. */
+  #isDrawn = false;
 
   constructor() {
     super();
@@ -134,8 +133,8 @@ export class BezierSurface extends LitElement {
 
   /** Lit renders what has changed and reflects it. */
   #stateChanged() {
-    const [before, { state }] = [this.#known, this.#subject];
-    this.#known = state;
+    const [before, { state }] = [this.#lastState, this.#subject];
+    this.#lastState = state;
     if (before.given !== state.given) this.patch = null;
     for (const name of ATTRIBUTE_NAMES) if (before[name] !== state[name]) this.requestUpdate(name, before[name]);
   }
@@ -242,7 +241,7 @@ export class BezierSurface extends LitElement {
 
   /** The picture as it is now, a PNG. */
   async toBlob(): Promise<Blob | null> {
-    await this.#coming;
+    await this.#starting;
     if (this.isConnected) await this.updateComplete; // updates begin when it is connected for the first time
     return this.#stage?.toBlob() ?? null;
   }
@@ -250,14 +249,17 @@ export class BezierSurface extends LitElement {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["surface", "view"]);
-    this.#watches = [this.#watch(FAR, (kept) => this.#keep(kept)), this.#watch(NEAR, (near) => this.#seen(near))];
+    this.#observers = [
+      this.#observe(FAR, (near) => this.#setNear(near)),
+      this.#observe(NEAR, (visible) => this.#setVisible(visible)),
+    ];
   }
 
   disconnectedCallback() {
     super.disconnectedCallback();
-    this.#watches.forEach((watch) => watch.disconnect());
-    this.#watches = [];
-    this.#coming = null;
+    this.#observers.forEach((observer) => observer.disconnect());
+    this.#observers = [];
+    this.#starting = null;
     this.#removeListeners?.();
     this.#removeListeners = null;
     this.#camera = this.view;
@@ -265,10 +267,10 @@ export class BezierSurface extends LitElement {
     this.#subject.editor.commit();
     this.#stage?.end();
     this.#stage = null;
-    this.#drawn = false;
+    this.#isDrawn = false;
   }
 
-  #watch(margin: string, act: (inside: boolean) => void) {
+  #observe(margin: string, act: (inside: boolean) => void) {
     const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {
       rootMargin: margin,
     });
@@ -276,43 +278,43 @@ export class BezierSurface extends LitElement {
     return observer;
   }
 
-  /** @param kept whether it is near enough to keep the graphics card */
-  #keep(kept: boolean) {
-    this.#kept = kept;
-    if (kept) return;
+  /** Far away, it releases the WebGL context. */
+  #setNear(near: boolean) {
+    this.#isNear = near;
+    if (near) return;
     this.#stage?.suspend();
     this.#setDrawn(false);
   }
 
   #setDrawn(drawn: boolean) {
-    if (drawn === this.#drawn) return;
-    this.#drawn = drawn;
+    if (drawn === this.#isDrawn) return;
+    this.#isDrawn = drawn;
     this.requestUpdate();
   }
 
-  #seen(visible: boolean) {
-    this.#visible = visible;
+  #setVisible(visible: boolean) {
+    this.#isVisible = visible;
     if (!visible) return;
-    this.#kept = true; // the other watch may report later
-    if (!this.#stage) this.#coming ??= this.#start();
+    this.#isNear = true; // the other observer may report later
+    if (!this.#stage) this.#starting ??= this.#start();
     this.#stage?.wake();
     this.#stage?.schedule();
   }
 
-  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has other watches. */
+  /** Loads what draws. An element that was disconnected meanwhile, and perhaps connected again, has other observers. */
   async #start() {
-    const watches = this.#watches;
+    const observers = this.#observers;
     const drawing = await loadDrawing().catch(() => null);
     await whenIdle();
-    if (watches !== this.#watches || !this.isConnected) return;
-    this.#coming = null;
-    if (!this.#kept) return; // it was scrolled past
+    if (observers !== this.#observers || !this.isConnected) return;
+    this.#starting = null;
+    if (!this.#isNear) return; // it was scrolled past
     if (drawing) return this.#build(drawing);
-    this.#setState("missing");
+    this.#setPictureState("missing");
   }
 
-  #setState(state: keyof typeof STATES) {
-    this.#state = state;
+  #setPictureState(state: keyof typeof STATES) {
+    this.#pictureState = state;
     this.requestUpdate();
   }
 
@@ -328,8 +330,8 @@ export class BezierSurface extends LitElement {
         this.#publish(facts);
       },
       refused: (message) => this.#files.say(message),
-      stateChanged: (state) => this.#setState(state),
-      turning: () => this.#visible && this.#turns(),
+      stateChanged: (state) => this.#setPictureState(state),
+      turning: () => this.#isVisible && this.#turns(),
     });
     this.#handles ??= new Handles(find(".overlay"), {
       moved: (vertex, to, done) =>
@@ -342,8 +344,8 @@ export class BezierSurface extends LitElement {
     this.#labels ??= new Labels(find(".overlay"));
     const gestures = new Gestures(canvas, {
       view: () => this.view,
-      move: (changes, done) => this.#moveByHand(changes, done),
-      home: () => this.#moveByHand(HOME, true),
+      move: (changes, done) => this.#moveByUser(changes, done),
+      home: () => this.#moveByUser(HOME, true),
       pick: (x, y) => this.#pick(x, y),
     });
     const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#files.open(file))];
@@ -405,7 +407,7 @@ export class BezierSurface extends LitElement {
     else this.#camera = moved(this.#camera, changes);
   }
 
-  #moveByHand(changes: Partial<View>, done: boolean) {
+  #moveByUser(changes: Partial<View>, done: boolean) {
     if ("turn" in changes && this.#turns()) {
       this.#rotation.stop();
       this.requestUpdate();
@@ -458,11 +460,11 @@ export class BezierSurface extends LitElement {
         "{0}, in three dimensions",
         this.#subject.state.given ? translated("A surface of Bézier patches") : MODEL_NAMES[settings.model],
       );
-    const zoomed = (factor: number) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
+    const zoomed = (factor: number) => () => this.#moveByUser({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
-      blank: !this.#drawn,
-      message: this.#files.message || STATES[this.#state](),
+      blank: !this.#isDrawn,
+      message: this.#files.message || STATES[this.#pictureState](),
       facts: this.#facts,
       language: (this.closest<HTMLElement>("[lang]") ?? this.ownerDocument.documentElement).lang,
       key: this.#key,
@@ -471,7 +473,7 @@ export class BezierSurface extends LitElement {
         toggle: () => this.#toggleRotation(),
         nearer: zoomed(ZOOM_STEP),
         farther: zoomed(1 / ZOOM_STEP),
-        home: () => this.#moveByHand(HOME, true),
+        home: () => this.#moveByUser(HOME, true),
       },
       panel: this.controls === null || this.controls === false ? null : this.#panelPort(),
     });

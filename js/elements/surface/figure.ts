@@ -28,16 +28,9 @@ export function figureOf({ surface, picked, settings }: Scene, facts: Facts | nu
     degreeU: patch?.degreeU ?? 0,
     degreeV: patch?.degreeV ?? 0,
     place: patch ? { point: triple(patch.eval(u, v)), normal: triple(patch.normal(u, v)) } : null,
-    nearest: nearestOf(surface, settings.probe),
+    nearest: settings.probe && nearestTo(surface, settings.probe),
     mesh: facts ?? NOTHING,
   };
-}
-
-function nearestOf(surface: Scene["surface"], probe: number[] | null): SurfaceFigure["nearest"] {
-  const found = probe && nearestTo(surface, probe);
-  if (!found) return null;
-  const { patch, u, v, distance, point } = found;
-  return { patch, u, v, distance, point: triple(point) };
 }
 
 const triple = ({ x, y, z = 0 }: { x: number; y: number; z?: number }): [number, number, number] => [x, y, z];

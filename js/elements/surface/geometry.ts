@@ -200,11 +200,10 @@ export class Geometry {
     return this.#memo.get("probe", [surface, probe], () => {
       const found = probe && nearestTo(surface, probe);
       if (!found) return null;
-      const { x, y, z = 0 } = found.point;
       return {
-        way: Float32Array.from([...probe, x, y, z]),
+        way: Float32Array.from([...probe, ...found.point]),
         at: Float32Array.from(probe),
-        nearest: Float32Array.of(x, y, z),
+        nearest: Float32Array.from(found.point),
       };
     });
   }

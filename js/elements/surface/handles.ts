@@ -48,15 +48,15 @@ export class Handles {
     this.#drags = new Drags(overlay, {
       count: () => this.#buttons.length,
       elementOf: (i) => this.#buttons[i],
-      placeOf: (i) => this.#placeOf(i),
-      toViewBox: (event) => this.#pixelsOf(event),
+      placeOf: () => [0, 0], // of a drag, only the shift counts
+      toViewBox: ({ clientX, clientY }) => [clientX / cssZoom(overlay), clientY / cssZoom(overlay)],
       schedule: () => port.schedule(),
       started: () => this.#grabbed.clear(),
       grabbed: (i) => {
         this.#buttons[i].focus({ preventScroll: true });
         this.#grabbed.set(i, { vertex: this.#vertices[i], point: this.#pointAt(i) });
       },
-      move: (i, to, { from }) => this.#follow(i, to, from),
+      move: (i, shift) => this.#follow(i, shift),
       cancelled: () => port.cancelled(),
       ended: () => port.dropped(),
     });
@@ -115,21 +115,10 @@ export class Handles {
     });
   }
 
-  /** Where a point is seen, in CSS pixels of the overlay. */
-  #placeOf(i: number): Point2 {
-    const seen = this.#port.sight();
-    return (seen && placeOf(seen.sight, this.#points, 3 * i, seen.width, seen.height)) ?? [0, 0];
-  }
-
-  #pixelsOf({ clientX, clientY }: PointerEvent): Point2 {
-    const { left, top } = this.#overlay.getBoundingClientRect();
-    const zoom = cssZoom(this.#overlay);
-    return [(clientX - left) / zoom, (clientY - top) / zoom];
-  }
-
-  #follow(i: number, [x, y]: Point2, [fromX, fromY]: Point2) {
+  /** @param shift of the pointer since it was pressed, in CSS pixels */
+  #follow(i: number, shift: Point2) {
     const grabbed = this.#grabbed.get(i);
-    if (grabbed) this.#shift(grabbed.vertex, grabbed.point, [x - fromX, y - fromY, 0], false);
+    if (grabbed) this.#shift(grabbed.vertex, grabbed.point, [...shift, 0], false);
   }
 
   #pointAt(i: number) {

@@ -55,9 +55,9 @@ export const HEIGHT_NAMES: Record<string, string> = translatedTable({
   squashed: "squashed, as usual",
   original: "Newell’s, 4/3 as tall",
 });
-/** What there is to say of the picture. */
+/** The message about the picture in each of its states. */
 export const STATES = {
-  coming: () => "",
+  loading: () => "",
   missing,
   webgl: () => "",
   flat: () => translated("This browser has no WebGL2, so the surface is drawn as lines."),

@@ -20,7 +20,7 @@ use crate::patch::Patch;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::REGULAR_RATIO;
 use crate::rational::RationalCurve;
-use crate::rational::patch::RationalPatch;
+use crate::rational::patch::{NOISE, RationalPatch};
 use crate::rational::weighted::Homogeneous;
 use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
@@ -32,9 +32,6 @@ use glam::DVec3;
 
 /// The largest quotient of two weights of a patch for which tolerances hold.
 const MAX_QUOTIENT: f64 = 1_048_576.0;
-
-/// Rounding errors of sums of homogeneous vectors, as a fraction of the patch's size, with a margin.
-const NOISE: f64 = 4096.0 * f64::EPSILON;
 
 impl RationalSurface {
     /// A mesh without cracks and T-junctions; see [`Surface::tessellate`], whose promises hold.

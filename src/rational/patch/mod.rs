@@ -7,6 +7,8 @@ mod bounds;
 mod normal;
 mod split;
 
+pub(super) use normal::NOISE;
+
 use super::check_weights;
 use super::transform::projected;
 use super::weighted::{Homogeneous, WeightedPoint, are_proportional, weight_scale};
@@ -173,14 +175,18 @@ impl RationalPatch {
     /// The Gaussian, mean and principal curvatures at (u, v), with the signs and limits of [`Patch::curvature`].
     pub fn curvature(&self, u: f64, v: f64) -> Curvature {
         let scaling = Scaling::around(self.control_bounds());
-        let image = Self {
+        let image = self.image(&scaling);
+        curvature([u, v], scaling.size, |u, v| {
+            image.cross_product(u, v).map(|_| image.partials(u, v))
+        })
+    }
+
+    /// The patch in scaled coordinates.
+    fn image(&self, scaling: &Scaling) -> Self {
+        Self {
             net: scaling.image(&self.net),
             weights: self.weights.clone(),
-        };
-        curvature([u, v], scaling.size, |u, v| {
-            let (numerator, _) = image.numerator_and_denominator(image.eval(u, v));
-            numerator.is_regular(u, v).then(|| image.partials(u, v))
-        })
+        }
     }
 
     /// The image of the patch under an affine map: the patch of the mapped control points with the same weights.

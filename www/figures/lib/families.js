@@ -65,10 +65,6 @@ function cardinal(points, tension) {
 /** The greatest distance of a point from the spline. @param {Spline<2>} spline @param {readonly Point[]} points */
 export const farthest = (spline, points) => Math.max(...points.map((point) => spline.nearest(point).distance));
 
-/** Whether the lines between neighbouring points cross. @param {readonly Point[]} points */
-export const polygonCrosses = (points) =>
-  Spline.fromCurves(points.slice(1).map((point, i) => new Curve([points[i], point]))).selfIntersections().length > 0;
-
 /** The continuity that all joints have. With the velocity 0, a joint can be C1 and a corner. @param {Spline<2>} spline */
 export function continuityOf(spline) {
   const joints = Array.from({ length: spline.segmentCount - 1 }, (_, i) => spline.continuity(i + 1));
