@@ -7,7 +7,7 @@ import { openPage, root } from "./browser.js";
 import { sectionsOf } from "./chapter-page.js";
 
 for (const [path, ids] of /** @type {const} */ ([
-  ["/curves/properties/", ["figure-hull", "order-of-the-control-points"]],
+  ["/curves/properties/", ["figure-hull", "affine-invariance"]],
   ["/surfaces/teapot/", ["figure-height", "history"]],
 ])) {
   test(`${path} opened at some of its anchors`, (t) => assertAnchorsLand(t, path, ids));

@@ -17,10 +17,10 @@ const TERMS = [
   ["nearest point", /^api\/(curve|spline|path|surface|patch)\/#nearest$/],
   ["arc length", /^api\/\w+\/#(length|lengthAt|timeAtLength|pointAtLength)$/],
   ["winding number", /^api\/path\/#windingNumber$/],
-  ["teapot", /^(teapot\/|api\/surface\/#teapot|surfaces\/#)/],
-  ["de Casteljau", /^(curves\/#|api\/(curve|patch)\/#deCasteljau$)/],
+  ["teapot", /^(teapot\/|api\/surface\/#teapot|surfaces\/.)/],
+  ["de Casteljau", /^(curves\/.|api\/(curve|patch)\/#deCasteljau$)/],
   ["tangent", /^api\/\w+\/#tangent$/],
-  ["watertight", /^(surfaces\/#|api\/surface\/#(tessellate|volume))/],
+  ["watertight", /^(surfaces\/.|api\/surface\/#(tessellate|volume))/],
   ["cubic-bezier", /^(easing\/|api\/easing\/)/],
   ["project", /^api\/curve\/#nearest$/],
   ["getPointAtTime", /^api\/curve\/#eval$/],
@@ -32,8 +32,8 @@ const TERMS = [
   ["tessellate", /^api\/(surface|patch)\/#tessellate$/],
   ["curvature", /^api\/\w+\/#curvature$/],
   ["timesAtCoordinate", /^api\/\w+\/#timesAtCoordinate$/],
-  ["split", /^(api\/\w+\/#split|curves\/split\/)/],
-  ["bernstein polynomials", /^(curves\/#|api\/curve\/#bernstein)/],
+  ["split", /^(api\/\w+\/#split|curves\/splitting\/)/],
+  ["bernstein polynomials", /^(curves\/.|api\/curve\/#bernstein)/],
   ["STL", /^api\/mesh\/#toSTL$/],
   ["flatten", /^api\/\w+\/#flatten$/],
   ["PointLike", /^api\/types\/#PointLike$/],
@@ -81,8 +81,8 @@ for (const [text, expected] of FIRST) {
 
 test("both kinds of a thing are among the first results", () => {
   for (const [text, ...expected] of [
-    ["smooth corner", "curves/#joining", "api/path/#roundCorners"],
-    ["kappa", "curves/#derivatives", "curves/#circles"],
+    ["smooth corner", "curves/joining/", "api/path/#roundCorners"],
+    ["kappa", "curves/derivatives/", "curves/circles/"],
     ["thickness", "api/path/#stroke", "recipes/#brush-stroke"],
   ]) {
     const addresses = find(text).map(({ address }) => address);
@@ -109,9 +109,9 @@ test("the words and answers of the search belong to places that exist", () => {
 
 test("excerpts keep formulas", () => {
   const textOf = (/** @type {string} */ address) => documents.find((each) => each.address === address)?.text ?? "";
-  assert.match(textOf("curves/#parameter"), /At t = 0 the point is at one end .* written B\(t\)\./);
-  assert.match(textOf("curves/#quadratic"), /Go the fraction t of the way from A to B:/);
-  for (const { address, text } of documents.filter(({ address }) => /^(curves|surfaces)\/#/.test(address)))
+  assert.match(textOf("curves/parameter/"), /At t = 0 the point is at one end .* written B\(t\)\./);
+  assert.match(textOf("curves/quadratic/"), /Go the fraction t of the way from A to B:/);
+  for (const { address, text } of documents.filter(({ address }) => /^(curves|surfaces)\/./.test(address)))
     assert.doesNotMatch(text, /[<>]m|\(\)| ,|undefined/, address);
   for (const [formula, text] of [
     [

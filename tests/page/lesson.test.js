@@ -58,6 +58,41 @@ test("all samples of the chapters run in the browser as they do in Node", async 
   assert.ok(count >= 36, `${count} samples`);
 });
 
+test("the code of a sample can be edited and run, what does not end is ended, and edits are undone", async (t) => {
+  const page = await open(t, "/curves/de-casteljau/");
+  const sample = page.locator("lesson-sample");
+  const [code, output] = [sample.getByRole("textbox", { name: /JavaScript/ }), sample.locator("output")];
+  const prints = (/** @type {string | RegExp} */ hasText) => output.filter({ hasText }).waitFor();
+  const run = () => sample.getByRole("button", { name: "Run" }).click();
+  const before = await code.innerText();
+  const undo = sample.getByRole("button", { name: "Undo edits" });
+  assert.equal(await undo.isVisible(), false);
+  await code.focus();
+  await page.keyboard.press("ControlOrMeta+End");
+  await page.keyboard.type('\nconsole.log("starts at", new Curve(points).eval(0).x);');
+  await run();
+  await prints("starts at 0");
+  const printed = read("samples/casteljau.txt").trimEnd();
+  assert.equal(await output.textContent(), `${printed}\nstarts at 0`);
+  await code.fill("nowhere();");
+  await run();
+  await prints("ReferenceError: nowhere is not defined");
+  await code.fill("while (true);");
+  await run();
+  await prints("stopped after 5 seconds");
+  await code.fill('import { Curve as C } from "casteljau/core";\nconsole.log(new C([[0, 0], [2, 0]]).length());');
+  await run();
+  await prints(/^2$/);
+  await code.fill('import { readFile } from "fs";');
+  await run();
+  await prints(/expected casteljau, .* got fs/);
+  await undo.click();
+  assert.equal(await code.innerText(), before);
+  await run();
+  await prints(printed.split("\n")[0]);
+  await assertAccessible(page, { part: "lesson-sample" });
+});
+
 /** A task with a prediction, about an applet. */
 async function openTask(t, name) {
   const page = await open(t, "/curves/parameter/");

@@ -56,7 +56,7 @@ function addButton(figure) {
     for (const each of figures) sizes.set(each, sizeOf(each));
     void fill(figure);
   });
-  figure.addEventListener("fullscreenchange", name);
+  document.addEventListener("fullscreenchange", name);
   figures.push(figure);
 }
 
