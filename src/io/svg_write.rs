@@ -251,11 +251,13 @@ fn arc_of_conic(curve: &RationalCurve<DVec2>) -> Option<Arc> {
     // The point in the middle of the standard form, with the weights 1, w, 1.
     let w = w[1] / (w[0].sqrt() * w[2].sqrt());
     let middle = ((p[0] + p[2]) * 0.5 + p[1] * w) / (1.0 + w);
+    let degrees = arc.rotation.to_degrees();
     let shape = Arc {
         from: curve.start(),
         to: curve.end(),
         radii: arc.radii,
-        degrees: arc.rotation.to_degrees(),
+        // Half a turn makes the same ellipse.
+        degrees: degrees - 180.0 * (degrees / 180.0).round(),
         large: false,
         sweep: arc.sweep_angle > 0.0,
     };

@@ -48,6 +48,8 @@ const LIMITS: &[(&str, usize)] = &[
     ("RationalSurface::intersect_ray", RAY),
     ("RationalSurface::area", INTEGRAL),
     ("RationalSurface::volume", INTEGRAL),
+    // The volume says which way the normals point: four patches for each span of a generated profile, and the caps.
+    ("RationalSurface::solid_of_revolution", 64 * INTEGRAL),
     ("RationalSurface::chain", RAY),
     ("InkStroke::outline", REGION),
     // All parts that are swept backwards are in the union: of 2,000 calls one takes 340 million steps.

@@ -73,7 +73,7 @@ impl RationalSurface {
         if solid.volume().is_none_or(|volume| volume >= 0.0) {
             return Ok(solid);
         }
-        Turning::new(&turning.profile.reverse(), origin, axis)?.capped(tip, angle)
+        Turning::new(&profile.reverse(), origin, axis)?.capped(tip, angle)
     }
 }
 
