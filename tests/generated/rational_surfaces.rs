@@ -63,7 +63,7 @@ pub(crate) fn solid_of_revolution(
     let solid = answer!(
         RationalSurface::solid_of_revolution(&curve, origin, axis, angle),
         "axis|t where the profile meets the axis|t where the profile turns back along the axis|\
-         t where the profile turns back around its centroid|points|net|image|weights|knots"
+         t where the profile turns back around its centroid|size of the profile|points|net|image|weights|knots"
     );
     let topology = solid.topology();
     has_all_sides(&topology, solid.patch_count())?;

@@ -370,8 +370,9 @@ export class RationalSurface {
    * @param profile a curve of any kind; one of the plane lies in z = 0
    * @param options `origin`: a point of the axis, by default [0, 0, 0]; `axis`: its direction, by default [0, 0, 1]; `angle`: in
    *   radians, by default a full turn
-   * @throws {RangeError} as `NurbsSurface.revolve`, and for less than a full turn of a profile that turns back along the axis, or
-   *   around its centroid if it ends where it starts
+   * @throws {RangeError} as `NurbsSurface.revolve`; for less than a full turn of a profile that turns back along the axis, or around
+   *   its centroid if it ends where it starts; for a profile so small, beside its distance from the axis, that rounding leaves open
+   *   edges
    */
   static solidOfRevolution(profile: SectionLike, options?: TurningOptions): RationalSurface {
     const angle = writeTurning(profile, options);

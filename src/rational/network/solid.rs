@@ -42,7 +42,8 @@ impl RationalSurface {
     ///
     /// # Errors
     /// As [`NurbsSurface::revolve`](crate::NurbsSurface::revolve); [`Error::Range`] for less than a full turn of a profile that turns
-    /// back along the axis, or around its centroid if it ends where it starts: such caps would overlap themselves.
+    /// back along the axis, or around its centroid if it ends where it starts: such caps would overlap themselves; and for a profile
+    /// so small, beside its distance from the axis, that rounding leaves open edges.
     ///
     /// ```
     /// use casteljau::{NurbsCurve, RationalSurface, glam::DVec3};
@@ -69,7 +70,15 @@ impl RationalSurface {
         } else if is_part {
             turning.check_along()?;
         }
+        let size = turning.size();
         let solid = turning.capped(tip, angle)?;
+        if !solid.topology().open.is_empty() {
+            return Err(Error::Range {
+                what: "size of the profile",
+                expected: "more than rounding errors at its distance from the axis",
+                got: size,
+            });
+        }
         if solid.volume().is_none_or(|volume| volume >= 0.0) {
             return Ok(solid);
         }
@@ -166,6 +175,13 @@ impl Turning {
         patches.extend_from_slice(side.patches());
         patches.retain(|patch| !is_line(patch));
         RationalSurface::from_patches(&patches)
+    }
+
+    /// The largest distance of a control point from the first one.
+    fn size(&self) -> f64 {
+        let points = self.profile.control_points();
+        let distances = points.iter().map(|&p| Point::norm(p - points[0]));
+        distances.fold(0.0, f64::max)
     }
 
     /// Moves points to the height of the point before if they differ by rounding, so that a part across the axis has one foot.

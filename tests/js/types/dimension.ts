@@ -94,8 +94,8 @@ expectTrue<Same<ReturnType<typeof ball.isocurveAtU>, NurbsCurve<3>>>();
 export const patchesOfBall: RationalPatch[] = ball.patches();
 export const meshOfBall: Mesh = ball.toSurface().tessellate({ tolerance: 0.1 });
 export const vase: NurbsSurface = NurbsSurface.revolve(inSpace, { axis: [0, 0, 1], angle: 1 });
-// @ts-expect-error: a surface needs knots in both directions
 export const solid: RationalSurface = RationalSurface.solidOfRevolution(inSpace, { angle: 1 });
+// @ts-expect-error: a surface needs knots in both directions
 export const noKnots = new NurbsSurface({ degreeU: 1, degreeV: 1, points: [[0, 0, 0]] });
 // @ts-expect-error: a grid of a surface with weights has one method
 ball.toSurface().grid({ segments: 4, method: "bernstein" });
