@@ -106,7 +106,7 @@ function sectionOf(html, path, chapter, index) {
   const questions = Array.from(content.matchAll(TASK), ([, name, number, html]) => ({
     name,
     number,
-    html: linksOf(html, `${path}${id}/`, []),
+    html: linksOf(html, path, []),
   }));
   return {
     id,
