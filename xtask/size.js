@@ -18,7 +18,7 @@ const COMMITTED_KB = {
   "everything of core": 79.5,
   "{ Surface } of surfaces": 124.9,
   "nurbs: { RationalCurve }": 157.6,
-  "nurbs: { NurbsSurface }": 291.9,
+  "nurbs: { NurbsSurface }": 300.3,
   "only types": 0,
   "bezier-app.js": 47.7,
   "elements.js alone": 2,

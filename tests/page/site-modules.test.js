@@ -74,11 +74,20 @@ test("/recipes/ loads the modules of surfaces and of weights when a recipe that 
 
 /** The most that a section may take over the network, with the scripts of all of its figures. */
 const MAX_SECTION_KB = 450;
+/** Sections with a second module beside that of curves, for paths or weights, take more. @type {Record<string, number>} */
+const LARGER_KB = {
+  "/curves/fitting/": 530,
+  "/curves/offsets/": 550,
+  "/curves/varying-width/": 530,
+  "/curves/rational-curves/": 550,
+  "/curves/boolean-operations/": 510,
+  "/surfaces/revolution/": 730,
+};
 /** A package that is built for development has no tables of pieces, and modules that are several times as large. */
 const isRelease = existsSync(`${root}dist/custom/pieces.json`);
 
 if (isRelease)
-  test(`a section takes at most ${MAX_SECTION_KB} kB, compressed`, async (t) => {
+  test(`a section takes at most ${MAX_SECTION_KB} kB, compressed, and those with paths or weights what is listed`, async (t) => {
     const page = await openPage(t, "/curves/parameter/", { messages: /^$/ });
     const large = [];
     for (const { path } of [...sectionsOf("curves"), ...sectionsOf("surfaces")]) {
@@ -94,7 +103,7 @@ if (isRelease)
         0,
       );
       t.diagnostic(`${path} ${(bytes / 1000).toFixed(0)} kB`);
-      if (bytes > 1000 * MAX_SECTION_KB) large.push(`${path}: ${(bytes / 1000).toFixed(0)} kB`);
+      if (bytes > 1000 * (LARGER_KB[path] ?? MAX_SECTION_KB)) large.push(`${path}: ${(bytes / 1000).toFixed(0)} kB`);
     }
     assert.deepEqual(large, []);
   });
