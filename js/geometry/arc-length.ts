@@ -35,11 +35,11 @@ export function curveLength(p: Float64Array, dimension: 2 | 3, tolerance: number
   // The coordinates of a 2D cubic, the most common kind of curve, are passed as arguments; this function has no
   // tolerance.
   if (tolerance === undefined && p.length === 8 && dimension === 2) {
-    return curvesModule.exports.cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
+    return curvesModule.functions.cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
   }
   const maxError = check.optionalTolerance(tolerance);
   curvesModule.write(p);
-  return curvesModule.read(0, curvesModule.exports.curve_length(dimension, p.length / dimension, maxError))[0];
+  return curvesModule.read(0, curvesModule.functions.curve_length(dimension, p.length / dimension, maxError))[0];
 }
 
 /**
@@ -53,6 +53,6 @@ export function curveTimeAtLength(p: Float64Array, dimension: 2 | 3, s: number, 
   curvesModule.write(p);
   return curvesModule.read(
     0,
-    curvesModule.exports.curve_time_at_length(dimension, p.length / dimension, s, maxError),
+    curvesModule.functions.curve_time_at_length(dimension, p.length / dimension, s, maxError),
   )[0];
 }

@@ -24,7 +24,7 @@ export const BASES: readonly BasisName[] = ["bezier", "hermite", "b-spline", "ca
  */
 export function basisNumbers(basis: BasisLike): Float64Array {
   if (typeof basis === "string") {
-    return curvesModule.read(0, curvesModule.exports.basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
+    return curvesModule.read(0, curvesModule.functions.basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
   }
   const rows = Array.isArray(basis) && Array.isArray(basis[0]) ? basis.flat() : basis;
   const matrix = numbers(rows, "basis");
@@ -44,5 +44,5 @@ export function pointsInBasis(basis: BasisLike, points: PointsLike, options?: { 
     throw new RangeError(`points: expected 4 points, got ${flat.length / dimension}`);
   }
   curvesModule.write(flat, 16).set(matrix, flat.length);
-  return { flat: curvesModule.read(0, curvesModule.exports.curve_from_basis(dimension)), dimension };
+  return { flat: curvesModule.read(0, curvesModule.functions.curve_from_basis(dimension)), dimension };
 }

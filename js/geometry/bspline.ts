@@ -43,7 +43,7 @@ export function fromBSpline(points: PointsLike, options?: BSplineOptions): { len
   }
   curvesModule.write(flat, knots.length).set(knots, flat.length);
   return {
-    length: curvesModule.exports.spline_from_bspline(dimension, count, degree, closed, knots.length),
+    length: curvesModule.functions.spline_from_bspline(dimension, count, degree, closed, knots.length),
     dimension,
   };
 }

@@ -23,7 +23,7 @@ export interface Nearest<D extends 2 | 3 = 2 | 3> {
 export function nearest<D extends 2 | 3>(flat: Float64Array, dimension: D, p: PointLike): Nearest<D> {
   if (flat.length === 8) return nearestOnCubic(flat, p) as Nearest<D>;
   writePoint(curvesModule.write(flat, dimension), flat.length, p, dimension, "p");
-  curvesModule.exports.curve_nearest(dimension, flat.length / dimension);
+  curvesModule.functions.curve_nearest(dimension, flat.length / dimension);
   return readNearest(dimension);
 }
 
@@ -40,7 +40,7 @@ function nearestOnCubic(c: Float64Array, p: PointLike): Nearest<2> {
     writePoint(checked, 0, p, 2, "p");
     [x, y] = checked;
   }
-  const t = curvesModule.exports.cubic_nearest(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], x, y);
+  const t = curvesModule.functions.cubic_nearest(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], x, y);
   const at = curvesModule.cubicEval;
   const point = { x: at(c[0], c[2], c[4], c[6], t), y: at(c[1], c[3], c[5], c[7], t) };
   const [dx, dy] = [point.x - x, point.y - y];
@@ -72,7 +72,7 @@ const AXES = ["x", "y", "z"] as const;
 export function extrema(flat: Float64Array, dimension: 2 | 3): Extrema {
   const timesOf = (_: string, axis: number) => {
     curvesModule.write(flat);
-    return curvesModule.read(0, curvesModule.exports.curve_extrema(dimension, flat.length / dimension, axis));
+    return curvesModule.read(0, curvesModule.functions.curve_extrema(dimension, flat.length / dimension, axis));
   };
   const [x, y, z] = AXES.slice(0, dimension).map(timesOf);
   return dimension === 2 ? { x, y } : { x, y, z };
@@ -92,7 +92,7 @@ export function timesAtCoordinate(
   curvesModule.write(flat);
   return curvesModule.read(
     0,
-    curvesModule.exports.curve_times_at_coordinate(dimension, flat.length / dimension, axis, value),
+    curvesModule.functions.curve_times_at_coordinate(dimension, flat.length / dimension, axis, value),
   );
 }
 
@@ -138,7 +138,7 @@ export const CURVE_KINDS: readonly CurveKind[] = [
  */
 export function tangentsFrom(flat: Float64Array, p: PointLike): Float64Array {
   writePoint(curvesModule.write(flat, 2), flat.length, p, 2, "p");
-  return curvesModule.read(0, curvesModule.exports.curve_tangents_from(flat.length / 2));
+  return curvesModule.read(0, curvesModule.functions.curve_tangents_from(flat.length / 2));
 }
 
 /** The smallest distance of two curves, and where it occurs: at t on the first, at u on the second. */
@@ -151,7 +151,7 @@ export type Distance = { distance: number; t: number; u: number };
  */
 export function distance(flat: Float64Array, other: Float64Array, dimension: 2 | 3): Distance {
   curvesModule.write(flat, other.length).set(other, flat.length);
-  curvesModule.exports.curve_distance(dimension, flat.length / dimension, other.length / dimension);
+  curvesModule.functions.curve_distance(dimension, flat.length / dimension, other.length / dimension);
   const numbers = curvesModule.arena(3);
   return { distance: numbers[0], t: numbers[1], u: numbers[2] };
 }
@@ -163,5 +163,5 @@ export function distance(flat: Float64Array, other: Float64Array, dimension: 2 |
  */
 export function hausdorff(flat: Float64Array, other: Float64Array, dimension: 2 | 3): number {
   curvesModule.write(flat, other.length).set(other, flat.length);
-  return curvesModule.exports.curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
+  return curvesModule.functions.curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
 }

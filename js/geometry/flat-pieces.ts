@@ -19,7 +19,7 @@ const PIECE_LENGTH = HEADER_LENGTH + 12;
 export function subdivide(writeSurface: () => unknown, tolerance: number): FlatPiece[] {
   check.positive(tolerance, "tolerance");
   writeSurface();
-  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_subdivide(tolerance));
+  const numbers = surfacesModule.read(0, surfacesModule.functions.surface_subdivide(tolerance));
   surfacesModule.release();
   return Array.from({ length: numbers.length / PIECE_LENGTH }, (_, k) => {
     const at = k * PIECE_LENGTH;

@@ -35,13 +35,13 @@ export function readGrid(
     `${k} of ${patches} × ${u} × ${v} from ${buffers[k].byteOffset} in ${buffers[k].BYTES_PER_ELEMENT}`;
   const upToDate = buffers.map((array, k) => k >= FIRST_LAYOUT_BUFFER && gridLayouts.get(array.buffer) === layout(k));
   for (let first = 0; first < patches; ) {
-    const count = surfacesModule.exports.grid_part(first);
+    const count = surfacesModule.functions.grid_part(first);
     buffers.forEach((array, buffer) => {
       if (upToDate[buffer]) return;
       const size = array.length / patches;
       copyBuffer(buffer, count === patches ? array : array.subarray(first * size, (first + count) * size));
     });
-    if (12 * count * vertices > LARGE_MESH) surfacesModule.exports.mesh_drop();
+    if (12 * count * vertices > LARGE_MESH) surfacesModule.functions.mesh_drop();
     first += count;
   }
   for (let k = FIRST_LAYOUT_BUFFER; k < buffers.length; k++) gridLayouts.set(buffers[k].buffer, layout(k));

@@ -95,8 +95,8 @@ export class InkStroke {
       check.optionalTolerance(tolerance),
     ];
     regionsModule.write(Float64Array.from(numbers));
-    this.#index = regionsModule.count(regionsModule.exports.region_ink_begin(pressure === "device"));
-    strokes ??= new FinalizationRegistry((index) => regionsModule.exports.region_ink_end(index));
+    this.#index = regionsModule.count(regionsModule.functions.region_ink_begin(pressure === "device"));
+    strokes ??= new FinalizationRegistry((index) => regionsModule.functions.region_ink_end(index));
     strokes.register(this, this.#index);
   }
 
@@ -114,7 +114,7 @@ export class InkStroke {
     if (sample?.pressure !== undefined) check.finite(pressure, "pressure");
     if (sample?.time !== undefined) check.finite(time, "time");
     const [atX, atY] = [check.coordinate(x, "x"), check.coordinate(y, "y")];
-    regionsModule.count(regionsModule.exports.region_ink_append(this.#index, atX, atY, pressure, time));
+    regionsModule.count(regionsModule.functions.region_ink_append(this.#index, atX, atY, pressure, time));
     return this;
   }
 
@@ -136,25 +136,25 @@ export class InkStroke {
   changes(predicted: PointsLike = []): { settled: Path; open: Path } {
     const { flat } = flatten(predicted, 2, 2, "predicted");
     regionsModule.write(flat);
-    const numbers = readPath(regionsModule.exports.region_ink_changes(this.#index, flat.length / 2));
+    const numbers = readPath(regionsModule.functions.region_ink_changes(this.#index, flat.length / 2));
     const end = endOfPath(numbers, 0);
     return { settled: pathOf(numbers.slice(0, end)), open: pathOf(numbers.slice(end)) };
   }
 
   /** The outline as a region without overlaps. Without samples it is empty, and a single point is a disc. */
   outline(): Path {
-    return pathOf(readPath(regionsModule.exports.region_ink_outline(this.#index)));
+    return pathOf(readPath(regionsModule.functions.region_ink_outline(this.#index)));
   }
 
   /** The centre line; null without samples. A single point is a line of length 0. */
   spline(): Spline<2> | null {
-    const { subpaths } = pathOf(readPath(regionsModule.exports.region_ink_spline(this.#index)));
+    const { subpaths } = pathOf(readPath(regionsModule.functions.region_ink_spline(this.#index)));
     return subpaths[0] ?? null;
   }
 
   /** The widths along the centre line, as `path.stroke` takes them. */
   widths(): WidthProfile {
-    const length = regionsModule.exports.region_ink_widths(this.#index);
+    const length = regionsModule.functions.region_ink_widths(this.#index);
     const numbers = regionsModule.read(0, length);
     const stops = Array.from({ length: numbers.length / 2 }, (_, k) => [numbers[2 * k], numbers[2 * k + 1]]);
     return { stops, at: "length", interpolation: "smooth" };

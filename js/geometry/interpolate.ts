@@ -41,7 +41,7 @@ export function interpolate(points: PointsLike, options?: InterpolateOptions): {
   curvesModule.write(flat);
   const count = flat.length / dimension;
   return {
-    length: curvesModule.exports.spline_interpolate(dimension, count, closed, kind === "natural" ? -1 : exponent),
+    length: curvesModule.functions.spline_interpolate(dimension, count, closed, kind === "natural" ? -1 : exponent),
     dimension,
   };
 }

@@ -103,7 +103,7 @@ export function intersectSplines(spline: SplineData, other: unknown): Intersecti
   const data = splineData(other, "other", "a Curve, a Spline or a Path");
   require2D("intersections", typeOf(other) as string, data.dimension);
   writeSplines([spline, data]);
-  return readIntersections(curvesModule.exports.spline_intersect());
+  return readIntersections(curvesModule.functions.spline_intersect());
 }
 
 /**
@@ -113,7 +113,7 @@ export function intersectSplines(spline: SplineData, other: unknown): Intersecti
  */
 export function selfIntersectSpline(spline: SplineData): SelfIntersection[] {
   writeSplines([spline]);
-  return readSelfIntersections(curvesModule.exports.spline_self_intersections());
+  return readSelfIntersections(curvesModule.functions.spline_self_intersections());
 }
 
 /**
@@ -140,7 +140,7 @@ export function intersectPathWith(packed: Float64Array, other: unknown): Interse
  */
 export function selfIntersectPath(packed: Float64Array): PathIntersection[] {
   curvesModule.write(packed);
-  return readPathIntersections(curvesModule.exports.path_intersect(false), timeOnPath, timeOnPath);
+  return readPathIntersections(curvesModule.functions.path_intersect(false), timeOnPath, timeOnPath);
 }
 
 /**
@@ -178,7 +178,7 @@ function intersectPacked<T, U>(
   timeOnB: (subpath: number, t: number) => U,
 ): Intersection<T, U>[] {
   curvesModule.write(a, b.length).set(b, a.length);
-  return readPathIntersections(curvesModule.exports.path_intersect(true), timeOnA, timeOnB);
+  return readPathIntersections(curvesModule.functions.path_intersect(true), timeOnA, timeOnB);
 }
 
 function readPathIntersections<T, U>(

@@ -226,7 +226,7 @@ export function readMesh(
 ): Mesh {
   const [positions, normals] = isF64 ? [F64_POSITIONS, F64_NORMALS] : [POSITIONS, NORMALS];
   const Real = (isF64 ? Float64Array : Float32Array) as any;
-  const wide = surfacesModule.exports.mesh_length(positions) / 3 > 0x10000;
+  const wide = surfacesModule.functions.mesh_length(positions) / 3 > 0x10000;
   const Indices: any = wide ? Uint32Array : Uint16Array;
   const data = {
     positions: readBuffer(positions, Real, into?.positions) as Float32Array | Float64Array,
@@ -234,12 +234,12 @@ export function readMesh(
     uvs: separatePatches ? readBuffer(UVS, Float32Array, into?.uvs) : null,
     patchIds: separatePatches ? readBuffer(PATCH_IDS, Uint32Array, into?.patchIds) : null,
     indices: readBuffer(INDICES, Indices, into?.indices) as Uint16Array | Uint32Array,
-    quads: surfacesModule.exports.mesh_length(QUADS)
+    quads: surfacesModule.functions.mesh_length(QUADS)
       ? (readBuffer(QUADS, Indices, into?.quads) as Uint16Array | Uint32Array)
       : undefined,
     patchRanges: readPatchRanges(into?.patchRanges ?? []),
   };
-  if (data.positions.byteLength > LARGE_MESH) surfacesModule.exports.mesh_drop();
+  if (data.positions.byteLength > LARGE_MESH) surfacesModule.functions.mesh_drop();
   return into ? Object.assign(into, data) : new Mesh(data);
 }
 
@@ -249,7 +249,7 @@ function readBuffer<T extends Float32Array | Float64Array | Uint16Array | Uint32
   Type: new (length: number) => T,
   into: Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined,
 ): T {
-  const array = copyBuffer(buffer, reuseOrAllocate(Type, surfacesModule.exports.mesh_length(buffer), into));
+  const array = copyBuffer(buffer, reuseOrAllocate(Type, surfacesModule.functions.mesh_length(buffer), into));
   gridLayouts.delete(array.buffer);
   return array;
 }
@@ -277,7 +277,7 @@ export function copyBuffer<T extends Float32Array | Float64Array | Uint16Array |
   buffer: number,
   array: T,
 ): T {
-  surfacesModule.exports.mesh_copy(buffer, array);
+  surfacesModule.functions.mesh_copy(buffer, array);
   return array;
 }
 

@@ -70,7 +70,7 @@ export class SegmentTree {
       else {
         const points = this.#pointsOf(from);
         curvesModule.write(points);
-        sum += curvesModule.exports.curve_crossings(points.length / 2, x, y);
+        sum += curvesModule.functions.curve_crossings(points.length / 2, x, y);
       }
       return false;
     });

@@ -53,7 +53,7 @@ export function patchWriter(flat: Float64Array, degreeU: number, degreeV: number
  */
 export function bounds(write: SurfaceWriter): Bounds<3> | null {
   write(0);
-  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_bounds());
+  const numbers = surfacesModule.read(0, surfacesModule.functions.surface_bounds());
   return numbers.length ? boxAt(numbers, 3) : null;
 }
 
@@ -64,7 +64,7 @@ export function bounds(write: SurfaceWriter): Bounds<3> | null {
  */
 export function area(write: SurfaceWriter): number {
   write(0);
-  return surfacesModule.read(0, surfacesModule.exports.surface_area())[0];
+  return surfacesModule.read(0, surfacesModule.functions.surface_area())[0];
 }
 
 /**
@@ -74,7 +74,7 @@ export function area(write: SurfaceWriter): number {
  */
 export function volume(write: SurfaceWriter): number | null {
   write(0);
-  return surfacesModule.read(0, surfacesModule.exports.surface_volume())[0] ?? null;
+  return surfacesModule.read(0, surfacesModule.functions.surface_volume())[0] ?? null;
 }
 
 /**
@@ -86,7 +86,7 @@ export function nearest(write: SurfaceWriter, point: PointLike): SurfacePoint | 
   const [p] = coordinatesOf([point, "point"]);
   const { view, at } = write(3);
   view.set(p, at);
-  return readPoints(surfacesModule.read(0, surfacesModule.exports.surface_nearest()))[0] ?? null;
+  return readPoints(surfacesModule.read(0, surfacesModule.functions.surface_nearest()))[0] ?? null;
 }
 
 /**
@@ -99,7 +99,7 @@ export function intersectRay(write: SurfaceWriter, origin: PointLike, direction:
   const { view, at } = write(6);
   view.set(start, at);
   view.set(along, at + 3);
-  return readPoints(surfacesModule.read(0, surfacesModule.exports.surface_ray()));
+  return readPoints(surfacesModule.read(0, surfacesModule.functions.surface_ray()));
 }
 
 /**

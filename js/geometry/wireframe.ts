@@ -45,7 +45,7 @@ const MAX_SIDES = 0xffffffff;
 export function isocurves(writeSurface: () => unknown, options?: { lines?: number }): Float64Array[] {
   const lines = linesOf(options);
   writeSurface();
-  const numbers = surfacesModule.read(0, surfacesModule.exports.surface_isocurves(lines));
+  const numbers = surfacesModule.read(0, surfacesModule.functions.surface_isocurves(lines));
   surfacesModule.release();
   const curves: Float64Array[] = [];
   for (let at = 0; at < numbers.length; ) {
@@ -73,7 +73,7 @@ export function linesOf(options: { lines?: number } | undefined): number {
 export function wireframe(writeSurface: () => unknown, options: WireframeOptions): Mesh {
   const { args, into } = wireframeArguments(options);
   writeSurface();
-  surfacesModule.count(surfacesModule.exports.surface_wireframe(...args));
+  surfacesModule.count(surfacesModule.functions.surface_wireframe(...args));
   return readMesh(into, { separatePatches: false });
 }
 

@@ -89,7 +89,7 @@ function leftToClose(packed: Float64Array, points: number, at: number) {
 
 function drawCubics(sink: PathSink, curve: Float64Array, tolerance: number) {
   curvesModule.write(curve);
-  const list = curvesModule.read(0, curvesModule.exports.curve_cubics(curve.length / 2, tolerance));
+  const list = curvesModule.read(0, curvesModule.functions.curve_cubics(curve.length / 2, tolerance));
   for (let at = 0; at < list.length; at += 6) sink.curve(3, list, at);
 }
 
@@ -104,7 +104,7 @@ export function checkTolerance(packed: Float64Array, tolerance: number) {
   let size = 0;
   for (const { points, end } of extents(packed))
     for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
-  curvesModule.count(curvesModule.exports.path_check_tolerance(tolerance, size));
+  curvesModule.count(curvesModule.functions.path_check_tolerance(tolerance, size));
 }
 
 /**

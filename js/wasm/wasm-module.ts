@@ -22,7 +22,7 @@ const MESSAGE_PARTS = 11;
  * from its start, call the function, read the result from its start:
  *
  *     curvesModule.write(points);
- *     return curvesModule.read(0, curvesModule.exports.curve_derivative(2, 8));
+ *     return curvesModule.read(0, curvesModule.functions.curve_derivative(2, 8));
  *
  * The first use instantiates it. All state of the package is in its modules.
  *
@@ -33,7 +33,7 @@ export class WasmModule {
   bytes;
   /** Creates the only instance */
   #link;
-  #exports: Functions | null = null;
+  #functions: Functions | null = null;
   #memory: WebAssembly.Memory | null = null;
   #cubicEval: CubicEval | null = null;
   #view = new Float64Array(0);
@@ -47,14 +47,14 @@ export class WasmModule {
   }
 
   get isInstantiated() {
-    return this.#exports !== null;
+    return this.#functions !== null;
   }
 
   instantiate(module: WebAssembly.Module): Functions {
     const exports = this.#link({ module }) as any;
     this.#memory = exports.memory;
     this.#cubicEval = exports.cubic_eval;
-    this.#exports = exports;
+    this.#functions = exports;
     return exports;
   }
 
@@ -63,8 +63,8 @@ export class WasmModule {
    *
    * @throws {Error} with `casteljau/slim`, before the promise of `init` is fulfilled
    */
-  get exports(): Functions {
-    return this.#exports ?? this.#instantiateSync();
+  get functions(): Functions {
+    return this.#functions ?? this.#instantiateSync();
   }
 
   /** The only function that is called without the wrapper of wasm-bindgen. */
@@ -98,14 +98,14 @@ export class WasmModule {
   }
 
   #reserve(length: number): Float64Array {
-    const address = this.exports.arena_reserve(length) >>> 0; // addresses above 2 GiB are returned as negative numbers
-    this.#view = new Float64Array(this.memory.buffer, address, this.exports.arena_length());
+    const address = this.functions.arena_reserve(length) >>> 0; // addresses above 2 GiB are returned as negative numbers
+    this.#view = new Float64Array(this.memory.buffer, address, this.functions.arena_length());
     return this.#view;
   }
 
   /** Returns the memory of a large result to the allocator. Earlier views are no longer valid: call `arena` again. */
   trim() {
-    this.exports.arena_trim();
+    this.functions.arena_trim();
     this.#view = new Float64Array(0);
   }
 

@@ -14,7 +14,7 @@ const counted = (name, value) =>
     calls.set(name, (calls.get(name) ?? 0) + 1);
     return value(...args);
   };
-const entries = Object.entries(untyped(curvesModule.exports));
+const entries = Object.entries(untyped(curvesModule.functions));
 Object.defineProperty(curvesModule, "exports", {
   value: Object.fromEntries(
     entries.map(([name, value]) => [name, value instanceof Function ? counted(name, value) : value]),
@@ -34,7 +34,7 @@ const mixed = () => open(MIXED, [1, 2, 3, 1, 4]);
 const called = (...names) => names.map((name) => calls.get(name) ?? 0);
 /** The answer of the core's function of splines, which keeps nothing. */
 function fromCore(spline, name, ...args) {
-  return curvesModule.read(0, curvesModule.exports[name](spline._write(), ...args));
+  return curvesModule.read(0, curvesModule.functions[name](spline._write(), ...args));
 }
 
 /** The first of the nearest points of all segments. */
@@ -145,7 +145,7 @@ const three = () => new Path([waves(true), mixed(), waves(false)]);
 /** The answer of the core's function of paths, which keeps nothing. */
 function ofPath(path, name, ...args) {
   curvesModule.write(path._packed);
-  return [...curvesModule.read(0, curvesModule.exports[name](...args))];
+  return [...curvesModule.read(0, curvesModule.functions[name](...args))];
 }
 
 test("paths: lengths and locations are those of the core", () => {
@@ -194,7 +194,7 @@ test("paths: winding numbers are those of the core", () => {
         points.push({ x: min.x + ((max.x - min.x) * i) / 20, y: min.y + ((max.y - min.y) * j) / 20 });
     for (const { x, y } of points) {
       curvesModule.write(path._packed);
-      const expected = curvesModule.exports.path_winding_number(x, y);
+      const expected = curvesModule.functions.path_winding_number(x, y);
       assert.equal(path.windingNumber([x, y]), expected, `${x} ${y}`);
       assert.equal(path.contains([x, y]), expected !== 0);
     }

@@ -117,7 +117,7 @@ fn assert_solid(surface: &RationalSurface, volume: f64, euler: i64, name: &str) 
     for tolerance in [0.1, 0.01] {
         let options = TessellationOptions::tolerance(tolerance);
         let mesh = surface
-            .tessellate_f64(&options.clone().weld(Weld::Position))
+            .tessellate_f64(&options.weld(Weld::Position))
             .expect("valid");
         if euler == ANY {
             assert_balanced(&mesh, name);

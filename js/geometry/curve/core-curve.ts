@@ -182,7 +182,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this._flat;
     if (flat.length === 4 * this.dimension) return cubicAt(flat, t) as Point<D>;
-    curvesModule.exports.curve_eval(this.dimension, this._write(), t);
+    curvesModule.functions.curve_eval(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -197,7 +197,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     const { into } = check.options(options, ["into"]);
     const length = (segments + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
-    const count = curvesModule.exports.curve_sample(this.dimension, this._write(), segments);
+    const count = curvesModule.functions.curve_sample(this.dimension, this._write(), segments);
     if (into !== undefined) return curvesModule.readInto(into, count);
     return curvesModule.readLarge(count);
   }
@@ -213,13 +213,13 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     const length = parameters.length * this.dimension;
     const into = check.resultArray(check.options(options, ["into"]).into, length);
     const count = this._write(parameters);
-    curvesModule.exports.curve_eval_at(this.dimension, count, parameters.length);
+    curvesModule.functions.curve_eval_at(this.dimension, count, parameters.length);
     return curvesModule.readInto(into, length);
   }
 
   /** The derivative as a curve of degree n − 1; the derivative of a line is a line whose two points are equal. */
   derivative(): this {
-    return this._read(curvesModule.exports.curve_derivative(this.dimension, this._write()));
+    return this._read(curvesModule.functions.curve_derivative(this.dimension, this._write()));
   }
 
   /**
@@ -231,7 +231,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   derivativeAt(t: number, k = 1): Point<D> {
     check.finite(t, "t");
     check.whole(k, "k", 0, 0xffffffff);
-    curvesModule.exports.curve_derivative_at(this.dimension, this._write(), t, k);
+    curvesModule.functions.curve_derivative_at(this.dimension, this._write(), t, k);
     return this._readPoint();
   }
 
@@ -243,7 +243,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   tangent(t: number): Point<D> {
     check.finite(t, "t");
-    curvesModule.exports.curve_tangent(this.dimension, this._write(), t);
+    curvesModule.functions.curve_tangent(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -255,7 +255,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   normal(t: number): Point<D> {
     check.finite(t, "t");
-    curvesModule.exports.curve_normal(this.dimension, this._write(), t);
+    curvesModule.functions.curve_normal(this.dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -267,7 +267,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   curvature(t: number): number {
     check.finite(t, "t");
-    return curvesModule.exports.curve_curvature(this.dimension, this._write(), t);
+    return curvesModule.functions.curve_curvature(this.dimension, this._write(), t);
   }
 
   /**
@@ -278,7 +278,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   deCasteljau(t: number): Float64Array[] {
     check.finite(t, "t");
-    curvesModule.exports.curve_de_casteljau(this.dimension, this._write(), t);
+    curvesModule.functions.curve_de_casteljau(this.dimension, this._write(), t);
     const levels: Float64Array[] = [];
     for (let length = this._flat.length, from = 0; length > 0; length -= this.dimension) {
       levels.push(curvesModule.read(from, from + length));
@@ -295,7 +295,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   static bernstein(degree: number, t: number): Float64Array {
     check.whole(degree, "degree", 0, 64);
-    return curvesModule.read(0, curvesModule.exports.bernstein_weights(degree, check.finite(t, "t")));
+    return curvesModule.read(0, curvesModule.functions.bernstein_weights(degree, check.finite(t, "t")));
   }
 
   /**
@@ -314,7 +314,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   split(t: number | ArrayLike<number>): this[] {
     if (check.isList(t)) return partsAt(this, t, 1);
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
-    curvesModule.exports.curve_split(this.dimension, this._write(), t);
+    curvesModule.functions.curve_split(this.dimension, this._write(), t);
     const n = this._flat.length;
     return [this._curveOf(curvesModule.read(0, n)), this._curveOf(curvesModule.read(n, 2 * n))];
   }
@@ -333,7 +333,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   subsegment(t0: number, t1: number): this {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    curvesModule.exports.curve_subsegment(this.dimension, this._write(), t0, t1);
+    curvesModule.functions.curve_subsegment(this.dimension, this._write(), t0, t1);
     return this._read(this._flat.length);
   }
 
@@ -355,7 +355,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
     check.whole(times, "times", 0, 64);
     let curve: this = this;
     for (let k = 0; k < times; k++)
-      curve = curve._read(curvesModule.exports.curve_elevate(this.dimension, curve._write()));
+      curve = curve._read(curvesModule.functions.curve_elevate(this.dimension, curve._write()));
     return curve;
   }
 
@@ -366,7 +366,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for an image with a coordinate beyond 2^500
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
-    return this._read(curvesModule.exports.points_transform(this.dimension, this._write(affine(matrix))));
+    return this._read(curvesModule.functions.points_transform(this.dimension, this._write(affine(matrix))));
   }
 
   /**
@@ -378,7 +378,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = curvesModule.exports.curve_flatten(this.dimension, this._write(), tolerance);
+    const vertices = curvesModule.functions.curve_flatten(this.dimension, this._write(), tolerance);
     return curvesModule.readPolyline(vertices, this.dimension);
   }
 
@@ -390,7 +390,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   subdivide(tolerance: number): Subdivision<this> {
     check.positive(tolerance, "tolerance");
-    const used = curvesModule.exports.curve_subdivide(this.dimension, this._write(), tolerance);
+    const used = curvesModule.functions.curve_subdivide(this.dimension, this._write(), tolerance);
     return readTree(curvesModule.read(0, used), this._flat.length, (flat) => this._curveOf(flat));
   }
 
@@ -407,7 +407,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   /** The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only. */
   hull(): Float64Array {
     this._require2D("hull");
-    return curvesModule.read(0, curvesModule.exports.curve_hull(this._write()));
+    return curvesModule.read(0, curvesModule.functions.curve_hull(this._write()));
   }
 
   /**
@@ -473,7 +473,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
   equidistantTimes(segments: number): Float64Array {
     check.segmentCount(segments);
     return curvesModule.readLarge(
-      curvesModule.exports.curve_equidistant_times(this.dimension, this._write(), segments),
+      curvesModule.functions.curve_equidistant_times(this.dimension, this._write(), segments),
     );
   }
 
@@ -483,7 +483,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    */
   area(): number {
     this._require2D("area");
-    return curvesModule.exports.curve_area(this._write());
+    return curvesModule.functions.curve_area(this._write());
   }
 
   /**
@@ -517,7 +517,7 @@ export class CoreCurve<D extends 2 | 3 = 2 | 3> {
    * @internal
    */
   _box(exact: boolean): Bounds<D> {
-    curvesModule.exports.curve_bounds(this.dimension, this._write(), exact);
+    curvesModule.functions.curve_bounds(this.dimension, this._write(), exact);
     return boxAt(curvesModule.read(0, 6), this.dimension);
   }
 

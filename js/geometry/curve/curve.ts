@@ -51,7 +51,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   torsion(t: number): number {
     check.finite(t, "t");
-    return this.dimension === 2 ? 0 : curvesModule.exports.curve_torsion(this._write(), t);
+    return this.dimension === 2 ? 0 : curvesModule.functions.curve_torsion(this._write(), t);
   }
 
   /**
@@ -70,7 +70,9 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     const ts = frameTimes(where, 1);
     const args = frameArguments(ts, options);
     const count = this._write(args);
-    return readFrames(curvesModule.count(curvesModule.exports.curve_frames(count, ts.length, args.length > ts.length)));
+    return readFrames(
+      curvesModule.count(curvesModule.functions.curve_frames(count, ts.length, args.length > ts.length)),
+    );
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
@@ -91,12 +93,12 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */
   inflections(): Float64Array {
     this._require2D("inflections");
-    return curvesModule.read(0, curvesModule.exports.curve_inflections(this._write()));
+    return curvesModule.read(0, curvesModule.functions.curve_inflections(this._write()));
   }
 
   /** The parameters inside (0, 1) of cusps, where the tangent reverses its direction, sorted. */
   cusps(): Float64Array {
-    return curvesModule.read(0, curvesModule.exports.curve_cusps(this.dimension, this._write()));
+    return curvesModule.read(0, curvesModule.functions.curve_cusps(this.dimension, this._write()));
   }
 
   /**
@@ -104,7 +106,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * curve that is not planar is "twisted".
    */
   classify(): CurveKind {
-    return queries.CURVE_KINDS[curvesModule.exports.curve_classify(this.dimension, this._write())];
+    return queries.CURVE_KINDS[curvesModule.functions.curve_classify(this.dimension, this._write())];
   }
 
   /**
@@ -127,7 +129,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   toBasis(basis: BasisLike): Float64Array {
     const matrix = basisNumbers(basis);
-    return curvesModule.read(0, curvesModule.exports.curve_to_basis(this.dimension, this._write(matrix)));
+    return curvesModule.read(0, curvesModule.functions.curve_to_basis(this.dimension, this._write(matrix)));
   }
 
   /**
@@ -188,7 +190,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
       throw new RangeError(`ts: expected ${count} numbers, one for each point, got ${parameters.length}`);
     }
     curvesModule.write(flat, parameters.length).set(parameters, flat.length);
-    const length = curvesModule.exports.curve_interpolate(dimension, count, parameters.length);
+    const length = curvesModule.functions.curve_interpolate(dimension, count, parameters.length);
     return curveOf({ flat: curvesModule.read(0, length), dimension }) as Curve<D>;
   }
 
@@ -197,7 +199,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    * that distance. A line is returned unchanged with error 0.
    */
   reduce(): Reduced<D> {
-    const used = curvesModule.exports.curve_reduce(this.dimension, this._write());
+    const used = curvesModule.functions.curve_reduce(this.dimension, this._write());
     return { curve: this._curveOf(curvesModule.read(1, used)), error: curvesModule.read(0, 1)[0] };
   }
 
@@ -219,7 +221,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     this._require2D("offset");
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    return readSpline(curvesModule.exports.curve_offset(this._write(), distance, tolerance), 2) as Spline<2>;
+    return readSpline(curvesModule.functions.curve_offset(this._write(), distance, tolerance), 2) as Spline<2>;
   }
 
   /**
@@ -249,7 +251,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
     check.require2D("intersections", "curve", dimension);
     const view = curvesModule.write(a, b.length);
     for (let i = 0; i < b.length; i++) view[a.length + i] = b[i];
-    return readIntersections(curvesModule.exports.curve_intersect(a.length / 2, b.length / 2)) as any;
+    return readIntersections(curvesModule.functions.curve_intersect(a.length / 2, b.length / 2)) as any;
   }
 
   /**
@@ -258,7 +260,7 @@ export class Curve<D extends 2 | 3 = 2 | 3> extends CoreCurve<D> {
    */
   selfIntersections(): SelfIntersection[] {
     this._require2D("selfIntersections");
-    return readSelfIntersections(curvesModule.exports.curve_self_intersections(this._write()));
+    return readSelfIntersections(curvesModule.functions.curve_self_intersections(this._write()));
   }
 
   /**

@@ -134,7 +134,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    */
   elevate(): this {
     surfacesModule.write(this.#flat);
-    const length = surfacesModule.exports.patch_elevate(this.#degreeU, this.#degreeV);
+    const length = surfacesModule.functions.patch_elevate(this.#degreeU, this.#degreeV);
     return this._patchOf(surfacesModule.read(0, length), this.#degreeU + 1, this.#degreeV + 1);
   }
 
@@ -146,7 +146,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    */
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     surfacesModule.write(this.#flat, 12).set(affine(matrix), this.#flat.length);
-    return this.#withNet(surfacesModule.read(0, surfacesModule.exports.points_transform(3, this.#flat.length / 3)));
+    return this.#withNet(surfacesModule.read(0, surfacesModule.functions.points_transform(3, this.#flat.length / 3)));
   }
 
   /**
@@ -221,7 +221,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
 
   #split(alongU: boolean, at: number): [this, this] {
     surfacesModule.write(this.#flat);
-    surfacesModule.exports.patch_split(this.#degreeU, this.#degreeV, alongU, at);
+    surfacesModule.functions.patch_split(this.#degreeU, this.#degreeV, alongU, at);
     const n = this.#flat.length;
     return [this.#withNet(surfacesModule.read(0, n)), this.#withNet(surfacesModule.read(n, 2 * n))];
   }
@@ -233,7 +233,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   eval(u: number, v: number): Point<3> {
-    surfacesModule.exports.patch_eval(...this._writeAt(u, v));
+    surfacesModule.functions.patch_eval(...this._writeAt(u, v));
     return pointAt(surfacesModule.read(0, 3), 0, 3);
   }
 
@@ -244,7 +244,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   partials(u: number, v: number): Partials {
-    surfacesModule.exports.patch_partials(...this._writeAt(u, v));
+    surfacesModule.functions.patch_partials(...this._writeAt(u, v));
     const numbers = surfacesModule.read(0, 15);
     const at = (k: number) => pointAt(numbers, 3 * k, 3);
     return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
@@ -258,7 +258,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   normal(u: number, v: number): Point<3> {
-    surfacesModule.exports.patch_normal(...this._writeAt(u, v));
+    surfacesModule.functions.patch_normal(...this._writeAt(u, v));
     return pointAt(surfacesModule.read(0, 3), 0, 3);
   }
 
@@ -270,7 +270,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
    * @param v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    */
   curvature(u: number, v: number): Curvature {
-    surfacesModule.exports.patch_curvature(...this._writeAt(u, v));
+    surfacesModule.functions.patch_curvature(...this._writeAt(u, v));
     const [gaussian, mean, k1, k2] = surfacesModule.read(0, 4);
     return { gaussian, mean, k1, k2 };
   }
@@ -330,7 +330,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   /** An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal. */
   flatness(): number {
     surfacesModule.write(this._flat);
-    return surfacesModule.exports.patch_flatness(this.degreeU, this.degreeV);
+    return surfacesModule.functions.patch_flatness(this.degreeU, this.degreeV);
   }
 
   /**
@@ -368,7 +368,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
     const checked = gridOptions(options);
     const { u, v, quads, differences } = checked;
     surfacesModule.write(this._flat);
-    surfacesModule.count(surfacesModule.exports.patch_grid(this.degreeU, this.degreeV, u, v, quads, differences));
+    surfacesModule.count(surfacesModule.functions.patch_grid(this.degreeU, this.degreeV, u, v, quads, differences));
     return readGrid(1, checked);
   }
 
@@ -376,7 +376,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
   tessellate(options: TessellationOptions): Mesh {
     const { args, extra, into, ...kind } = tessellation(options, "none");
     surfacesModule.write(this._flat, extra.length).set(extra, this._flat.length);
-    surfacesModule.count(surfacesModule.exports.patch_tessellate(this.degreeU, this.degreeV, ...args));
+    surfacesModule.count(surfacesModule.functions.patch_tessellate(this.degreeU, this.degreeV, ...args));
     return readMesh(into, kind);
   }
 
@@ -395,7 +395,7 @@ export class CorePatch<C extends CoreCurve = CoreCurve> {
 
   #isocurve(constantU: boolean, at: number) {
     surfacesModule.write(this._flat);
-    const length = surfacesModule.exports.patch_isocurve(this.degreeU, this.degreeV, constantU, at);
+    const length = surfacesModule.functions.patch_isocurve(this.degreeU, this.degreeV, constantU, at);
     return this._curveOf(surfacesModule.read(0, length));
   }
 
@@ -451,7 +451,7 @@ export function corePatchOf(flat: Float64Array, degreeU: number, degreeV: number
 export function netInBasis(basis: BasisLike, net: NetLike): Float64Array {
   const matrix = basisNumbers(basis);
   surfacesModule.write(netNumbers(net, 3, 3), 16).set(matrix, 48);
-  return surfacesModule.read(0, surfacesModule.exports.patch_from_basis());
+  return surfacesModule.read(0, surfacesModule.functions.patch_from_basis());
 }
 
 /**

@@ -424,7 +424,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     if (tolerance === undefined) return this.#segmentEnds().at(-1) as number;
     const maxError = check.optionalTolerance(tolerance);
     curvesModule.write(this._packed);
-    return curvesModule.read(0, curvesModule.exports.path_length(maxError))[0];
+    return curvesModule.read(0, curvesModule.functions.path_length(maxError))[0];
   }
 
   /**
@@ -438,7 +438,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     const maxError = check.optionalTolerance(tolerance);
     if (tolerance !== undefined) {
       curvesModule.write(this._packed);
-      return readTimes(curvesModule.exports.path_time_at_length(s, maxError))[0] ?? null;
+      return readTimes(curvesModule.functions.path_time_at_length(s, maxError))[0] ?? null;
     }
     const ends = this.#segmentEnds();
     const { count } = this.#index();
@@ -472,7 +472,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   equidistantTimes(segments: number): PathTime[] {
     check.segmentCount(segments);
     curvesModule.write(this._packed);
-    const times = readTimes(curvesModule.exports.path_equidistant_times(segments));
+    const times = readTimes(curvesModule.functions.path_equidistant_times(segments));
     curvesModule.release();
     return times;
   }
@@ -499,7 +499,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   area(): number {
     if (this.#area === undefined) {
       curvesModule.write(this._packed);
-      this.#area = curvesModule.exports.path_area();
+      this.#area = curvesModule.functions.path_area();
     }
     return this.#area;
   }
@@ -530,7 +530,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
     if (this.#asked) return this.#segmentTree().windingNumber(x, y);
     this.#asked = true;
     curvesModule.write(this._packed);
-    return curvesModule.exports.path_winding_number(x, y);
+    return curvesModule.functions.path_winding_number(x, y);
   }
 
   /**
@@ -554,7 +554,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array; closed: boolean }[] {
     check.positive(tolerance, "tolerance");
     curvesModule.write(this._packed);
-    const numbers = curvesModule.read(0, curvesModule.exports.path_flatten(tolerance));
+    const numbers = curvesModule.read(0, curvesModule.functions.path_flatten(tolerance));
     curvesModule.release();
     const subpaths = extents(this._packed);
     const polylines: { points: Float64Array; ts: Float64Array; closed: boolean }[] = [];
@@ -590,7 +590,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
   #segmentEnds() {
     if (!this.#ends) {
       curvesModule.write(this._packed);
-      this.#ends = curvesModule.read(0, curvesModule.exports.path_segment_ends());
+      this.#ends = curvesModule.read(0, curvesModule.functions.path_segment_ends());
     }
     return this.#ends;
   }
@@ -602,7 +602,7 @@ export class CorePath<S extends CoreSpline<2> = CoreSpline<2>> {
    */
   _box(exact: boolean) {
     curvesModule.write(this._packed);
-    const numbers = curvesModule.read(0, curvesModule.exports.path_bounds(exact));
+    const numbers = curvesModule.read(0, curvesModule.functions.path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
 

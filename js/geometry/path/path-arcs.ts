@@ -28,7 +28,7 @@ const NUMBERS = 9;
 export function arcsOf(packed: Float64Array, tolerance: number): CircularArc[][] {
   check.positive(tolerance, "tolerance");
   writePaths([packed]);
-  const numbers = readPath(regionsModule.exports.region_arcs(tolerance));
+  const numbers = readPath(regionsModule.functions.region_arcs(tolerance));
   const subpaths: CircularArc[][] = [];
   for (let at = 0; at < numbers.length; ) {
     const end = at + 1 + NUMBERS * numbers[at];

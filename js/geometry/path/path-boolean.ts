@@ -66,7 +66,7 @@ export function combine(paths: unknown, operation: BooleanOperation, options?: R
   check.oneOf(operation, "operation", OPERATIONS);
   const evenOdd = isEvenOdd(options);
   writePaths(packed);
-  return readPath(regionsModule.exports.region_combine(OPERATIONS.indexOf(operation), packed.length, evenOdd));
+  return readPath(regionsModule.functions.region_combine(OPERATIONS.indexOf(operation), packed.length, evenOdd));
 }
 
 /**
@@ -86,7 +86,7 @@ export function combineWith(
   const others = further.slice(0, hasOptions ? last : undefined).map((value, k) => pathData(value, `paths[${k + 1}]`));
   const all = [path, pathData(other, "other"), ...others];
   writePaths(all);
-  return readPath(regionsModule.exports.region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
+  return readPath(regionsModule.functions.region_combine(OPERATIONS.indexOf(operation), all.length, evenOdd));
 }
 
 /**
@@ -96,7 +96,7 @@ export function combineWith(
 export function subtract(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(other, "other")]);
-  return readPath(regionsModule.exports.region_subtract(evenOdd));
+  return readPath(regionsModule.functions.region_subtract(evenOdd));
 }
 
 /**
@@ -106,7 +106,7 @@ export function subtract(path: Float64Array, other: unknown, options?: RegionOpt
 export function removeOverlaps(path: Float64Array, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path]);
-  return readPath(regionsModule.exports.region_combine(0, 1, evenOdd));
+  return readPath(regionsModule.functions.region_combine(0, 1, evenOdd));
 }
 
 /**
@@ -119,7 +119,7 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
   const evenOdd = isEvenOdd(options);
   writePaths(packed);
   const count = packed.length;
-  const numbers = readPath(regionsModule.exports.region_faces(count, evenOdd));
+  const numbers = readPath(regionsModule.functions.region_faces(count, evenOdd));
   const found: { packed: Float64Array; inside: boolean[] }[] = [];
   for (let at = 0; at < numbers.length; ) {
     const inside = Array.from(numbers.subarray(at, at + count), (flag) => flag === 1);
@@ -137,7 +137,7 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
 export function divide(path: Float64Array, other: unknown, options?: RegionOptions): Float64Array[] {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(other, "other")]);
-  const numbers = readPath(regionsModule.exports.region_divide(evenOdd));
+  const numbers = readPath(regionsModule.functions.region_divide(evenOdd));
   const parts: Float64Array[] = [];
   for (let at = 0, end = 0; at < numbers.length; at = end) {
     end = endOfPath(numbers, at);
@@ -153,5 +153,5 @@ export function divide(path: Float64Array, other: unknown, options?: RegionOptio
 export function clip(path: Float64Array, region: unknown, options?: RegionOptions): Float64Array {
   const evenOdd = isEvenOdd(options);
   writePaths([path, pathData(region, "region")]);
-  return readPath(regionsModule.exports.region_clip(evenOdd));
+  return readPath(regionsModule.functions.region_clip(evenOdd));
 }

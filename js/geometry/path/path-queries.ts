@@ -28,6 +28,6 @@ export function readTimes(length: number): PathTime[] {
  */
 export function nearestOnPath(packed: Float64Array, point: Float64Array): PathPoint | null {
   curvesModule.write(packed, 2).set(point, packed.length);
-  const [subpath, t, x, y, distance] = curvesModule.read(0, curvesModule.exports.path_nearest());
+  const [subpath, t, x, y, distance] = curvesModule.read(0, curvesModule.functions.path_nearest());
   return subpath === undefined ? null : { subpath, t, point: { x, y }, distance };
 }

@@ -154,16 +154,16 @@ export function stroke(path: Float64Array, width: StrokeWidth, options?: StrokeO
     const { left, right } = check.options(width, ["left", "right"]);
     const [a, b] = [check.finite(left, "left"), check.finite(right, "right")];
     const { join, cap, dashes } = writeStroke(path, checked);
-    return readPath(regionsModule.exports.region_stroke_sides(a, b, join, cap, dashes, simple));
+    return readPath(regionsModule.functions.region_stroke_sides(a, b, join, cap, dashes, simple));
   }
   if (isProfile(width)) {
     const { stops, kind } = widthsOf(width);
     const { join, cap, dashes } = writeStroke(path, checked, stops);
-    return readPath(regionsModule.exports.region_stroke_with(stops.length / 2, kind, join, cap, dashes, simple));
+    return readPath(regionsModule.functions.region_stroke_with(stops.length / 2, kind, join, cap, dashes, simple));
   }
   check.finite(width, "width");
   const { join, cap, dashes } = writeStroke(path, checked);
-  return readPath(regionsModule.exports.region_stroke(width, join, cap, dashes, simple));
+  return readPath(regionsModule.functions.region_stroke(width, join, cap, dashes, simple));
 }
 
 /**
@@ -183,13 +183,13 @@ export function strokeContains(
   if (isProfile(width)) {
     const { stops, kind } = widthsOf(width);
     const { join, cap, dashes } = writeStroke(path, checked, stops);
-    const module = regionsModule.exports;
+    const module = regionsModule.functions;
     const answer = module.region_stroke_contains_with(x, y, stops.length / 2, kind, join, cap, dashes);
     return regionsModule.count(answer) === 1;
   }
   check.finite(width, "width");
   const { join, cap, dashes } = writeStroke(path, checked);
-  const contains = regionsModule.exports.region_stroke_contains(x, y, width, join, cap, dashes);
+  const contains = regionsModule.functions.region_stroke_contains(x, y, width, join, cap, dashes);
   return regionsModule.count(contains) === 1;
 }
 
@@ -201,7 +201,7 @@ export function dash(path: Float64Array, pattern: ArrayLike<number>, offset = 0)
   const lengths = lengthsOf(pattern, "pattern");
   check.finite(offset, "offset");
   writePaths([path, lengths]);
-  return readPath(regionsModule.exports.region_dash(lengths.length, offset));
+  return readPath(regionsModule.functions.region_dash(lengths.length, offset));
 }
 
 /**
@@ -215,7 +215,7 @@ export function offset(path: Float64Array, distance: number, options?: RegionOff
   check.finite(miterLimit, "miterLimit");
   const maxError = check.optionalTolerance(tolerance);
   writePaths([path]);
-  return readPath(regionsModule.exports.region_offset(distance, code, miterLimit, maxError));
+  return readPath(regionsModule.functions.region_offset(distance, code, miterLimit, maxError));
 }
 
 /**
@@ -228,18 +228,18 @@ export function roundCorners(path: Float64Array, radius: CornerRadius, options?:
   if (typeof radius === "number" && corners === undefined) {
     check.finite(radius, "radius");
     writePaths([path]);
-    return readPath(regionsModule.exports.region_round_corners(radius, maxError, -1));
+    return readPath(regionsModule.functions.region_round_corners(radius, maxError, -1));
   }
   const places = corners === undefined ? cornersOf(path) : checkedCorners(corners);
   const radii = radiiAt(places, radius);
   writePaths([path, Float64Array.from(places.flatMap(({ subpath, t }, k) => [subpath, t, radii[k]]))]);
-  return readPath(regionsModule.exports.region_round_corners(0, maxError, places.length));
+  return readPath(regionsModule.functions.region_round_corners(0, maxError, places.length));
 }
 
 /** The corners of a path that can be rounded, in its order. */
 function cornersOf(path: Float64Array): PathTime[] {
   writePaths([path]);
-  const numbers = readPath(regionsModule.exports.region_corners());
+  const numbers = readPath(regionsModule.functions.region_corners());
   return Array.from({ length: numbers.length / 2 }, (_, k) => ({ subpath: numbers[2 * k], t: numbers[2 * k + 1] }));
 }
 

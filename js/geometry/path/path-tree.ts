@@ -55,7 +55,7 @@ export class PathTree {
     const [start, end] = [starts[0], ends[count - 1] - 2];
     if (flat[start] === flat[end] && flat[start + 1] === flat[end + 1]) return 0;
     curvesModule.write(Float64Array.of(flat[end], flat[end + 1], flat[start], flat[start + 1]));
-    return curvesModule.exports.curve_crossings(2, x, y);
+    return curvesModule.functions.curve_crossings(2, x, y);
   }
 
   #part(subpath: number) {

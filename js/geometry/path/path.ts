@@ -358,7 +358,7 @@ export class Path extends CorePath<Spline<2>> {
   moments(options?: RegionOptions): Moments {
     if (hasFillRule(options)) return this.removeOverlaps(options).moments();
     curvesModule.write(this._packed);
-    const [area, x, y, xx, xy, yy] = curvesModule.read(0, curvesModule.exports.path_moments());
+    const [area, x, y, xx, xy, yy] = curvesModule.read(0, curvesModule.functions.path_moments());
     return { area, x, y, xx, xy, yy };
   }
 

@@ -46,10 +46,10 @@ export function intersectSplineWithNurbs(spline: SplineData, curve: NurbsData): 
 export function selfIntersectNurbs(curve: NurbsData): SelfIntersection[] {
   require2D("selfIntersections", "curve", curve.dimension);
   writeNurbs([curve]);
-  return readSelfIntersections(curvesModule.count(curvesModule.exports.nurbs_self_intersections()));
+  return readSelfIntersections(curvesModule.count(curvesModule.functions.nurbs_self_intersections()));
 }
 
 function intersectPair(a: NurbsData, b: NurbsData): Intersection[] {
   writeNurbs([a, b]);
-  return readIntersections(curvesModule.count(curvesModule.exports.nurbs_intersect()));
+  return readIntersections(curvesModule.count(curvesModule.functions.nurbs_intersect()));
 }

@@ -147,7 +147,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * The Greville abscissae: for each control point the mean of the p knots that belong to it, where it pulls the curve most.
    */
   greville(): Float64Array {
-    return curvesModule.read(0, curvesModule.exports.nurbs_greville(this._write()));
+    return curvesModule.read(0, curvesModule.functions.nurbs_greville(this._write()));
   }
 
   /** The segments: the rational curves over the nonempty knot spans. Each ends at the point with which the next one starts. */
@@ -168,7 +168,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   #readSegments(): RationalCurve<D>[] {
     if (this.#segments) return this.#segments;
     const { degree, dimension } = this.#data;
-    const numbers = curvesModule.read(0, curvesModule.exports.nurbs_segments(this._write()));
+    const numbers = curvesModule.read(0, curvesModule.functions.nurbs_segments(this._write()));
     const count = numbers[0];
     this.#joints = numbers.slice(1, count + 2);
     const n = degree + 1;
@@ -389,7 +389,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   insertKnot(t: number, times = 1): NurbsCurve<D> {
     check.finite(t, "t");
     check.whole(times, "times", 0, 64);
-    return this._read(curvesModule.exports.nurbs_insert_knot(this._write(), t, times));
+    return this._read(curvesModule.functions.nurbs_insert_knot(this._write(), t, times));
   }
 
   /**
@@ -400,7 +400,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   refine(ts: ArrayLike<number>): NurbsCurve<D> {
     const knots = check.numbers(ts, "ts");
-    return this._read(curvesModule.exports.nurbs_refine(this._write(knots), knots.length));
+    return this._read(curvesModule.functions.nurbs_refine(this._write(knots), knots.length));
   }
 
   /**
@@ -419,7 +419,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   removeKnot(t: number, options?: { tolerance?: number }): { curve: NurbsCurve<D>; error: number } {
     check.finite(t, "t");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    const end = curvesModule.count(curvesModule.exports.nurbs_remove_knot(this._write(), t, tolerance));
+    const end = curvesModule.count(curvesModule.functions.nurbs_remove_knot(this._write(), t, tolerance));
     const error = curvesModule.read(0, 1)[0];
     return { error, curve: tolerance > 0 && error > tolerance ? this : this._read(end, 1) };
   }
@@ -433,7 +433,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   elevate(times = 1): NurbsCurve<D> {
     check.whole(times, "times", 0, 64);
     let curve: NurbsCurve<D> = this;
-    for (let k = 0; k < times; k++) curve = curve._read(curvesModule.exports.nurbs_elevate(curve._write()));
+    for (let k = 0; k < times; k++) curve = curve._read(curvesModule.functions.nurbs_elevate(curve._write()));
     return curve;
   }
 
@@ -461,12 +461,12 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   subsegment(t0: number, t1: number): NurbsCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    return this._read(curvesModule.exports.nurbs_subsegment(this._write(), t0, t1));
+    return this._read(curvesModule.functions.nurbs_subsegment(this._write(), t0, t1));
   }
 
   /** The same curve with the opposite direction and the same domain. */
   reverse(): NurbsCurve<D> {
-    return this._read(curvesModule.exports.nurbs_reverse(this._write()));
+    return this._read(curvesModule.functions.nurbs_reverse(this._write()));
   }
 
   /**
@@ -478,31 +478,31 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   transform(matrix: TransformLike): NurbsCurve<D> {
     const numbers = projective(matrix, this.dimension);
-    if (numbers) return this._read(curvesModule.exports.nurbs_project(this._write(numbers)));
+    if (numbers) return this._read(curvesModule.functions.nurbs_project(this._write(numbers)));
     const map = affine(matrix);
     const { flat, dimension } = this.#data;
     curvesModule.write(flat, map.length).set(map, flat.length);
-    const length = curvesModule.exports.points_transform(dimension, flat.length / dimension);
+    const length = curvesModule.functions.points_transform(dimension, flat.length / dimension);
     return nurbsOf({ ...this.#data, flat: curvesModule.read(0, length) }) as NurbsCurve<D>;
   }
 
   /** The smallest box that contains the curve. */
   bounds(): Bounds<D> {
-    return boxAt(curvesModule.read(0, curvesModule.exports.nurbs_bounds(this._write())), this.dimension);
+    return boxAt(curvesModule.read(0, curvesModule.functions.nurbs_bounds(this._write())), this.dimension);
   }
 
   /** The box of the control points, which contains the curve. */
   controlBounds(): Bounds<D> {
     const { flat, dimension } = this.#data;
     curvesModule.write(flat);
-    curvesModule.exports.curve_bounds(dimension, flat.length / dimension, false);
+    curvesModule.functions.curve_bounds(dimension, flat.length / dimension, false);
     return boxAt(curvesModule.read(0, 2 * dimension), this.dimension);
   }
 
   /** The parameters inside of the domain where a coordinate has a local extremum inside of a segment, sorted. */
   extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.dimension }, (_, axis) =>
-      curvesModule.read(0, curvesModule.exports.nurbs_extrema(this._write(), axis)),
+      curvesModule.read(0, curvesModule.functions.nurbs_extrema(this._write(), axis)),
     );
     return this.dimension === 2 ? { x, y } : { x, y, z };
   }
@@ -525,7 +525,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   timeAtLength(s: number): number {
     check.finite(s, "s");
-    return curvesModule.read(0, curvesModule.exports.nurbs_time_at_length(this._write(), s))[0];
+    return curvesModule.read(0, curvesModule.functions.nurbs_time_at_length(this._write(), s))[0];
   }
 
   /**
@@ -613,7 +613,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    */
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = curvesModule.exports.nurbs_flatten(this._write(), tolerance);
+    const vertices = curvesModule.functions.nurbs_flatten(this._write(), tolerance);
     return curvesModule.readPolyline(curvesModule.count(vertices), this.dimension);
   }
 
@@ -632,7 +632,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
   /** The data of `toSpline`. */
   #spline(tolerance: number | undefined): SplineData {
     const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#data.flat, this.controlBounds());
-    return readSplineData(curvesModule.exports.nurbs_to_spline(this._write(), error), this.dimension);
+    return readSplineData(curvesModule.functions.nurbs_to_spline(this._write(), error), this.dimension);
   }
 
   /**
@@ -757,7 +757,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
     check.whole(degree, "degree", 1, 64);
     const { flat, dimension } = flatten(points, requested, 2);
     curvesModule.write(flat);
-    const end = curvesModule.exports.nurbs_interpolate(dimension, flat.length / dimension, degree);
+    const end = curvesModule.functions.nurbs_interpolate(dimension, flat.length / dimension, degree);
     return readNurbs(end, dimension) as NurbsCurve<D>;
   }
 
@@ -882,7 +882,7 @@ function arcBetween(
   check.finite(start, "start");
   check.finite(end, "end");
   curvesModule.write(args);
-  return readNurbs(curvesModule.exports.nurbs_arc(dimension, start, end), dimension);
+  return readNurbs(curvesModule.functions.nurbs_arc(dimension, start, end), dimension);
 }
 
 /** The curve of a path of one subpath; undefined for any other value. */

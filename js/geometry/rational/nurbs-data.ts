@@ -72,7 +72,7 @@ export function nurbsOfRational({ flat, dimension, weights }: RationalData): Nur
 export function nurbsOfSpline({ flat, dimension, degrees, closed }: SplineData): NurbsData {
   const head = Float64Array.of(degrees.length, Number(closed), ...degrees);
   curvesModule.write(head, flat.length).set(flat, head.length);
-  return readNurbsData(curvesModule.exports.nurbs_from_spline(dimension), dimension);
+  return readNurbsData(curvesModule.functions.nurbs_from_spline(dimension), dimension);
 }
 
 /**

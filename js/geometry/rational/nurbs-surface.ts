@@ -165,7 +165,7 @@ export class NurbsSurface {
     if (this.#parts) return this.#parts;
     const { degreeU, degreeV } = this.#data;
     this.#write();
-    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_patches());
+    const numbers = surfacesModule.read(0, surfacesModule.functions.nurbssurface_patches());
     const [u, v] = numbers;
     const first = 2 + u + v;
     const size = 4 * (degreeU + 1) * (degreeV + 1);
@@ -339,7 +339,7 @@ export class NurbsSurface {
   #insertKnot(alongU: boolean, at: number, times: number): NurbsSurface {
     check.whole(times, "times", 0, 64);
     this.#write();
-    return readSurface(surfacesModule.exports.nurbssurface_insert_knot(alongU, at, times));
+    return readSurface(surfacesModule.functions.nurbssurface_insert_knot(alongU, at, times));
   }
 
   /**
@@ -367,7 +367,7 @@ export class NurbsSurface {
     let surface: NurbsSurface = this;
     for (let k = 0; k < times; k++) {
       surface.#write();
-      surface = readSurface(surfacesModule.exports.nurbssurface_elevate(alongU));
+      surface = readSurface(surfacesModule.functions.nurbssurface_elevate(alongU));
     }
     return surface;
   }
@@ -399,7 +399,7 @@ export class NurbsSurface {
       throw new RangeError(`${direction}: expected a number inside of the domain, ${from} to ${to}, got ${at}`);
     }
     this.#write();
-    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_split(direction === "u", at));
+    const numbers = surfacesModule.read(0, surfacesModule.functions.nurbssurface_split(direction === "u", at));
     const [m, n, knotsU, knotsV] = numbers;
     const end = 4 + 4 * (knotsU - m - 1) * (knotsV - n - 1) + knotsU + knotsV;
     return [surfaceOfNumbers(numbers.subarray(0, end)), surfaceOfNumbers(numbers.subarray(end))];
@@ -427,14 +427,14 @@ export class NurbsSurface {
 
   #isocurve(constantU: boolean, at: number): NurbsCurve<3> {
     this.#write();
-    const numbers = surfacesModule.read(0, surfacesModule.exports.nurbssurface_isocurve(constantU, at));
+    const numbers = surfacesModule.read(0, surfacesModule.functions.nurbssurface_isocurve(constantU, at));
     return nurbsOf(nurbsOfNumbers(numbers, 3)) as NurbsCurve<3>;
   }
 
   /** The same surface with u in the opposite direction over the same domain, so that the normals point to the other side. */
   reverse(): NurbsSurface {
     this.#write();
-    return readSurface(surfacesModule.exports.nurbssurface_reverse());
+    return readSurface(surfacesModule.functions.nurbssurface_reverse());
   }
 
   /**
@@ -448,13 +448,13 @@ export class NurbsSurface {
     const numbers = projective(matrix, 3);
     if (!numbers) return surfaceOf({ ...this.#data, flat: transformed(this.#data.flat, matrix) });
     this.#write(numbers);
-    return readSurface(surfacesModule.exports.nurbssurface_project());
+    return readSurface(surfacesModule.functions.nurbssurface_project());
   }
 
   /** The smallest box that contains the surface: that of all patches, exact up to rounding. */
   bounds(): Bounds<3> {
     this.#write();
-    return boxAt(surfacesModule.read(0, surfacesModule.exports.nurbssurface_bounds()), 3);
+    return boxAt(surfacesModule.read(0, surfacesModule.functions.nurbssurface_bounds()), 3);
   }
 
   /**
@@ -483,7 +483,7 @@ export class NurbsSurface {
    */
   static plane(origin: PointLike, u: PointLike, v: PointLike): NurbsSurface {
     surfacesModule.write(pointsOf([origin, "origin"], [u, "u"], [v, "v"]));
-    return readSurface(surfacesModule.exports.nurbssurface_plane());
+    return readSurface(surfacesModule.functions.nurbssurface_plane());
   }
 
   /**
@@ -556,7 +556,7 @@ export class NurbsSurface {
    */
   static ruled(a: SectionLike, b: SectionLike): NurbsSurface {
     writeCurves([section(a, "a"), section(b, "b")]);
-    return readSurface(surfacesModule.exports.nurbssurface_ruled());
+    return readSurface(surfacesModule.functions.nurbssurface_ruled());
   }
 
   /**
@@ -567,7 +567,7 @@ export class NurbsSurface {
    */
   static extrude(curve: SectionLike, vector: PointLike): NurbsSurface {
     writeCurves([section(curve, "curve")], pointsOf([vector, "vector"]));
-    return readSurface(surfacesModule.exports.nurbssurface_extrude());
+    return readSurface(surfacesModule.functions.nurbssurface_extrude());
   }
 
   /**
@@ -585,7 +585,7 @@ export class NurbsSurface {
    */
   static revolve(profile: SectionLike, options?: TurningOptions): NurbsSurface {
     const angle = writeTurning(profile, options);
-    return readSurface(surfacesModule.exports.nurbssurface_revolve(angle));
+    return readSurface(surfacesModule.functions.nurbssurface_revolve(angle));
   }
 
   /**
@@ -608,7 +608,7 @@ export class NurbsSurface {
       throw new RangeError(`curves: expected at least ${degree + 1} curves (degree ${degree}), got ${sections.length}`);
     }
     writeCurves(sections);
-    return readSurface(surfacesModule.exports.nurbssurface_loft(sections.length, degree));
+    return readSurface(surfacesModule.functions.nurbssurface_loft(sections.length, degree));
   }
 
   /**
@@ -712,5 +712,5 @@ function shape(
   check.finite(a, nameOfA);
   check.finite(b, nameOfB);
   surfacesModule.write(args);
-  return readSurface(surfacesModule.exports.nurbssurface_shape(kind, a, b));
+  return readSurface(surfacesModule.functions.nurbssurface_shape(kind, a, b));
 }

@@ -340,7 +340,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   _derivativeAt(t: number, k: number): Point<D> {
     const derivative = k === 1 && this.#weights.length === 4 ? this.#derivativeOfCubic(t) : undefined;
     if (derivative) return derivative;
-    curvesModule.count(curvesModule.exports.rational_derivative_at(this.#dimension, this._write(), t, k));
+    curvesModule.count(curvesModule.functions.rational_derivative_at(this.#dimension, this._write(), t, k));
     return this._readPoint();
   }
 
@@ -379,7 +379,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   tangent(t: number): Point<D> {
     this.#requireParameter(t);
-    curvesModule.exports.rational_tangent(this.#dimension, this._write(), t);
+    curvesModule.functions.rational_tangent(this.#dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -392,7 +392,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   normal(t: number): Point<D> {
     this.#requireParameter(t);
-    curvesModule.exports.rational_normal(this.#dimension, this._write(), t);
+    curvesModule.functions.rational_normal(this.#dimension, this._write(), t);
     return this._readPoint();
   }
 
@@ -405,7 +405,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   curvature(t: number): number {
     this.#requireParameter(t);
-    return curvesModule.exports.rational_curvature(this.#dimension, this._write(), t);
+    return curvesModule.functions.rational_curvature(this.#dimension, this._write(), t);
   }
 
   /**
@@ -423,7 +423,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   split(t: number | ArrayLike<number>): RationalCurve<D>[] {
     if (check.isList(t)) return partsAt<RationalCurve<D>>(this, t, 1);
     check.finite(t, "t");
-    const length = curvesModule.count(curvesModule.exports.rational_split(this.#dimension, this._write(), t));
+    const length = curvesModule.count(curvesModule.functions.rational_split(this.#dimension, this._write(), t));
     return [this._read(length / 2), this._read(length, length / 2)];
   }
 
@@ -442,7 +442,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   subsegment(t0: number, t1: number): RationalCurve<D> {
     check.finite(t0, "t0");
     check.finite(t1, "t1");
-    return this._read(curvesModule.exports.rational_subsegment(this.#dimension, this._write(), t0, t1));
+    return this._read(curvesModule.functions.rational_subsegment(this.#dimension, this._write(), t0, t1));
   }
 
   /** The same curve with the opposite direction. */
@@ -463,7 +463,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
     check.whole(times, "times", 0, 64);
     let curve: RationalCurve<D> = this;
     for (let k = 0; k < times; k++)
-      curve = curve._read(curvesModule.exports.rational_elevate(this.#dimension, curve._write()));
+      curve = curve._read(curvesModule.functions.rational_elevate(this.#dimension, curve._write()));
     return curve;
   }
 
@@ -476,7 +476,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for a weight beyond 2^500 or below 2^-500
    */
   reparametrize(): RationalCurve<D> {
-    return this._read(curvesModule.exports.rational_reparametrize(this.#dimension, this._write()));
+    return this._read(curvesModule.functions.rational_reparametrize(this.#dimension, this._write()));
   }
 
   /**
@@ -492,10 +492,10 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   transform(matrix: TransformLike): RationalCurve<D> {
     const numbers = projective(matrix, this.#dimension);
-    if (numbers) return this._read(curvesModule.exports.rational_project(this.#dimension, this._write(numbers)));
+    if (numbers) return this._read(curvesModule.functions.rational_project(this.#dimension, this._write(numbers)));
     const map = affine(matrix);
     curvesModule.write(this.#flat, map.length).set(map, this.#flat.length);
-    const length = curvesModule.exports.points_transform(this.#dimension, this.#weights.length);
+    const length = curvesModule.functions.points_transform(this.#dimension, this.#weights.length);
     const points = { flat: curvesModule.read(0, length), dimension: this.#dimension };
     return rationalCurveOf(points, this.#weights) as RationalCurve<D>;
   }
@@ -509,26 +509,26 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    const vertices = curvesModule.exports.rational_flatten(this.#dimension, this._write(), tolerance);
+    const vertices = curvesModule.functions.rational_flatten(this.#dimension, this._write(), tolerance);
     return curvesModule.readPolyline(curvesModule.count(vertices), this.#dimension);
   }
 
   /** The smallest box that contains the curve. */
   bounds(): Bounds<D> {
-    curvesModule.exports.rational_bounds(this.#dimension, this._write());
+    curvesModule.functions.rational_bounds(this.#dimension, this._write());
     return boxAt(curvesModule.read(0, 6), this.#dimension);
   }
 
   /** The box of the control points, which contains the curve. */
   controlBounds(): Bounds<D> {
-    curvesModule.exports.curve_bounds(this.#dimension, this._write(), false);
+    curvesModule.functions.curve_bounds(this.#dimension, this._write(), false);
     return boxAt(curvesModule.read(0, 6), this.#dimension);
   }
 
   /** The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted. */
   extrema(): Extrema {
     const [x, y, z] = Array.from({ length: this.#dimension }, (_, axis) =>
-      curvesModule.read(0, curvesModule.exports.rational_extrema(this.#dimension, this._write(), axis)),
+      curvesModule.read(0, curvesModule.functions.rational_extrema(this.#dimension, this._write(), axis)),
     );
     return this.#dimension === 2 ? { x, y } : { x, y, z };
   }
@@ -536,7 +536,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   /** The parameters inside (0, 1) where the curvature changes sign, sorted; 2D only. */
   inflections(): Float64Array {
     this._require2D("inflections");
-    return curvesModule.read(0, curvesModule.exports.rational_inflections(this._write()));
+    return curvesModule.read(0, curvesModule.functions.rational_inflections(this._write()));
   }
 
   /**
@@ -547,7 +547,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @returns 0 if all control points are equal
    */
   length(): number {
-    return curvesModule.exports.rational_length(this.#dimension, this._write());
+    return curvesModule.functions.rational_length(this.#dimension, this._write());
   }
 
   /**
@@ -559,7 +559,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   timeAtLength(s: number): number {
     check.finite(s, "s");
-    return curvesModule.exports.rational_time_at_length(this.#dimension, this._write(), s);
+    return curvesModule.functions.rational_time_at_length(this.#dimension, this._write(), s);
   }
 
   /**
@@ -582,7 +582,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    */
   area(): number {
     this._require2D("area");
-    return curvesModule.exports.rational_area(this._write());
+    return curvesModule.functions.rational_area(this._write());
   }
 
   /**
@@ -603,7 +603,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
    * @param coordinates of the point
    */
   _nearest(coordinates: Float64Array): Nearest<D> {
-    curvesModule.count(curvesModule.exports.rational_nearest(this.#dimension, this._write(coordinates)));
+    curvesModule.count(curvesModule.functions.rational_nearest(this.#dimension, this._write(coordinates)));
     return readNearest(this.#dimension);
   }
 
@@ -656,7 +656,7 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   #spline(tolerance: number | undefined): SplineData {
     const error = check.optionalTolerance(tolerance) || defaultTolerance(this.#flat, this.controlBounds());
     return readSplineData(
-      curvesModule.exports.rational_to_spline(this.#dimension, this._write(), error),
+      curvesModule.functions.rational_to_spline(this.#dimension, this._write(), error),
       this.#dimension,
     );
   }

@@ -158,7 +158,9 @@ export class RationalPatch {
    */
   _hasPointAt(u: number, v: number): boolean {
     if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return true;
-    return !Number.isNaN(surfacesModule.read(0, surfacesModule.exports.rationalpatch_eval(...this.#write(), u, v))[0]);
+    return !Number.isNaN(
+      surfacesModule.read(0, surfacesModule.functions.rationalpatch_eval(...this.#write(), u, v))[0],
+    );
   }
 
   /**
@@ -169,7 +171,7 @@ export class RationalPatch {
    * @throws {RangeError} outside of [0, 1] where the denominator is not above 0
    */
   eval(u: number, v: number): Point<3> {
-    return pointAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_eval(...this.#at(u, v))), 0, 3);
+    return pointAt(surfacesModule.read(0, surfacesModule.functions.rationalpatch_eval(...this.#at(u, v))), 0, 3);
   }
 
   /**
@@ -180,7 +182,7 @@ export class RationalPatch {
    * @throws {RangeError} as `eval`
    */
   partials(u: number, v: number): Partials {
-    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalpatch_partials(...this.#at(u, v)));
+    const numbers = surfacesModule.read(0, surfacesModule.functions.rationalpatch_partials(...this.#at(u, v)));
     const at = (k: number) => pointAt(numbers, 3 * k, 3);
     return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
   }
@@ -194,7 +196,7 @@ export class RationalPatch {
    * @throws {RangeError} as `eval`
    */
   normal(u: number, v: number): Point<3> {
-    return pointAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_normal(...this.#at(u, v))), 0, 3);
+    return pointAt(surfacesModule.read(0, surfacesModule.functions.rationalpatch_normal(...this.#at(u, v))), 0, 3);
   }
 
   /**
@@ -207,7 +209,7 @@ export class RationalPatch {
   curvature(u: number, v: number): Curvature {
     const [gaussian, mean, k1, k2] = surfacesModule.read(
       0,
-      surfacesModule.exports.rationalpatch_curvature(...this.#at(u, v)),
+      surfacesModule.functions.rationalpatch_curvature(...this.#at(u, v)),
     );
     return { gaussian, mean, k1, k2 };
   }
@@ -235,7 +237,7 @@ export class RationalPatch {
   #isocurve(constantU: boolean, at: number): RationalCurve<3> {
     const numbers = surfacesModule.read(
       0,
-      surfacesModule.exports.rationalpatch_isocurve(...this.#write(), constantU, at),
+      surfacesModule.functions.rationalpatch_isocurve(...this.#write(), constantU, at),
     );
     const weights = (numbers.length / 4) * 3;
     return rationalCurveOf(
@@ -266,7 +268,7 @@ export class RationalPatch {
 
   #split(alongU: boolean, at: number): [RationalPatch, RationalPatch] {
     const degrees = this.#write();
-    const end = surfacesModule.exports.rationalpatch_split(...degrees, alongU, at);
+    const end = surfacesModule.functions.rationalpatch_split(...degrees, alongU, at);
     return [this.#read(end < 0 ? end : end / 2, ...degrees), this.#read(end, ...degrees, end / 2)];
   }
 
@@ -277,7 +279,7 @@ export class RationalPatch {
    */
   elevate(): RationalPatch {
     const [degreeU, degreeV] = this.#write();
-    return this.#read(surfacesModule.exports.rationalpatch_elevate(degreeU, degreeV), degreeU + 1, degreeV + 1);
+    return this.#read(surfacesModule.functions.rationalpatch_elevate(degreeU, degreeV), degreeU + 1, degreeV + 1);
   }
 
   /**
@@ -291,13 +293,13 @@ export class RationalPatch {
     const { flat, weights, degreeU, degreeV } = this.#data;
     const numbers = projective(matrix, 3);
     if (numbers)
-      return this.#read(surfacesModule.exports.rationalpatch_project(...this.#write(numbers)), degreeU, degreeV);
+      return this.#read(surfacesModule.functions.rationalpatch_project(...this.#write(numbers)), degreeU, degreeV);
     return patchOf({ flat: transformed(flat, matrix), weights, degreeU, degreeV });
   }
 
   /** The smallest box that contains the patch, exact up to rounding; see `Patch.bounds`. */
   bounds(): Bounds<3> {
-    return boxAt(surfacesModule.read(0, surfacesModule.exports.rationalpatch_bounds(...this.#write())), 3);
+    return boxAt(surfacesModule.read(0, surfacesModule.functions.rationalpatch_bounds(...this.#write())), 3);
   }
 
   /** The patch as JSON: `String(patch)` and `${patch}` give this text. */
@@ -374,5 +376,5 @@ export function noPointAt(u: number, v: number): RangeError {
  */
 export function transformed(flat: Float64Array, matrix: TransformLike): Float64Array {
   surfacesModule.write(flat, 12).set(affine(matrix), flat.length);
-  return surfacesModule.read(0, surfacesModule.exports.points_transform(3, flat.length / 3));
+  return surfacesModule.read(0, surfacesModule.functions.points_transform(3, flat.length / 3));
 }

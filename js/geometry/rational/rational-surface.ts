@@ -200,20 +200,20 @@ export class RationalSurface {
    */
   topology(): Topology {
     this.#write();
-    return readTopology(surfacesModule.read(0, surfacesModule.exports.rationalsurface_topology()));
+    return readTopology(surfacesModule.read(0, surfacesModule.functions.rationalsurface_topology()));
   }
 
   /** The smallest box that contains the surface, exact up to rounding; null without patches. */
   bounds(): Bounds<3> | null {
     this.#write();
-    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_bounds());
+    const numbers = surfacesModule.read(0, surfacesModule.functions.rationalsurface_bounds());
     return numbers.length ? boxAt(numbers, 3) : null;
   }
 
   /** The total area of all patches; regions that a patch covers twice count twice. */
   area(): number {
     this.#write();
-    return surfacesModule.read(0, surfacesModule.exports.rationalsurface_area())[0];
+    return surfacesModule.read(0, surfacesModule.functions.rationalsurface_area())[0];
   }
 
   /**
@@ -222,7 +222,7 @@ export class RationalSurface {
    */
   volume(): number | null {
     this.#write();
-    return surfacesModule.read(0, surfacesModule.exports.rationalsurface_volume())[0] ?? null;
+    return surfacesModule.read(0, surfacesModule.functions.rationalsurface_volume())[0] ?? null;
   }
 
   /**
@@ -233,7 +233,7 @@ export class RationalSurface {
   nearest(p: PointLike): SurfacePoint | null {
     const [coordinates] = coordinatesOf([p, "p"]);
     this.#write(coordinates);
-    return readPoints(surfacesModule.read(0, surfacesModule.exports.rationalsurface_nearest()))[0] ?? null;
+    return readPoints(surfacesModule.read(0, surfacesModule.functions.rationalsurface_nearest()))[0] ?? null;
   }
 
   /**
@@ -246,7 +246,7 @@ export class RationalSurface {
   intersectRay(origin: PointLike, direction: PointLike): SurfacePoint[] {
     const [start, along] = coordinatesOf([origin, "origin"], [direction, "direction"]);
     this.#write([...start, ...along]);
-    return readPoints(surfacesModule.read(0, surfacesModule.exports.rationalsurface_ray()));
+    return readPoints(surfacesModule.read(0, surfacesModule.functions.rationalsurface_ray()));
   }
 
   /**
@@ -260,7 +260,7 @@ export class RationalSurface {
   tessellate(options: TessellationOptions): Mesh {
     const { args, extra, into, ...kind } = tessellation(options);
     this.#write(extra);
-    surfacesModule.count(surfacesModule.exports.rationalsurface_tessellate(...args));
+    surfacesModule.count(surfacesModule.functions.rationalsurface_tessellate(...args));
     return readMesh(into, kind);
   }
 
@@ -275,7 +275,7 @@ export class RationalSurface {
     const earlier = meshInto(into);
     const withQuads = check.optionalBoolean(quads, "quads");
     this.#write();
-    surfacesModule.count(surfacesModule.exports.rationalsurface_grid(u, v, withQuads));
+    surfacesModule.count(surfacesModule.functions.rationalsurface_grid(u, v, withQuads));
     return readMesh(earlier);
   }
 
@@ -289,7 +289,7 @@ export class RationalSurface {
   isocurves(options?: { lines?: number }): RationalCurve<3>[] {
     const lines = linesOf(options);
     this.#write();
-    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_isocurves(lines));
+    const numbers = surfacesModule.read(0, surfacesModule.functions.rationalsurface_isocurves(lines));
     surfacesModule.release();
     const curves: RationalCurve<3>[] = [];
     for (let at = 0; at < numbers.length; ) {
@@ -311,7 +311,7 @@ export class RationalSurface {
   wireframe(options: WireframeOptions): Mesh {
     const { args, into } = wireframeArguments(options);
     this.#write();
-    surfacesModule.count(surfacesModule.exports.rationalsurface_wireframe(...args));
+    surfacesModule.count(surfacesModule.functions.rationalsurface_wireframe(...args));
     return readMesh(into, { separatePatches: false });
   }
 
@@ -333,7 +333,7 @@ export class RationalSurface {
     const lines = linesOf(others);
     const tolerancePx = check.optionalTolerance(tolerance);
     this.#write(m);
-    surfacesModule.count(surfacesModule.exports.rationalsurface_trace(sink, lines, tolerancePx));
+    surfacesModule.count(surfacesModule.functions.rationalsurface_trace(sink, lines, tolerancePx));
   }
 
   /**
@@ -376,7 +376,7 @@ export class RationalSurface {
    */
   static solidOfRevolution(profile: SectionLike, options?: TurningOptions): RationalSurface {
     const angle = writeTurning(profile, options);
-    const numbers = surfacesModule.read(0, surfacesModule.exports.rationalsurface_solid_of_revolution(angle));
+    const numbers = surfacesModule.read(0, surfacesModule.functions.rationalsurface_solid_of_revolution(angle));
     const patches: WeightedPatch[] = [];
     for (let at = 0; at < numbers.length; ) {
       const [degreeU, degreeV] = numbers.subarray(at, at + 2);

@@ -13,7 +13,7 @@ export function arcLengthsOf(index: SegmentIndex): Float64Array {
   for (let k = 0; k < index.count; k++) {
     const points = index.pointsOf(k);
     curvesModule.write(points);
-    const count = curvesModule.exports.curve_length(index.dimension, points.length / index.dimension, 0);
+    const count = curvesModule.functions.curve_length(index.dimension, points.length / index.dimension, 0);
     ends[k + 1] = ends[k] + curvesModule.read(0, count)[0];
   }
   return ends;

@@ -327,7 +327,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const into = check.options(options, ["into"]).into;
     const length = (segmentsPerCurve * this.segmentCount + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
-    const count = curvesModule.exports.spline_sample(this._write(), segmentsPerCurve);
+    const count = curvesModule.functions.spline_sample(this._write(), segmentsPerCurve);
     const result = into ? curvesModule.readInto(into, count) : curvesModule.read(0, count);
     curvesModule.release();
     return result;
@@ -343,7 +343,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const parameters = check.numbers(ts, "ts");
     const length = parameters.length * this.dimension;
     const into = check.resultArray(check.options(options, ["into"]).into, length);
-    curvesModule.exports.spline_eval_at(this._write(parameters), parameters.length);
+    curvesModule.functions.spline_eval_at(this._write(parameters), parameters.length);
     return curvesModule.readInto(into, length);
   }
 
@@ -354,13 +354,13 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   flatten(tolerance: number): { points: Float64Array; ts: Float64Array } {
     check.positive(tolerance, "tolerance");
-    return curvesModule.readPolyline(curvesModule.exports.spline_flatten(this._write(), tolerance), this.dimension);
+    return curvesModule.readPolyline(curvesModule.functions.spline_flatten(this._write(), tolerance), this.dimension);
   }
 
   /** The smallest box that contains the spline. */
   bounds(): Bounds<D> {
     if (!this.#bounds) {
-      curvesModule.exports.spline_bounds(this._write(), true);
+      curvesModule.functions.spline_bounds(this._write(), true);
       this.#bounds = curvesModule.read(0, 6);
     }
     return boxAt(this.#bounds, this.dimension);
@@ -368,7 +368,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
 
   /** The box of the control points. */
   controlBounds(): Bounds<D> {
-    curvesModule.exports.spline_bounds(this._write(), false);
+    curvesModule.functions.spline_bounds(this._write(), false);
     return boxAt(curvesModule.read(0, 6), this.dimension);
   }
 
@@ -380,7 +380,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   continuity(joint: number, tolerance?: number): Continuity {
     this._checkJoint(joint);
-    const count = curvesModule.exports.spline_continuity(this._write(), joint, check.optionalTolerance(tolerance));
+    const count = curvesModule.functions.spline_continuity(this._write(), joint, check.optionalTolerance(tolerance));
     const [c0, g1, c1, g2, c2, gap, angle] = curvesModule.read(0, count);
     return { c0: c0 === 1, g1: g1 === 1, c1: c1 === 1, g2: g2 === 1, c2: c2 === 1, gap, angle };
   }
@@ -392,7 +392,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   append(point: PointLike): this {
     if (this.closed) throw new RangeError("append: expected an open spline, which has an end, got a closed one");
-    return this._read(curvesModule.exports.spline_append(this._write(this._coordinates(point, "point"))));
+    return this._read(curvesModule.functions.spline_append(this._write(this._coordinates(point, "point"))));
   }
 
   /**
@@ -421,7 +421,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     const args = new Float64Array(position.length + modes.length);
     args.set(position);
     args.set(modes, position.length);
-    return this._read(curvesModule.exports.spline_move_point(this._write(args), index));
+    return this._read(curvesModule.functions.spline_move_point(this._write(args), index));
   }
 
   /**
@@ -435,7 +435,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   setJoint(joint: number, mode: JointMode): this {
     this._checkJoint(joint);
     return this._read(
-      curvesModule.exports.spline_set_joint(this._write(), joint, modeCode(mode, "mode", this.dimension)),
+      curvesModule.functions.spline_set_joint(this._write(), joint, modeCode(mode, "mode", this.dimension)),
     );
   }
 
@@ -497,7 +497,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     this._require2D("hull");
     const { flat } = this.casteljauData();
     curvesModule.write(flat);
-    return curvesModule.read(0, curvesModule.exports.curve_hull(flat.length / 2));
+    return curvesModule.read(0, curvesModule.functions.curve_hull(flat.length / 2));
   }
 
   /**
@@ -507,7 +507,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   insert(t: number): this {
     check.finite(t, "t");
-    return this._read(curvesModule.exports.spline_insert(this._write(), t));
+    return this._read(curvesModule.functions.spline_insert(this._write(), t));
   }
 
   /**
@@ -517,12 +517,12 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    */
   remove(joint: number): this {
     this._checkJoint(joint);
-    return this._read(curvesModule.exports.spline_remove(this._write(), joint));
+    return this._read(curvesModule.functions.spline_remove(this._write(), joint));
   }
 
   /** The same spline with the opposite direction. */
   reverse(): this {
-    return this._read(curvesModule.exports.spline_reverse(this._write()));
+    return this._read(curvesModule.functions.spline_reverse(this._write()));
   }
 
   /**
@@ -534,7 +534,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { flat, dimension } = this.casteljauData();
     curvesModule.write(flat, 12).set(affine(matrix), flat.length);
-    const length = curvesModule.exports.points_transform(dimension, flat.length / dimension);
+    const length = curvesModule.functions.points_transform(dimension, flat.length / dimension);
     return this._splineOf({ ...this.casteljauData(), flat: curvesModule.read(0, length) });
   }
 
@@ -561,7 +561,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   length(tolerance?: number): number {
     if (tolerance === undefined) return this._arcLengths[this.segmentCount];
     const maxError = check.optionalTolerance(tolerance);
-    return curvesModule.read(0, curvesModule.exports.spline_length(this._write(), maxError))[0];
+    return curvesModule.read(0, curvesModule.functions.spline_length(this._write(), maxError))[0];
   }
 
   /**
@@ -578,7 +578,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
     if (tolerance !== undefined && tolerance < this.#acceptedTolerance) {
-      const [t] = curvesModule.read(0, curvesModule.exports.spline_time_at_length(this._write(), s, maxError));
+      const [t] = curvesModule.read(0, curvesModule.functions.spline_time_at_length(this._write(), s, maxError));
       this.#acceptedTolerance = tolerance;
       return t;
     }
@@ -609,7 +609,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   equidistantTimes(segments: number): Float64Array {
     check.segmentCount(segments);
     if (segments < this.segmentCount && this._arcLengths[this.segmentCount] > 0) return this.#fewTimes(segments);
-    const ts = curvesModule.read(0, curvesModule.exports.spline_equidistant_times(this._write(), segments));
+    const ts = curvesModule.read(0, curvesModule.functions.spline_equidistant_times(this._write(), segments));
     curvesModule.release();
     return ts;
   }
@@ -621,7 +621,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
   area(): number {
     this._require2D("area");
     this._write();
-    return curvesModule.exports.spline_area();
+    return curvesModule.functions.spline_area();
   }
 
   /**
@@ -815,5 +815,5 @@ export function joinCurves(
   const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed") ? 1 : 0;
   const degrees = data.map((curve) => curve.degrees[0]);
   curvesModule.write(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
-  return { length: curvesModule.exports.spline_from_curves(dimension), dimension };
+  return { length: curvesModule.functions.spline_from_curves(dimension), dimension };
 }

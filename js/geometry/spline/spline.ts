@@ -95,7 +95,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const ts = frameTimes(where, this.segmentCount);
     const args = frameArguments(ts, options);
     this._write(args);
-    return readFrames(curvesModule.count(curvesModule.exports.spline_frames(ts.length, args.length > ts.length)));
+    return readFrames(curvesModule.count(curvesModule.functions.spline_frames(ts.length, args.length > ts.length)));
   }
 
   /**
@@ -206,7 +206,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
     curvesModule.write(flat);
     const spline = readSpline(
-      curvesModule.exports.spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best),
+      curvesModule.functions.spline_fit(dimension, count, distance, cornerAngle ?? 0, closed, best),
       dimension,
     );
     curvesModule.release();
@@ -266,7 +266,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const decimals = precision === undefined ? -1 : check.whole(precision, "precision", 0, 15);
     const best = check.oneOf(effort, "effort", EFFORTS) === "best";
     return this._read(
-      curvesModule.exports.spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best),
+      curvesModule.functions.spline_simplify(this._write(), tolerance, cornerAngle ?? 0, extrema, decimals, best),
     );
   }
 
@@ -284,7 +284,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
     const code = joinCode(join);
     const maxError = check.optionalTolerance(tolerance);
     this._write();
-    return this._read(curvesModule.exports.spline_offset(distance, maxError, code));
+    return this._read(curvesModule.functions.spline_offset(distance, maxError, code));
   }
 
   /**

@@ -144,7 +144,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
   transform<const M extends TransformLike>(matrix: M & Complete<M>): this {
     const { vertices } = this.#network;
     surfacesModule.write(vertices, 12).set(affine(matrix), vertices.length);
-    const length = surfacesModule.exports.points_transform(3, vertices.length / 3);
+    const length = surfacesModule.functions.points_transform(3, vertices.length / 3);
     return this._surfaceOf({ ...this.#network, vertices: surfacesModule.read(0, length) });
   }
 
@@ -225,7 +225,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
    */
   topology(): Topology {
     this._write();
-    return readTopology(surfacesModule.read(0, surfacesModule.exports.surface_topology()));
+    return readTopology(surfacesModule.read(0, surfacesModule.functions.surface_topology()));
   }
 
   /**
@@ -280,7 +280,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const checked = gridOptions(options);
     const { u, v, quads, differences } = checked;
     this._write(0, false);
-    surfacesModule.count(surfacesModule.exports.surface_grid(u, v, quads, differences));
+    surfacesModule.count(surfacesModule.functions.surface_grid(u, v, quads, differences));
     return readGrid(this.patchCount, checked);
   }
 
@@ -300,7 +300,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const { args, extra, into, ...kind } = tessellation(options);
     const end = this._write(extra.length);
     end.view.set(extra, end.at);
-    surfacesModule.count(surfacesModule.exports.surface_tessellate(...args));
+    surfacesModule.count(surfacesModule.functions.surface_tessellate(...args));
     return readMesh(into, kind);
   }
 
@@ -372,7 +372,7 @@ export class CoreSurface<P extends CorePatch = CorePatch, C extends CoreCurve = 
     const tolerancePx = check.optionalTolerance(tolerance);
     const end = this._write(16);
     end.view.set(m, end.at);
-    surfacesModule.count(surfacesModule.exports.surface_trace(sink, lines, tolerancePx));
+    surfacesModule.count(surfacesModule.functions.surface_trace(sink, lines, tolerancePx));
   }
 
   /**

@@ -36,7 +36,7 @@ export function teapotNetwork(options?: TeapotOptions): Network {
     (sum, part, k) => (check.optionalBoolean(checked[part], part, true) ? sum | (1 << k) : sum),
     0,
   );
-  return readNetwork(surfacesModule.exports.surface_teapot(bits, height === "original", up === "y"));
+  return readNetwork(surfacesModule.functions.surface_teapot(bits, height === "original", up === "y"));
 }
 
 /**
@@ -45,7 +45,9 @@ export function teapotNetwork(options?: TeapotOptions): Network {
  * @internal
  */
 export function teasetNetwork(isSpoon: boolean, options?: { up?: "z" | "y" }): Network {
-  return readNetwork(surfacesModule.exports.surface_teaset(isSpoon, upAxis(check.options(options, ["up"]).up) === "y"));
+  return readNetwork(
+    surfacesModule.functions.surface_teaset(isSpoon, upAxis(check.options(options, ["up"]).up) === "y"),
+  );
 }
 
 /**
@@ -80,7 +82,7 @@ function readNetwork(length: number): Network {
  */
 export function joinedOf(vertices: Float64Array): Float64Array {
   surfacesModule.write(vertices);
-  const joined = surfacesModule.read(0, surfacesModule.exports.points_joined(vertices.length / 3));
+  const joined = surfacesModule.read(0, surfacesModule.functions.points_joined(vertices.length / 3));
   surfacesModule.release();
   return joined;
 }
