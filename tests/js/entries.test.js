@@ -270,7 +270,7 @@ async function calledFunctions(entry) {
     plugins: [withoutGlue],
     ...options,
   });
-  const calls = outputFiles[0].text.matchAll(/\bexports\.([a-z]+_\w+)/g);
+  const calls = outputFiles[0].text.matchAll(/\bfunctions\.([a-z]+_\w+)/g);
   return [...new Set([...calls].map(([, name]) => name))].sort();
 }
 

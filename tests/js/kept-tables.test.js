@@ -15,7 +15,7 @@ const counted = (name, value) =>
     return value(...args);
   };
 const entries = Object.entries(untyped(curvesModule.functions));
-Object.defineProperty(curvesModule, "exports", {
+Object.defineProperty(curvesModule, "functions", {
   value: Object.fromEntries(
     entries.map(([name, value]) => [name, value instanceof Function ? counted(name, value) : value]),
   ),
