@@ -51,11 +51,11 @@ export class WasmModule {
   }
 
   instantiate(module: WebAssembly.Module): Functions {
-    const exports = this.#link({ module }) as any;
-    this.#memory = exports.memory;
-    this.#cubicEval = exports.cubic_eval;
-    this.#functions = exports;
-    return exports;
+    const functions = this.#link({ module }) as any;
+    this.#memory = functions.memory;
+    this.#cubicEval = functions.cubic_eval;
+    this.#functions = functions;
+    return functions;
   }
 
   /**
