@@ -204,7 +204,10 @@ const COMMANDS = {
   // The benchmarks in JavaScript run last, because their table has the native results, too.
   bench: async (/** @type {string[]} */ ...options) => {
     await packageFiles("release");
-    await cargo("bench", "--package", "casteljau-benches", "--benches", "--", ...options);
+    const isFlag = (/** @type {string} */ option) => option.startsWith("--");
+    const words = options.filter((option) => !isFlag(option)).join("|"); // criterion takes one regular expression
+    const filter = [...options.filter(isFlag), ...(words ? [words] : [])];
+    await cargo("bench", "--package", "casteljau-benches", "--benches", "--", ...filter);
     await node("benches/js/run.js", ...options);
   },
 };

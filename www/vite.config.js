@@ -5,6 +5,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { checkedList } from "../custom/list.js";
 import { customModule, sourceOf } from "../custom/module.js";
 import { developmentModule, MODULE_FILES, replacedModules } from "../xtask/complete-module.js";
 import { referenceSamples } from "./api/build/vite-samples.js";
@@ -76,22 +77,46 @@ const pageSideEffects = {
     id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null,
 };
 
-/** What the first page uses of the package before the reader does something. */
-const HOME = ["setJoint", "movePoint", "continuity", "segments", "segmentCount", "sample", "controlPoints", "toSVG"];
+/**
+ * What scripts use of `casteljau`: the built site gives each of them a module of its own, with these methods only.
+ *
+ * @type {Record<string, Record<string, string[]>>}
+ */
+const CUSTOM_MODULES = {
+  "home/core.js": {
+    Spline: ["setJoint", "movePoint", "continuity", "segments", "segmentCount", "sample", "controlPoints", "toSVG"],
+    Curve: ["deCasteljau"],
+  },
+  "figures/modules/faces.js": {
+    Path: ["area", "circle", "faces", "from", "fromSVG", "rect", "toSVG", "transform"],
+  },
+  "figures/modules/fitting.js": {
+    Spline: ["eval", "fit", "nearest", "segmentCount", "toSVG", "transform"],
+    Path: ["polygon", "simplify", "subpaths", "toSVG", "transform"],
+  },
+  "figures/modules/strokes.js": {
+    Curve: ["eval", "length", "normal", "subsegment", "tangent"],
+    Path: ["from", "fromSVG", "length", "stroke", "toSVG", "transform"],
+  },
+};
 
-/** Gives the built first page a module of its own, with what it uses; a package that is built for development has no tables for it. @type {import("vite").Plugin} */
-const homeModule = {
-  name: "home-module",
+/** Makes these modules; a package that is built for development has no tables for them. @type {import("vite").Plugin} */
+const customModules = {
+  name: "custom-modules",
   apply: "build",
   load(id) {
-    if (!id.endsWith("www/home/core.js") || !existsSync(dist("custom/pieces.json"))) return;
+    const methods = id.startsWith(www) ? CUSTOM_MODULES[id.slice(www.length)] : undefined;
+    if (!methods || !existsSync(dist("custom/pieces.json"))) return;
     const [pieces, needs] = ["pieces", "needs"].map((name) =>
       JSON.parse(readFileSync(dist(`custom/${name}.json`), "utf8")),
     );
-    const list = ["Spline", ...HOME.map((name) => `Spline.${name}`), "Curve.deCasteljau"];
+    const words = Object.entries(methods).flatMap(([name, members]) => [
+      name,
+      ...members.map((member) => `${name}.${member}`),
+    ]);
     return customModule(
       sourceOf(pieces, needs, readFileSync(dist("casteljau.wasm"))),
-      list,
+      checkedList(pieces.names, words, pieces.nurbs),
       "custom module of this page",
     ).code;
   },
@@ -115,7 +140,7 @@ export default defineConfig(({ command }) => ({
     verbWithoutEval,
     classicScript,
     oneModule,
-    homeModule,
+    customModules,
     pageSideEffects,
     rustDocs(),
   ],

@@ -3,6 +3,7 @@
 //
 //   node benches/js/run.js            all rows; prints a table and writes benches/results.json
 //   node benches/js/run.js teapot     only rows whose id contains "teapot"; writes nothing
+//   node benches/js/run.js ink fit    those whose id contains one of several words
 //   node benches/js/run.js --quick    runs each row once to check that both sides agree; writes nothing
 //
 // targets.js has the targets, rows.js measures one row in a process of its own with harness.js, table.js prints. The rows
@@ -45,7 +46,7 @@ const args = process.argv.slice(2);
 const quick = args.includes("--quick");
 const effort = quick ? QUICK : FULL;
 const filters = args.filter((arg) => !arg.startsWith("--"));
-const isSelected = (/** @type {string} */ id) => filters.every((part) => id.includes(part));
+const isSelected = (/** @type {string} */ id) => !filters.length || filters.some((part) => id.includes(part));
 /** Adds the target of a result; a quick run has none, because its times are meaningless. */
 const judge = (/** @type {{ id: string, ours: number, ratio: number | null }} */ result) =>
   quick ? { ...result, target: null, met: null } : withVerdict(result);

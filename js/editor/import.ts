@@ -1,5 +1,7 @@
 // Figures out of text: points, an SVG path, or the plain data that an element gave.
-import { CorePath as Path } from "../geometry/path/core-path.js";
+import { Curve } from "../geometry/curve/curve.js";
+import { readSvg } from "../io/svg-read.js";
+import { extentAt } from "../wasm/packed-path.js";
 import { pairs } from "./plane.js";
 import { pointsIn, stateOf } from "./schema.js";
 import { withPoints } from "./state.js";
@@ -41,14 +43,23 @@ function withJson(state: State, text: string) {
   return Array.isArray(json) ? withPoints(state, json) : stateOf(json);
 }
 
-/** The first subpath, as cubics. */
+/** The first subpath, as cubics; a path would bring all of its methods. */
 function withPath(state: State, d: string) {
-  const [spline] = Path.fromSVG(d).subpaths;
-  if (!spline) throw new RangeError("expected an SVG path with a line in it, got none");
-  const points = spline.segments().flatMap((curve, k) => {
+  const { packed, error } = readSvg(d, 0);
+  if (error) throw new RangeError(error.message);
+  const [subpathCount] = packed;
+  if (subpathCount === 0) throw new RangeError("expected an SVG path with a line in it, got none");
+  const { closed, degrees, points: from, end } = extentAt(packed, 1);
+  const given = pairs(packed.subarray(from, end));
+  if (closed) given.push(given[0]);
+  const points = [given[0]];
+  let start = 0;
+  for (const degree of packed.subarray(degrees, from)) {
+    let curve = new Curve(given.slice(start, start + degree + 1));
     while (curve.degree < 3) curve = curve.elevate();
-    return pairs(curve.controlPoints()).slice(k === 0 ? 0 : 1);
-  });
+    points.push(...pairs(curve.controlPoints()).slice(1));
+    start += degree;
+  }
   return withPoints(
     { ...state, basis: "bezier", weights: [], degree: 3, joints: ["free"], shown: state.points.length },
     fitted(points, state.box),

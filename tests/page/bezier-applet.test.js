@@ -117,6 +117,18 @@ test("Tab goes through the points; arrows move by 1, 10 and 0.1; a held key is o
   assertNear((await points(page))[0], [71, 340], 1e-9);
 });
 
+test("arrow keys stop at the edge of the picture, also of an enlarged one", async (t) => {
+  const page = await openApplet(t);
+  await focus(page, 0);
+  await press(page, "Shift+ArrowLeft", 10);
+  assert.deepEqual((await points(page))[0], [0, 330]);
+  await set(page, { view: { x: 67, y: 48, width: 335, height: 240 } });
+  await press(page, "ArrowDown");
+  assert.deepEqual((await points(page))[0], [67, 288], "a point outside comes to the edge");
+  await press(page, "ArrowRight");
+  assert.deepEqual((await points(page))[0], [67.5, 288]);
+});
+
 test("r and m reach the applet that has the focus, is under the pointer, or is alone in view", async (t) => {
   const page = await openApplet(t, "", { more: `<bezier-applet id="b"></bezier-applet>` });
   const second = () => page.evaluate(() => /** @type {any} */ (document.getElementById("b")).points);

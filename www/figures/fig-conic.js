@@ -1,11 +1,11 @@
 // A conic as a rational quadratic Bézier curve: three points and the weight of the middle one.
 import { html, svg } from "lit";
 import { RationalCurve } from "casteljau/nurbs";
-import { circleWeight } from "./lib/circle.js";
 import { Figure } from "./lib/figure.js";
 import { decimal } from "./lib/numbers.js";
 import { pathOf, polyline, ring, slider } from "./lib/parts.js";
 import { drawn, handles, marks, planeOf } from "./lib/plane.js";
+import { circleWeight } from "./lib/rational.js";
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 

@@ -1,10 +1,10 @@
 // Three overlapping shapes and the faces into which their outlines divide the plane: the face under the pointer is highlighted, and
 // faces can be selected.
 import { html, svg } from "lit";
-import { Path } from "casteljau";
 import { Figure } from "./lib/figure.js";
 import { decimal } from "./lib/numbers.js";
 import { drawn, handles, planeOf } from "./lib/plane.js";
+import { Path } from "./modules/faces.js";
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 /** @typedef {{ path: Path, inside: boolean[] }} Face */

@@ -19,7 +19,8 @@ const POINTS = [
   [54, 60],
 ];
 const NAMES = ["P0", "P1", "P2", "P3", "Q"];
-const PLOT = { height: 150, left: 44, right: 12, top: 14, bottom: 26 };
+/** On narrow screens the plot is lower: so picture, plot and words fit beside a task. */
+const PLOT = { maxHeight: 150, ratio: 0.3, left: 44, right: 12, top: 14, bottom: 26 };
 
 const nameOf = (/** @type {number} */ i) => NAMES[i];
 const kindOf = (/** @type {number} */ i) => /** @type {const} */ (["on", "off", "off", "on", "off"])[i];
@@ -65,7 +66,8 @@ export class FigNearest extends Figure {
 
   /** @param {import("./lib/nearest.js").Foot[]} found */
   plot(found) {
-    const { height, left, right, top, bottom } = PLOT;
+    const { maxHeight, ratio, left, right, top, bottom } = PLOT;
+    const height = Math.min(maxHeight, Math.round(ratio * this.wide));
     const all = distances(this.curve, this.q);
     const most = Math.max(...all.map(({ distance }) => distance));
     const x = (/** @type {number} */ t) => left + t * (this.wide - left - right);

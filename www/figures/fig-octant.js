@@ -1,6 +1,6 @@
 // A patch of nine control points with weights, and the eighth of a sphere that it is for one of them.
 import { html, svg } from "lit";
-import { RationalCurve } from "casteljau/nurbs";
+import { Curve } from "casteljau/surfaces";
 import { decimal } from "./lib/numbers.js";
 import { OrbitFigure } from "./lib/orbit-figure.js";
 import { disc, polyline, slider, square } from "./lib/parts.js";
@@ -23,16 +23,24 @@ export class FigOctant extends OrbitFigure {
     this.tilt = 26;
   }
 
-  /** The profile, and the arc that each of its points runs through. */
+  /** The profile, and the arc that each of its points runs through, in homogeneous coordinates: (w x, w y, w). */
   get arc() {
-    return RationalCurve.conic([1, 0], [1, 1], [0, 1], this.weight);
+    const w = this.weight;
+    return new Curve([
+      [1, 0, 1],
+      [w, w, w],
+      [0, 1, 1],
+    ]);
   }
 
   /** Points of the patch, row by row: a point (r, z) of the profile and the arc times r. @param {number} rows @param {number} columns */
   grid(rows, columns) {
     const at = (/** @type {number} */ count) => {
       const flat = this.arc.sample(count);
-      return Array.from({ length: count + 1 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
+      return Array.from({ length: count + 1 }, (_, i) => {
+        const [x, y, w] = flat.subarray(3 * i, 3 * i + 3);
+        return [x / w, y / w];
+      });
     };
     const across = at(columns);
     return at(rows).map(([r, z]) => across.map(([x, y]) => [r * x, r * y, z]));

@@ -1,6 +1,6 @@
 // A quarter of a circle as the projection of a parabola: the homogeneous curve on a cone, and its picture in the plane w = 1.
 import { html, svg } from "lit";
-import { Curve } from "casteljau";
+import { Curve } from "casteljau/nurbs";
 import { numeric } from "./lib/figure.js";
 import { decimal, tuple } from "./lib/numbers.js";
 import { OrbitFigure } from "./lib/orbit-figure.js";

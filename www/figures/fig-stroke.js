@@ -1,9 +1,9 @@
 // The outline of a stroke: width, joins and caps.
 import { html } from "lit";
-import { Path } from "casteljau";
 import { Figure } from "./lib/figure.js";
 import { choice, slider } from "./lib/parts.js";
 import { drawn, planeOf } from "./lib/plane.js";
+import { Path } from "./modules/strokes.js";
 
 const SIZE = { width: 120, height: 66 };
 /** A curve with a corner. */

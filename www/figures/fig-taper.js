@@ -1,11 +1,11 @@
 // A stroke of varying width as the union of discs, and the points at which its sides touch one of them.
 import { html, svg } from "lit";
-import { Curve, Path } from "casteljau";
 import { Figure } from "./lib/figure.js";
 import { decimal } from "./lib/numbers.js";
 import { polyline, ring, slider } from "./lib/parts.js";
 import { drawn, handles, marks, planeOf, pointName } from "./lib/plane.js";
 import { discAt } from "./lib/taper.js";
+import { Curve, Path } from "./modules/strokes.js";
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 

@@ -266,7 +266,12 @@ export class AppletController {
     const [x, y] = points[index];
     const value = Number(input.value);
     const to: Point2 = input.dataset.axis === "x" ? [value, y] : [x, box.height - value]; // more is higher up
-    this.#changePart((state) => commands.withPointAt(state, index, to));
+    this.#moveByKey(index, to);
+  }
+
+  /** Moves a point as far as the picture goes. */
+  #moveByKey(index: number, to: Point2) {
+    this.#changePart((state) => commands.withPointAt(state, index, clamped(state.view, to)));
     this.announcer?.say(this.placeWords([index]));
   }
 
@@ -350,8 +355,7 @@ export class AppletController {
     if (this.host.readonly) return true;
     const scale = states.scaleOf(this.editor.state);
     const [x, y] = this.editor.state.points[index];
-    this.#changePart((state) => commands.withPointAt(state, index, [x + dx * scale, y + dy * scale]));
-    this.announcer?.say(this.placeWords([index]));
+    this.#moveByKey(index, [x + dx * scale, y + dy * scale]);
     return true;
   }
 

@@ -1,4 +1,4 @@
-// Circles: one of the radius 1 made of equal cubic arcs whose handles have the length h, and the weight of an exact arc.
+// Circles: one of the radius 1 made of equal cubic arcs whose handles have the length h.
 import { Curve } from "casteljau";
 
 /** Samples of an arc. */
@@ -37,19 +37,3 @@ export function radialErrors(arcs, handle) {
 
 /** The greatest of these distances. @param {number} arcs @param {number} handle */
 export const maxRadialError = (arcs, handle) => Math.max(...radialErrors(arcs, handle).map(Math.abs));
-
-/** Legs whose cosine with the chord is above this count as parts of the chord. */
-const MAX_COSINE = 0.999;
-
-/**
- * The weight of the middle point for which a conic with the weights 1, w, 1 is an arc of a circle: the cosine of the angle between
- * the chord and a leg. Null unless both legs are equally long and off the chord.
- *
- * @param {readonly (readonly [number, number])[]} points three of them
- */
-export function circleWeight([[x0, y0], [x1, y1], [x2, y2]]) {
-  const [first, second] = [Math.hypot(x1 - x0, y1 - y0), Math.hypot(x2 - x1, y2 - y1)];
-  const cosine = Math.hypot(x2 - x0, y2 - y0) / (first + second);
-  const isCircle = Math.abs(first - second) <= 0.01 * (first + second) && cosine > 0 && cosine <= MAX_COSINE;
-  return isCircle ? cosine : null;
-}

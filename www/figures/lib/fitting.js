@@ -1,5 +1,5 @@
 // Points with noise beside a known curve, and what fits them.
-import { Path, Spline } from "casteljau";
+import { Path, Spline } from "../modules/fitting.js";
 
 /** @typedef {[number, number]} Point */
 

@@ -102,6 +102,15 @@ export const style = css`
   thead th { border-block-start: 0; color: var(--quiet); font-size: 0.875rem; vertical-align: bottom; }
   th:first-child, td:first-child { min-inline-size: 9rem; text-align: start; padding-inline-start: 0.9rem; }
   th:last-child, td:last-child { padding-inline-end: 0.9rem; }
+  @media (max-width: 30rem) {
+    .table { font-size: 0.8125rem; line-height: 1.35; }
+    th, td { padding-inline: 0.25rem; }
+    thead th { font-size: inherit; }
+    th:first-child, td:first-child { min-inline-size: 0; }
+    td.counts { white-space: normal; }
+    .key { gap: 0.3rem; }
+    .key > svg { inline-size: 20px; }
+  }
   .away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
   .arrow path { stroke: var(--field); stroke-width: 1.25; fill: none; }
   .arrow.right path:first-child { stroke-dasharray: 5 4; }

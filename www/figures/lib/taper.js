@@ -1,5 +1,5 @@
 // A stroke whose radius changes in proportion to the length of the centre line.
-import { Curve } from "casteljau";
+import { Curve } from "../modules/strokes.js";
 
 /** @typedef {[number, number]} Point */
 
