@@ -103,6 +103,12 @@ pub(crate) trait Bends: Copy {
     /// The bounds for the piece on top of the stack as lengths.
     fn lengths(&self, stack: &SecondDifferences) -> [f64; 3];
 
+    /// Whether the weights of the piece on top of the stack ask for a cut along u, or along v, since the bounds follow from the
+    /// smallest one.
+    fn cut_by_weights(_stack: &SecondDifferences) -> Option<bool> {
+        None
+    }
+
     /// The maximum distance of flat triangles over the piece on top of the stack, if its sides in the patch's parameters are these.
     fn distance(&self, stack: &SecondDifferences, sides: [f64; 2]) -> f64;
 

@@ -101,7 +101,7 @@ impl AdaptiveSubdivider<'_> {
             // Around a tube the piece is cut even if its triangles would be near enough.
             let closed_direction = piece.closed_direction(closed_directions);
             let along_u = if distance > tolerance {
-                piece.longer_along_u(stack)
+                piece.cut_along_u(stack)
             } else {
                 closed_direction
             };
@@ -195,6 +195,14 @@ impl AdaptiveSubdivider<'_> {
 }
 
 impl<B: Bends> PatchPiece<B> {
+    /// Whether to cut along u: where the weights decide, otherwise as [`longer_along_u`](Self::longer_along_u).
+    fn cut_along_u(&self, stack: &SecondDifferences) -> Option<bool> {
+        let Cell { du, dv, .. } = self.cell;
+        B::cut_by_weights(stack)
+            .filter(|&along_u| (if along_u { du } else { dv }) > 1)
+            .or_else(|| self.longer_along_u(stack))
+    }
+
     /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
     /// both are equal. `None` if the parameters cannot be halved again.
     fn longer_along_u(&self, stack: &SecondDifferences) -> Option<bool> {

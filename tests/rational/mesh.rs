@@ -301,6 +301,41 @@ fn random_patches_keep_the_tolerance() {
 }
 
 #[test]
+fn weights_along_one_direction_take_few_triangles() {
+    let half = 0.5_f64.sqrt();
+    let net = [
+        (1.0, 0.0, 0.0),
+        (1.0, 1.0, 0.0),
+        (0.0, 1.0, 0.0),
+        (1.0, 0.0, 2.0),
+        (1.0, 1.0, 2.0),
+        (0.0, 1.0, 2.0),
+    ]
+    .map(DVec3::from);
+    // A quarter of a cylinder: a factor of the weights of a row changes only v.
+    let mesh = |factor: f64| {
+        let weights = [1.0, half, 1.0, factor, half * factor, factor];
+        let patch = RationalPatch::new(&net, &weights, 2, 1).expect("valid");
+        let surface = RationalSurface::from(&patch);
+        let mesh = surface
+            .tessellate_f64(&options(0.05, Weld::None))
+            .expect("few triangles");
+        let off = deviation(&surface, &mesh);
+        assert!(off <= 0.05, "{factor}: {off}");
+        mesh.triangle_count()
+    };
+    let first = mesh(10.0);
+    for digits in 2..6 {
+        // Weights that change by a further factor of 10 take about as many triangles as the first one.
+        let count = mesh(10.0_f64.powi(digits));
+        assert!(
+            count <= 2 * digits.unsigned_abs() as usize * first,
+            "10^{digits}: {count}, not {first}"
+        );
+    }
+}
+
+#[test]
 fn pixels_on_the_screen() {
     let mut rng = Rng(12);
     let surface = NurbsSurface::torus(CENTER, 2.0, 0.5, axis()).expect("valid");

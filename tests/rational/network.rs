@@ -393,6 +393,28 @@ fn nearest_points_of_random_patches_are_those_of_samples() {
 }
 
 #[test]
+fn nearest_points_beside_a_point_of_the_patch() {
+    let mut rng = Rng(41);
+    for case in 0..400 {
+        // Large quotients of weights: the search has many parts.
+        let net: Vec<DVec3> = (0..4).map(|_| random_point(&mut rng)).collect();
+        let weights: Vec<f64> = (0..4)
+            .map(|_| 10.0_f64.powf(within(&mut rng, -3.0, 3.0)))
+            .collect();
+        let patch = valid(RationalPatch::new(&net, &weights, 1, 1));
+        let on_patch = patch.eval(rng.unit(), rng.unit());
+        let distance = 10.0_f64.powf(within(&mut rng, -6.0, -2.0));
+        let p = on_patch + random_point(&mut rng).normalize() * distance;
+        let nearest = valid(RationalSurface::from(&patch).nearest(p)).expect("one patch");
+        assert!(
+            nearest.distance <= distance * (1.0 + 1e-9) + 1e-13,
+            "{case}: {} for {distance}",
+            nearest.distance
+        );
+    }
+}
+
+#[test]
 fn affine_maps_and_moves_keep_weights() {
     let torus = valid(valid(NurbsSurface::torus(CENTER, 2.0, 0.5, axis())).to_surface());
     let moved = valid(torus.transform(&DAffine3::from_scale(DVec3::new(2.0, 1.0, 1.0))));

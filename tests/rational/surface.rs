@@ -4,7 +4,7 @@
 use super::within;
 use crate::support::Rng;
 use casteljau::glam::{DAffine3, DMat4, DVec3};
-use casteljau::{Error, NurbsCurve, NurbsSurface, Patch, RationalCurve, RationalPatch};
+use casteljau::{Error, NurbsCurve, NurbsSurface, Patch, RationalCurve, RationalPatch, take_steps};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn random_point(rng: &mut Rng) -> DVec3 {
@@ -719,6 +719,33 @@ fn areas_are_those_of_pappus() {
 }
 
 #[test]
+fn bounds_of_many_patches_search_few() {
+    let (degree, count) = (3, 24);
+    let knots: Vec<f64> = (0..count + degree + 1)
+        .map(|k| (k.clamp(degree, count) - degree) as f64)
+        .collect();
+    let net: Vec<DVec3> = (0..count * count)
+        .map(|i| DVec3::new((i % count) as f64, (i / count) as f64, (i as f64).sin()))
+        .collect();
+    let surface = NurbsSurface::new(degree, degree, &net, None, &knots, &knots).expect("valid");
+    let network = surface.to_surface().expect("valid");
+    take_steps();
+    let expected = network.bounds().expect("patches");
+    let of_network = take_steps();
+    assert_eq!(surface.bounds(), expected);
+    assert_eq!(take_steps(), of_network);
+    let every: usize = surface
+        .patches()
+        .iter()
+        .map(|patch| {
+            patch.bounds();
+            take_steps()
+        })
+        .sum();
+    assert!(4 * of_network < every, "{of_network}, {every}");
+}
+
+#[test]
 fn ruled_extruded_and_plane_surfaces() {
     let plane = NurbsSurface::plane(DVec3::ONE, DVec3::X * 2.0, DVec3::Y).expect("finite");
     assert_eq!(plane.eval(0.25, 0.5), DVec3::new(1.5, 1.5, 1.0));
@@ -852,7 +879,7 @@ fn bad_input_is_refused_by_name() {
     );
     assert_eq!(
         message(NurbsSurface::torus(DVec3::ZERO, 1.0, 2.0, DVec3::Z)),
-        "major: expected a number above the minor radius, got 1"
+        "major_radius: expected a number above the minor radius, got 1"
     );
     let line = profile(&[(1.0, 0.0), (1.0, 1.0)], &[1.0, 1.0]);
     assert_eq!(

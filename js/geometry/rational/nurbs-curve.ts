@@ -431,7 +431,7 @@ export class NurbsCurve<D extends 2 | 3 = 2 | 3> {
    * @throws {RangeError} for a degree above 64
    */
   elevate(times = 1): NurbsCurve<D> {
-    check.whole(times, "times", 0, 64);
+    check.whole(times, "times", 0, 64 - this.degree);
     let curve: NurbsCurve<D> = this;
     for (let k = 0; k < times; k++) curve = curve._read(curvesModule.functions.nurbs_elevate(curve._write()));
     return curve;

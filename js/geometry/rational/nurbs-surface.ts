@@ -363,7 +363,7 @@ export class NurbsSurface {
   }
 
   #elevate(alongU: boolean, times: number): NurbsSurface {
-    check.whole(times, "times", 0, 64);
+    check.whole(times, "times", 0, 64 - (alongU ? this.degreeU : this.degreeV));
     let surface: NurbsSurface = this;
     for (let k = 0; k < times; k++) {
       surface.#write();

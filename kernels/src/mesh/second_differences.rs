@@ -11,6 +11,9 @@ use crate::numeric::order::larger;
 /// The relative amount by which lengths may be too small.
 pub const BEND_SLACK: f64 = 1e-5;
 
+/// Bounds for a part with a larger quotient of two weights are so much larger than the distances that weights decide where it is halved.
+const MAX_QUOTIENT: f32 = 4.0;
+
 /// Shorter vectors have no direction, since their squares may underflow.
 const SHORT: f32 = 1e-15;
 
@@ -174,6 +177,34 @@ impl SecondDifferences {
     /// Those of the last part.
     pub fn last_bends(&self) -> &RationalBends {
         &self.bends[self.bends.len() - 1]
+    }
+
+    /// Whether the weights of the last part, which has [`RationalBends`], differ more along u than along v; `None` if they differ
+    /// little, or equally.
+    #[inline(never)]
+    pub fn is_steeper_along_u(&self) -> Option<bool> {
+        let bends = self.last_bends();
+        let ([.., low], [.., high]) = (bends.low.to_array(), bends.high.to_array());
+        if high <= MAX_QUOTIENT * low {
+            return None;
+        }
+        let (columns, rows) = self.sizes[3];
+        let net = &self.vectors[self.vectors.len() - columns * rows..];
+        let largest_quotient = |lines: usize, step: usize, across: usize| {
+            (0..lines).fold(1.0, |max, line| {
+                let line = net[line * across..].iter().step_by(step);
+                let (low, high) =
+                    line.take(net.len() / lines)
+                        .fold((f32::MAX, f32::MIN), |(low, high), v| {
+                            let [.., weight] = v.to_array();
+                            (low.min(weight), high.max(weight))
+                        });
+                larger(max, high / low)
+            })
+        };
+        let along_u = largest_quotient(rows, 1, columns);
+        let along_v = largest_quotient(columns, columns, 1);
+        (along_u != along_v).then_some(along_u > along_v)
     }
 
     /// [`RationalBends::distance`] for the part whose halves are the last two parts.

@@ -9,7 +9,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::float::as_f64;
 use crate::parallel::map_patches;
-use crate::rational::patch::RationalPatch;
+use crate::rational::patch::{RationalPatch, bounds_of};
 use crate::surface::piece::PolynomialPiece;
 use crate::surface::scaling::Scaling;
 use casteljau_kernels::numeric::gauss::GAUSS_8;
@@ -43,17 +43,7 @@ struct Tile {
 impl RationalSurface {
     /// The smallest box that contains the surface; `None` without patches. See [`RationalPatch::bounds`].
     pub fn bounds(&self) -> Option<Bounds<DVec3>> {
-        self.patches()
-            .fold(None, |all: Option<Bounds<DVec3>>, patch| {
-                let control = patch.control_bounds();
-                match all {
-                    Some(all) if all.contains(control.min) && all.contains(control.max) => {
-                        Some(all)
-                    }
-                    Some(all) => Some(all.union(patch.bounds())),
-                    None => Some(patch.bounds()),
-                }
-            })
+        bounds_of(self.patches())
     }
 
     /// The total area of all patches; 0 without patches.

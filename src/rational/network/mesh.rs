@@ -199,6 +199,10 @@ impl Bends for PieceBends {
         lengths.map(|length| length * self.size)
     }
 
+    fn cut_by_weights(stack: &SecondDifferences) -> Option<bool> {
+        stack.is_steeper_along_u()
+    }
+
     fn distance(&self, stack: &SecondDifferences, sides: [f64; 2]) -> f64 {
         stack.last_bends().distance(sides) * self.size
     }

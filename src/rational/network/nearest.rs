@@ -280,9 +280,16 @@ impl Objective for Distance<'_> {
 
     fn refine(&self, index: usize, at: [f64; 2]) -> [f64; 2] {
         let part = self.parts[index];
-        let found = self.descend(self.surface_point(index, at));
+        let start = self.surface_point(index, at);
+        let found = self.descend(start);
         let within = |[from, to]: [f64; 2], t: f64| ((t - from) / (to - from)).clamp(0.0, 1.0);
-        [within(part.u, found.u), within(part.v, found.v)]
+        let inside = [within(part.u, found.u), within(part.v, found.v)];
+        // The steps may leave the part, and its nearest boundary point may be farther than their start.
+        if self.value(index, inside) < start.distance {
+            inside
+        } else {
+            at
+        }
     }
 
     fn is_final(&self, minimum: &Minimum) -> bool {

@@ -11,9 +11,25 @@ use crate::patch::Patch;
 use crate::surface::minimum::{Objective, minimise};
 use crate::surface::piece::PolynomialPiece;
 use glam::DVec3;
+use std::borrow::Borrow;
 
 /// More steps than it takes to converge, for weights of any ratio that leaves digits.
 const MAX_STEPS: usize = 32;
+
+/// The smallest box that contains all patches; `None` without patches.
+pub(in crate::rational) fn bounds_of(
+    patches: impl Iterator<Item = impl Borrow<RationalPatch>>,
+) -> Option<Bounds<DVec3>> {
+    patches.fold(None, |all: Option<Bounds<DVec3>>, patch| {
+        let patch = patch.borrow();
+        let control = patch.control_bounds();
+        match all {
+            Some(all) if all.contains(control.min) && all.contains(control.max) => Some(all),
+            Some(all) => Some(all.union(patch.bounds())),
+            None => Some(patch.bounds()),
+        }
+    })
+}
 
 impl RationalPatch {
     /// The smallest axis-aligned box that contains the patch.

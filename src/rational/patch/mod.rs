@@ -7,6 +7,7 @@ mod bounds;
 mod normal;
 mod split;
 
+pub(super) use bounds::bounds_of;
 pub(super) use normal::NOISE;
 
 use super::check_weights;

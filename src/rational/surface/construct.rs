@@ -75,23 +75,28 @@ impl NurbsSurface {
     /// A torus: u runs once around the axis, v once around the tube, from the outermost circle towards the axis direction, and the
     /// normals point outwards.
     ///
-    /// `major` is the distance of the middle of the tube from the axis, `minor` the radius of the tube. It has 16 patches of
+    /// `major_radius` is the distance of the middle of the tube from the axis, `minor_radius` the radius of the tube. It has 16 patches of
     /// degree 2 × 2.
     ///
     /// # Errors
-    /// [`Error::Range`] unless `major` is above `minor`; otherwise as [`cylinder`](Self::cylinder).
-    pub fn torus(center: DVec3, major: f64, minor: f64, axis: DVec3) -> Result<Self, Error> {
-        check_radius("minor", minor)?;
-        Error::unless_finite("major", &[major])?;
-        if major <= minor {
+    /// [`Error::Range`] unless `major_radius` is above `minor_radius`; otherwise as [`cylinder`](Self::cylinder).
+    pub fn torus(
+        center: DVec3,
+        major_radius: f64,
+        minor_radius: f64,
+        axis: DVec3,
+    ) -> Result<Self, Error> {
+        check_radius("minor_radius", minor_radius)?;
+        Error::unless_finite("major_radius", &[major_radius])?;
+        if major_radius <= minor_radius {
             return Err(Error::Range {
-                what: "major",
+                what: "major_radius",
                 expected: "a number above the minor radius",
-                got: major,
+                got: major_radius,
             });
         }
-        let (out, up) = (DVec2::new(minor, 0.0), DVec2::new(0.0, minor));
-        let tube = NurbsCurve::arc(DVec2::new(major, 0.0), out, up, 0.0, TAU)?;
+        let (out, up) = (DVec2::new(minor_radius, 0.0), DVec2::new(0.0, minor_radius));
+        let tube = NurbsCurve::arc(DVec2::new(major_radius, 0.0), out, up, 0.0, TAU)?;
         Self::turned(center, axis, &tube)
     }
 

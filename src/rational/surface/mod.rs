@@ -11,7 +11,7 @@ pub(super) use construct::Turning;
 
 use super::check_weights;
 use super::nurbs::{NurbsCurve, locate};
-use super::patch::RationalPatch;
+use super::patch::{RationalPatch, bounds_of};
 use super::weighted::{WeightedPoint, are_close, transposed};
 use crate::curve::eval::MAX_OUTPUT_F64;
 use crate::geometry::bounds::Bounds;
@@ -273,9 +273,7 @@ impl NurbsSurface {
 
     /// The smallest box that contains the surface: that of all patches; see [`RationalPatch::bounds`].
     pub fn bounds(&self) -> Bounds<DVec3> {
-        let first = self.patches[0].bounds();
-        let others = self.patches[1..].iter();
-        others.fold(first, |all, patch| all.union(patch.bounds()))
+        bounds_of(self.patches.iter()).unwrap_or_else(|| self.control_bounds())
     }
 
     /// Whether both surfaces have the same degrees and numbers of knots, every control point lies within `tolerance` of its
