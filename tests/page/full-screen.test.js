@@ -6,7 +6,6 @@ import { dragBy } from "./gestures.js";
 
 /** Shows a figure on the whole screen. */
 async function fill(page, figure) {
-  await figure.scrollIntoViewIfNeeded();
   await figure.getByRole("button", { name: "Full screen" }).click();
   await page.waitForFunction(() => document.fullscreenElement);
 }
@@ -70,8 +69,9 @@ test("on the whole screen, Page Down and Page Up step through the figures of the
     viewport: { width: 1280, height: 720 },
     reducedMotion: "reduce",
   });
-  const shown = () => page.evaluate(() => document.fullscreenElement?.id);
-  const waitFor = (/** @type {string} */ id) => page.waitForFunction((id) => document.fullscreenElement?.id === id, id);
+  const shown = () => page.evaluate(() => document.fullscreenElement?.querySelector("figure")?.id);
+  const waitFor = (/** @type {string} */ id) =>
+    page.waitForFunction((id) => document.fullscreenElement?.querySelector("figure")?.id === id, id);
   await fill(page, page.locator("#figure-lerp"));
   await page.keyboard.press("PageUp");
   assert.equal(await shown(), "figure-lerp", "the first one");
@@ -86,3 +86,48 @@ test("on the whole screen, Page Down and Page Up step through the figures of the
   await page.getByRole("button", { name: "Exit full screen" }).click();
   await page.waitForFunction(() => !document.fullscreenElement);
 });
+
+/** The boxes of the figure's sheet and of the tasks on the whole screen, and whether any text of the section is shown. */
+const shownOnScreen = (page) =>
+  page.evaluate(() => {
+    const scene = /** @type {Element} */ (document.fullscreenElement);
+    const boxOf = (/** @type {Element} */ each) => {
+      const { left, top, right, bottom } = each.getBoundingClientRect();
+      return { left, top, right, bottom };
+    };
+    const texts = [...scene.querySelectorAll(".before > *, .after > :not(lesson-task)")];
+    return {
+      sheet: boxOf(/** @type {Element} */ (scene.querySelector(".sheet"))),
+      tasks: [...scene.querySelectorAll("lesson-task")].map(boxOf),
+      hasText: texts.some((each) => each.getClientRects().length > 0),
+      width: scene.scrollWidth,
+    };
+  });
+
+for (const [width, height, isBeside] of /** @type {[number, number, boolean][]} */ ([
+  [1920, 1080, true],
+  [1280, 800, true],
+  [360, 740, false],
+])) {
+  test(`on a whole screen of ${width} × ${height} the tasks are ${isBeside ? "beside" : "below"} their figure, and can be solved`, async (t) => {
+    const viewport = { width, height };
+    const page = await openPage(t, "/curves/de-casteljau/", { viewport, screen: viewport, reducedMotion: "reduce" });
+    const figure = page.locator("#figure-de-casteljau");
+    await figure.locator("bezier-applet canvas").waitFor();
+    await fill(page, figure);
+    const task = page.locator('lesson-task[name="level-tangent"]');
+    await task.getByRole("button", { name: "It is highest or lowest there" }).click();
+    const { sheet, tasks, hasText, width: scrolled } = await shownOnScreen(page);
+    assert.equal(hasText, false);
+    assert.ok(scrolled <= width, `${scrolled} px wide`);
+    assert.ok(isBeside ? tasks[0].left >= sheet.right : tasks[0].top >= sheet.bottom, JSON.stringify([sheet, tasks]));
+    if (isBeside) assert.ok(sheet.top >= 0 && sheet.bottom <= height && tasks[0].bottom <= height);
+    await figure.getByRole("slider", { name: "t", exact: true }).fill("0.44");
+    await task.getByText("You predicted it.").waitFor();
+    await page.keyboard.press("PageDown");
+    await page.waitForFunction(() => document.fullscreenElement?.querySelector("#figure-envelope"));
+    await page.keyboard.press("PageUp");
+    await page.waitForFunction(() => document.fullscreenElement?.querySelector("#figure-de-casteljau"));
+    assert.equal(await task.getAttribute("data-state"), "done");
+  });
+}

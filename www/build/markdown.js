@@ -9,9 +9,23 @@ import { unbrokenPunctuation } from "./punctuation.js";
 import { scenes } from "./scenes.js";
 import { numbers, sections, standaloneElements } from "./sections.js";
 
-/** Typesets a formula as MathML. @param {string} formula @param {boolean} displayMode */
+/** A symbol with primes, and a power. */
+const PRIMES =
+  /<msup>(<mi[^>]*>[^<]*<\/mi>)(?:<mrow[^>]*>)?((?:<mo [^>]*class="tml-prime[^"]*">′<\/mo>)+)(<mn>[^<]*<\/mn>)?(?:<\/mrow>)?<\/msup>/g;
+
+/**
+ * Typesets a formula as MathML. The primes of the font are raised already: as superscripts they would be small and high.
+ *
+ * @param {string} formula
+ * @param {boolean} displayMode
+ */
 export const typeset = (formula, displayMode) =>
-  temml.renderToString(formula.trim(), { displayMode, throwOnError: true, strict: true });
+  temml
+    .renderToString(formula.trim(), { displayMode, throwOnError: true, strict: true })
+    .replace(PRIMES, (_, symbol, primes, power) => {
+      const row = `<mrow>${symbol}${primes}</mrow>`;
+      return power ? `<msup>${row}${power}</msup>` : row;
+    });
 
 /** A link to itself at the end of a heading or caption. @param {string} id @param {string} label */
 export const permalink = (id, label) => ` <a class="permalink" href="#${id}" aria-label="${label}">#</a>`;

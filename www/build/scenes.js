@@ -99,7 +99,7 @@ export function scenes(md) {
         out.push(
           ...division("scene", [
             ...division("before", tokensOf(before)),
-            ...(figure?.tokens ?? []),
+            ...division("side", figure?.tokens ?? []),
             ...division("after", tokensOf(after)),
           ]),
         );

@@ -20,7 +20,7 @@ function fit(figure) {
 }
 
 const BESIDE = matchMedia("(min-width: 60rem)"); // as in scenes.css
-const figures = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".scene > figure")]);
+const figures = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".side > figure")]);
 const observer = new ResizeObserver((entries) => {
   for (const { target } of entries) {
     const figure = /** @type {HTMLElement} */ (target.closest("figure"));
@@ -28,7 +28,7 @@ const observer = new ResizeObserver((entries) => {
     fit(figure);
   }
 });
-for (const part of document.querySelectorAll(".scene > figure > .sheet, .scene > figure > .sheet > *"))
+for (const part of document.querySelectorAll(".side > figure > .sheet, .side > figure > .sheet > *"))
   observer.observe(part);
 addEventListener("resize", () => {
   for (const { style } of figures) style.maxInlineSize = "";
