@@ -34,9 +34,9 @@ export function withPoints(state: State, value: unknown): State {
 
 export function withShown(state: State, count: unknown): State {
   const max = state.points.length;
-  const shown = finiteNumber(count, "mode", `a number of points from 4 to ${max}: 4, 7, 10 …`);
+  const shown = finiteNumber(count, "visiblePoints", `a number of points from 4 to ${max}: 4, 7, 10 …`);
   if (shown < MIN_POINTS || shown > max || (shown - 1) % POINTS_PER_SEGMENT !== 0) {
-    throw new RangeError(`mode: expected a number of points from 4 to ${max} (4, 7, 10 …), got ${shown}`);
+    throw new RangeError(`visiblePoints: expected a number of points from 4 to ${max} (4, 7, 10 …), got ${shown}`);
   }
   return { ...state, shown };
 }

@@ -76,11 +76,11 @@ export const FIELDS: Record<string, Field> = {
   degree: field("degree", (value) => (value === "n" ? value : states.wholeIn(value, "degree", 1, states.MAX_DEGREE)), {
     parse: (text) => (trimmed(text) === "n" ? "n" : numberOf(text)),
   }),
-  mode: {
+  visiblePoints: {
     parse: (text) => (trimmed(text) === "" ? null : numberOf(text)), // as it is written
     put: (state, value) => ({
       ...state,
-      shown: value === null ? state.points.length : states.wholeIn(value, "mode", 2, state.points.length),
+      shown: value === null ? state.points.length : states.wholeIn(value, "visiblePoints", 2, state.points.length),
     }),
     get: ({ points, shown }) => (shown < points.length ? shown : null),
     write: ({ points, shown }) => (shown < points.length ? String(shown) : ""),

@@ -42,7 +42,7 @@ const GIVEN = [
   [
     BezierApplet,
     {
-      mode: "4",
+      visiblePoints: "4",
       segment: "1",
       tolerance: "2",
       segments: "8",
@@ -54,7 +54,7 @@ const GIVEN = [
       show: "hull ticks",
     },
     {
-      mode: 4,
+      visiblePoints: 4,
       segment: 1,
       tolerance: 2,
       segments: 8,
@@ -97,7 +97,7 @@ for (const [Type, texts, after] of GIVEN) {
 test("numbers, lists and views are set as they are read", () => {
   const element = elementOf(BezierApplet);
   const values = {
-    mode: 4,
+    visiblePoints: 4,
     degree: "n",
     tolerance: 0.25,
     offset: -3,
@@ -109,8 +109,8 @@ test("numbers, lists and views are set as they are read", () => {
   assert.deepEqual(read(), values);
   Object.assign(element, read());
   assert.deepEqual(read(), values);
-  element.mode = null;
-  assert.equal(element.mode, null);
+  element.visiblePoints = null;
+  assert.equal(element.visiblePoints, null);
 });
 
 /** What the console says while something is done. */

@@ -17,7 +17,7 @@ const WORDS = [
     "notify, messages, announced, focusedPoint, roundedToPixels",
   ],
   [/\b(least|most)\b/g, "min, max"],
-  [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch with an origin, commit, revert"],
+  [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch by someone, commit, revert"],
   [/\b(knob|hollow|truth|fewest)\b/g, "controlPoint, ring, continuityLabels, minPoints"],
 ];
 

@@ -71,7 +71,7 @@ test("whatever an address can set of an element, it can be read off it", async (
   await ready(page);
   await hero(page).evaluate((applet) => {
     applet.setAttribute("show", "hull");
-    applet.steer({ t: 0.25 }, true);
+    applet.edit({ t: 0.25 }, true);
   });
   await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });

@@ -17,7 +17,7 @@ export const SHARED = {
   "bezier-applet": {
     points: POINTS,
     weights: NUMBERS,
-    mode: NUMBER,
+    "visible-points": NUMBER,
     joints: WORDS,
     basis: WORDS,
     degree: WORDS,

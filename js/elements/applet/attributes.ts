@@ -1,10 +1,16 @@
 // The attributes of `<bezier-applet>` that are parts of the state: any text is read, and what has changed otherwise is written.
+import { attributeName, writeAttribute } from "../attribute-text.js";
 import { withJoints } from "../../editor/commands.js";
 import { FIELDS, VIEW } from "../../editor/schema.js";
 import { firstState } from "../../editor/state.js";
 import type { LitElement, ReactiveController } from "lit";
 import type { Editor } from "../../editor/editor.js";
 import type { State } from "../../editor/state.js";
+
+/** The fields of the state, by their attributes. */
+export const FIELD_NAMES: ReadonlyMap<string, string> = new Map(
+  Object.keys(FIELDS).map((name) => [attributeName(name), name]),
+);
 
 /** Keeps the state and the attributes the same. */
 export class AppletAttributes implements ReactiveController {
@@ -56,7 +62,7 @@ export class AppletAttributes implements ReactiveController {
       const before = this.#problems.get(name);
       this.#problems.delete(name);
       try {
-        state = readAttribute(state, name, this.#host.getAttribute(name));
+        state = readAttribute(state, name, this.#host.getAttribute(attributeName(name)));
       } catch (error) {
         const problem = error instanceof Error ? error.message : String(error);
         this.#problems.set(name, problem);
@@ -77,8 +83,7 @@ export class AppletAttributes implements ReactiveController {
       if (value === this.#known.get(name)) continue;
       this.#known.set(name, value);
       this.#problems.delete(name);
-      if ((name === "mode" || name === "weights") && value === "") this.#host.removeAttribute(name);
-      else this.#host.setAttribute(name, value);
+      writeAttribute(this.#host, name, EMPTY_MEANS_NONE.includes(name) && value === "" ? undefined : value);
     }
     this.#isWriting = false;
   }
@@ -89,6 +94,9 @@ function readAttribute(state: State, name: string, given: string | null): State 
   const { parse, put, get } = FIELDS[name];
   return put(state, given === null ? get(firstState()) : parse(given));
 }
+
+/** Fields whose attribute is absent where their text would be empty. */
+const EMPTY_MEANS_NONE = ["visiblePoints", "weights"];
 
 /** A number, a word, a list of numbers, or a view. */
 function attributeText(value: unknown): string {
@@ -119,8 +127,7 @@ export function defineProperties<Element extends HTMLElement>(
         return name === "show" ? write(stateOf(this)) : get(stateOf(this));
       },
       set(this: Element, value: unknown) {
-        if (value === null || value === undefined) this.removeAttribute(name);
-        else this.setAttribute(name, attributeText(value));
+        writeAttribute(this, name, value === null || value === undefined ? undefined : attributeText(value));
       },
     });
   }

@@ -57,7 +57,7 @@ export class BezierSurface extends LitElement {
   declare theme: string;
   declare patch: number | null;
   declare controls: string | boolean | null;
-  declare turn: boolean;
+  declare autoRotate: boolean;
 
   static properties: PropertyDeclarations = Object.fromEntries(
     Object.entries(PROPERTIES).map(([name, { declaration }]) => [name, declaration]),
@@ -206,7 +206,7 @@ export class BezierSurface extends LitElement {
   /** The user changes something, which is one undo step when it is done. */
   #edit(change: (state: State) => State, type: "input" | "change" = "change") {
     const { editor } = this.#subject;
-    editor.dispatch(change, { origin: "user", merge: true });
+    editor.dispatch(change, { by: "user", merge: true });
     if (type === "change") editor.commit();
     this.#fire(type);
   }
@@ -323,15 +323,15 @@ export class BezierSurface extends LitElement {
     const canvas = find("canvas");
     this.#stage = new Stage(canvas, find(".overlay"), find(".probe"), this.#camera, {
       render: () => this.#renderNow(),
-      drawn: (facts, sight, width, height) => {
-        this.#handles?.place(sight, width, height);
-        this.#labels?.place(sight, width, height);
+      drawn: (facts, matrices) => {
+        this.#handles?.place(matrices);
+        this.#labels?.place(matrices);
         this.#setDrawn(true);
         this.#publish(facts);
       },
       refused: (message) => this.#files.say(message),
       stateChanged: (state) => this.#setPictureState(state),
-      turning: () => this.#isVisible && this.#turns(),
+      isRotating: () => this.#isVisible && this.#isRotating(),
     });
     this.#handles ??= new Handles(find(".overlay"), {
       moved: (vertex, to, done) =>
@@ -339,7 +339,7 @@ export class BezierSurface extends LitElement {
       dropped: () => this.#endDrag(),
       cancelled: () => this.#cancelDrag(),
       schedule: () => this.#stage?.schedule(),
-      sight: () => this.#stage?.sight() ?? null,
+      matrices: () => this.#stage?.matrices() ?? null,
     });
     this.#labels ??= new Labels(find(".overlay"));
     const gestures = new Gestures(canvas, {
@@ -372,7 +372,7 @@ export class BezierSurface extends LitElement {
   }
 
   updated(changed: Map<string, unknown>) {
-    if (changed.has("turn") && this.turn) this.#rotation.restart();
+    if (changed.has("autoRotate") && this.autoRotate) this.#rotation.restart();
     if (changed.has("theme")) this.#stage?.recolour();
     if (this.#stage) {
       const { model } = this.#subject.settings;
@@ -386,8 +386,8 @@ export class BezierSurface extends LitElement {
     this.dispatchEvent(new Event("update"));
   }
 
-  #turns() {
-    return this.#rotation.on(this.turn);
+  #isRotating() {
+    return this.#rotation.isOn(this.autoRotate);
   }
 
   /** The read-out follows the mesh. */
@@ -408,7 +408,7 @@ export class BezierSurface extends LitElement {
   }
 
   #moveByUser(changes: Partial<View>, done: boolean) {
-    if ("turn" in changes && this.#turns()) {
+    if ("turn" in changes && this.#isRotating()) {
       this.#rotation.stop();
       this.requestUpdate();
     }
@@ -421,9 +421,9 @@ export class BezierSurface extends LitElement {
    * it goes to the place.
    */
   #pick(x: number, y: number) {
-    const seen = this.#stage?.sight();
-    if (!seen) return;
-    const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
+    const matrices = this.#stage?.matrices();
+    if (!matrices) return;
+    const { origin, direction } = rayThrough(matrices, x, y);
     const [hit] = this.#scene().surface.intersectRay(origin, direction);
     this.patch = hit?.patch ?? null;
     if (hit && ["casteljau", "place", "derivatives"].some((each) => this.#subject.settings.layers.has(each as any)))
@@ -436,9 +436,9 @@ export class BezierSurface extends LitElement {
   }
 
   #toggleRotation() {
-    const turning = !this.#turns();
-    this.#rotation.ask(turning);
-    this.turn = turning;
+    const isRotating = !this.#isRotating();
+    this.#rotation.ask(isRotating);
+    this.autoRotate = isRotating;
     this.requestUpdate();
     this.#fire("change");
   }
@@ -469,7 +469,7 @@ export class BezierSurface extends LitElement {
       language: (this.closest<HTMLElement>("[lang]") ?? this.ownerDocument.documentElement).lang,
       key: this.#key,
       tools: {
-        turning: this.#turns(),
+        isRotating: this.#isRotating(),
         toggle: () => this.#toggleRotation(),
         nearer: zoomed(ZOOM_STEP),
         farther: zoomed(1 / ZOOM_STEP),
@@ -481,11 +481,11 @@ export class BezierSurface extends LitElement {
 
   #panelPort(): PanelPort {
     const { settings, state, editor } = this.#subject;
-    const { frame, surface } = this.#scene();
+    const { sphere, surface } = this.#scene();
     return {
       settings,
       groups: controlGroups(this.controls),
-      size: frame.radius,
+      size: sphere.radius,
       named: !state.given,
       patches: surface.patchCount,
       edited: state.moves.size > 0,
@@ -502,7 +502,7 @@ export class BezierSurface extends LitElement {
   }
 
   #setDetail(kind: "segments" | "tolerance" | "pixels" | "flatness") {
-    const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
+    const distance = Number((this.#scene().sphere.radius * FIRST_TOLERANCE).toPrecision(1));
     const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
     const values = Object.entries(firsts).map(([name, first]) => [name, name === kind ? first : null]);
     this.#edit((state) => ({ ...state, ...Object.fromEntries(values) }));

@@ -16,7 +16,7 @@ export interface HandlePort {
   cancelled: () => void;
   /** Asks for a frame, which calls `apply` */
   schedule: () => void;
-  sight: () => { sight: CameraMatrices; width: number; height: number } | null;
+  matrices: () => CameraMatrices | null;
 }
 
 /** A net with more points is shown without handles, which would overlap. */
@@ -104,9 +104,10 @@ export class Handles {
   }
 
   /** Puts every handle where its point is seen; outside the picture only the focused one stays, at its edge. */
-  place(sight: CameraMatrices, width: number, height: number) {
+  place(matrices: CameraMatrices) {
+    const { width, height } = matrices;
     this.#buttons.forEach((button, i) => {
-      const at = placeOf(sight, this.#points, 3 * i, width, height);
+      const at = placeOf(matrices, this.#points, 3 * i);
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
       button.hidden = !inside && !button.matches(":focus");
       if (!at || button.hidden) return;
@@ -140,14 +141,13 @@ export class Handles {
    * @param way in pixels: right, down, away
    */
   #shift(vertex: number, from: number[], [dx, dy, away]: number[], done: boolean) {
-    const seen = this.#port.sight();
-    if (!seen) return;
-    const { sight, width, height } = seen;
-    const flat = shiftOf(sight, from, dx, dy, width, height);
-    const unit = Math.hypot(...shiftOf(sight, from, 1, 0, width, height));
+    const matrices = this.#port.matrices();
+    if (!matrices) return;
+    const flat = shiftOf(matrices, from, dx, dy);
+    const unit = Math.hypot(...shiftOf(matrices, from, 1, 0));
     this.#port.moved(
       vertex,
-      from.map((x, k) => x + flat[k] + away * unit * sight.forward[k]),
+      from.map((x, k) => x + flat[k] + away * unit * matrices.forward[k]),
       done,
     );
   }

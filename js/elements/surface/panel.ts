@@ -56,8 +56,8 @@ export interface PanelPort {
 const KINDS = ["obj", "stl", "glb"] as const;
 const UV_STEP = 0.01;
 const DETAIL_KINDS = ["segments", "tolerance", "pixels", "flatness"];
-/** How far a point in space can be moved, in radii of the surface. */
-const REACH = 1.5;
+/** The largest coordinate of a point in space, in radii of the surface. */
+const MAX_PROBE_RADII = 1.5;
 /** The range of the tolerance, in radii of the surface. */
 const [FINEST, COARSEST] = [1e-4, 0.2];
 
@@ -199,8 +199,8 @@ function stepper({ settings: { step }, set }: PanelPort) {
 function probeControls({ settings: { probe }, size, set }: PanelPort) {
   if (!probe) return nothing;
   const unit = 10 ** Math.floor(Math.log10(size));
-  const reach = Math.ceil((REACH * size) / unit) * unit;
-  const range = { min: -reach, max: reach, step: unit / 20 };
+  const max = Math.ceil((MAX_PROBE_RADII * size) / unit) * unit;
+  const range = { min: -max, max, step: unit / 20 };
   const moved = (k: number) => (to: number, done: boolean) =>
     set("probe", probe.map((x, i) => (i === k ? to : x)).join(" "), done ? "change" : "input");
   const axis = (name: string, k: number) => slider(html`<i>${name}</i>`, name, probe[k], range, moved(k));

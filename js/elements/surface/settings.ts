@@ -25,7 +25,7 @@ export const LAYERS = [
 export const MAX_SEGMENTS = 64;
 /** Strips of a patch each way that curves or tubes divide it into. */
 export const MAX_LINES = 12;
-/** A mesh finer than this on the screen shows nothing more. */
+/** The smallest tolerance in pixels: a finer mesh looks the same. */
 const MIN_PIXELS = 0.05;
 /** Of de Casteljau's algorithm: the first row, all rows, the curve across them, its point. */
 export const STEPS = 4;

@@ -4,8 +4,8 @@
 /** Patches of higher degrees are evaluated by the core, whatever was asked for. */
 export const MAX_GPU_DEGREE = 8;
 
-/** Shading modes in the order of `SHADINGS`. */
-export const MODES = { smooth: 0, flat: 1, normals: 2, gaussian: 3, mean: 4, patches: 5 };
+/** The numbers of the shadings in the shader, in the order of `SHADINGS`. */
+export const SHADING_CODES = { smooth: 0, flat: 1, normals: 2, gaussian: 3, mean: 4, patches: 5 };
 
 const HEAD = `#version 300 es
 precision highp float;
@@ -130,7 +130,7 @@ in vec3 seenNormal;
 in vec3 ownNormal;
 in vec2 curvatures;
 flat in float patchNumber;
-uniform int mode;
+uniform int shading;
 uniform float radius;
 uniform vec3 front, back, low, middle, high;
 out vec4 colour;
@@ -154,13 +154,13 @@ vec3 lit(vec3 base, vec3 n) {
 void main() {
   vec3 facet = normalize(cross(dFdx(seen), dFdy(seen)));
   bool known = dot(seenNormal, seenNormal) > 1e-12;
-  vec3 n = mode == ${MODES.flat} || !known ? facet : normalize(seenNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 n = shading == ${SHADING_CODES.flat} || !known ? facet : normalize(seenNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 base = gl_FrontFacing ? front : back;
-  if (mode == ${MODES.patches}) base = mix(vec3(0.9), hue(patchNumber * 0.61803399 + 0.07), 0.62) * 0.94;
-  if (mode == ${MODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.37) * 0.63661977);
-  if (mode == ${MODES.mean}) base = scale(atan(curvatures.y * radius * 0.73) * 0.63661977);
+  if (shading == ${SHADING_CODES.patches}) base = mix(vec3(0.9), hue(patchNumber * 0.61803399 + 0.07), 0.62) * 0.94;
+  if (shading == ${SHADING_CODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.37) * 0.63661977);
+  if (shading == ${SHADING_CODES.mean}) base = scale(atan(curvatures.y * radius * 0.73) * 0.63661977);
   vec3 shaded = lit(base, n);
-  if (mode == ${MODES.normals}) shaded = (known ? normalize(ownNormal) : vec3(0)) * 0.5 + 0.5;
+  if (shading == ${SHADING_CODES.normals}) shaded = (known ? normalize(ownNormal) : vec3(0)) * 0.5 + 0.5;
   colour = vec4(shaded, 1.0);
 }
 `;

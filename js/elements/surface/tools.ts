@@ -10,13 +10,13 @@ const HOUSE = path("M4 11l8-7 8 7M6.5 9.5V20h11V9.5");
 
 /** The buttons over the picture, which do what the wheel and two fingers do. */
 export function tools({
-  turning,
+  isRotating,
   toggle,
   nearer,
   farther,
   home,
 }: {
-  turning: boolean;
+  isRotating: boolean;
   toggle: () => void;
   nearer: () => void;
   farther: () => void;
@@ -25,7 +25,7 @@ export function tools({
   const button = (name: string, act: () => void, picture: unknown) =>
     html`<button type="button" aria-label=${name} title=${name} @click=${act}><svg viewBox="0 0 24 24" aria-hidden="true">${picture}</svg></button>`;
   return html`<div class="tools" part="tools">
-    ${button(turning ? translated("Stop turning") : translated("Turn"), toggle, turning ? PAUSE : ROUND)}
+    ${button(isRotating ? translated("Stop rotating") : translated("Rotate"), toggle, isRotating ? PAUSE : ROUND)}
     ${button(translated("Nearer"), nearer, PLUS)} ${button(translated("Farther"), farther, MINUS)} ${button(translated("First view"), home, HOUSE)}
   </div>`;
 }
