@@ -10,10 +10,47 @@ export function kindOf(value: unknown): string {
     : Object.prototype.toString.call(value).slice("[object ".length, -1);
 }
 
+/** What went wrong, in words. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 export function finiteNumber(value: unknown, name: string, expected: string): number {
   if (typeof value !== "number") throw new TypeError(`${name}: expected ${expected}, got ${kindOf(value)}`);
   if (!Number.isFinite(value)) throw new RangeError(`${name}: expected ${expected}, got ${value}`);
   return value;
+}
+
+export function numberIn(
+  value: unknown,
+  name: string,
+  min: number,
+  max: number,
+  expected = `a number from ${min} to ${max}`,
+): number {
+  const number = finiteNumber(value, name, expected);
+  if (number < min || number > max) throw new RangeError(`${name}: expected ${expected}, got ${number}`);
+  return number;
+}
+
+export function wholeIn(value: unknown, name: string, min: number, max: number): number {
+  const number = numberIn(value, name, min, max);
+  if (!Number.isInteger(number)) throw new RangeError(`${name}: expected a whole number, got ${number}`);
+  return number;
+}
+
+export function wordIn<Word extends string>(value: unknown, name: string, known: readonly Word[]): Word {
+  const found = known.find((each) => each === value);
+  if (found) return found;
+  const Refusal = typeof value === "string" ? RangeError : TypeError;
+  throw new Refusal(`${name}: expected ${known.join(", ")}, got ${brief(value)}`);
+}
+
+/** The most that a message shows of a refused text. */
+const MAX_SHOWN = 40;
+
+export function brief(value: unknown): string {
+  return kindOf(typeof value === "string" && value.length > MAX_SHOWN ? `${value.slice(0, MAX_SHOWN)}…` : value);
 }
 
 export function pointPair(value: unknown, name: string): [number, number] {

@@ -1,5 +1,6 @@
 // Figures out of text: points, an SVG path, or the plain data that an element gave.
 import { CorePath as Path } from "../geometry/path/core-path.js";
+import { messageOf } from "./check.js";
 import { pairs } from "./plane.js";
 import { pointsIn, stateOf } from "./schema.js";
 import { withPoints } from "./state.js";
@@ -18,7 +19,7 @@ export function withText(state: State, text: string): State {
   try {
     return read(state, text);
   } catch (error) {
-    throw new RangeError(`This is no figure: ${error instanceof Error ? error.message : error}`);
+    throw new RangeError(`This is no figure: ${messageOf(error)}`);
   }
 }
 

@@ -6,6 +6,7 @@ import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
 import * as commands from "#js/editor/commands.js";
 import { FIELDS } from "#js/editor/schema.js";
+import { attributeName } from "#js/elements/attribute-text.js";
 import { figureOf } from "#js/editor/figure.js";
 import { withText } from "#js/editor/import.js";
 import { jointsOf } from "#js/editor/joints.js";
@@ -85,7 +86,7 @@ test("properties and methods refuse with the right error, and nothing changes", 
 /** For each attribute a text that cannot be used; applet-joints.test.js has more of them. */
 const UNUSABLE = {
   points: "1,2 3,NaN",
-  "visible-points": "99",
+  visiblePoints: "99",
   joints: "g1 x",
   basis: "__proto__",
   degree: "2.5",
@@ -106,14 +107,15 @@ test("a warning about a bad attribute stays until the attribute is removed, and 
   assert.deepEqual(Object.keys(UNUSABLE).sort(), Object.keys(FIELDS).sort());
   const { applet } = element({ points: "10,20 30,200 300,40 400,300", t: "0.25", show: "hull" });
   for (const [name, unusable] of Object.entries(UNUSABLE)) {
-    const [good, given] = [JSON.stringify(applet), applet.getAttribute(name)];
-    applet.setAttribute(name, unusable);
+    const attribute = attributeName(name);
+    const [good, given] = [JSON.stringify(applet), applet.getAttribute(attribute)];
+    applet.setAttribute(attribute, unusable);
     assert.equal(JSON.stringify(applet), good, name);
-    assert.equal(applet.visiblePointsl.problems.length, 1, name);
-    assert.match(applet.visiblePointsl.problems[0], new RegExp(`^(\\w+ of )?${name}(\\[\\d+\\])?: expected`));
-    if (given === null) applet.removeAttribute(name);
-    else applet.setAttribute(name, given);
-    assert.deepEqual([JSON.stringify(applet), applet.visiblePointsl.problems], [good, []], name);
+    assert.equal(applet.model.problems.length, 1, name);
+    assert.match(applet.model.problems[0], new RegExp(`^(\\w+ of )?${name}(\\[\\d+\\])?: expected`));
+    if (given === null) applet.removeAttribute(attribute);
+    else applet.setAttribute(attribute, given);
+    assert.deepEqual([JSON.stringify(applet), applet.model.problems], [good, []], name);
   }
 });
 
@@ -130,10 +132,10 @@ test("attributes are read in any order, reflect, and go back to the defaults whe
   assert.equal(text(points), "0,0 10,100 20,100 100,0 180,-100 300,10 310,20", "held from the start");
   for (const name of ["points", "visible-points", "t", "show", "joints"]) applet.removeAttribute(name);
   assert.deepEqual([text(applet.points), applet.visiblePoints, applet.t, applet.show], [FIRST, null, 0.5, "polygon"]);
-  applet.visiblePointsl.attributes.hostUpdated();
+  applet.model.attributes.hostUpdated();
   assert.equal(applet.attributes.length, 0, "what is as at first is not written");
   Object.assign(applet, { show: "comb tree", t: 0.25, points: CUBIC, joints: ["c2"], view: "10 20 67 48" });
-  applet.visiblePointsl.attributes.hostUpdated();
+  applet.model.attributes.hostUpdated();
   const names = ["show", "t", "points", "joints", "view"];
   assert.deepEqual(
     names.map((name) => applet.getAttribute(name)),
@@ -149,7 +151,7 @@ test("the state goes through JSON and back to the last bit", () => {
   b.state = JSON.parse(JSON.stringify(a));
   for (const each of [a, b]) each.model.attributes.hostUpdated();
   assert.deepEqual([b.state, b.figure], [a.state, a.figure]);
-  const attributes = (each) => Object.keys(FIELDS).map((name) => [name, each.getAttribute(name)]);
+  const attributes = (each) => Object.keys(FIELDS).map((name) => [name, each.getAttribute(attributeName(name))]);
   assert.deepEqual(attributes(b), attributes(a));
 });
 
@@ -201,7 +203,7 @@ test("reset restores what the page has set before the first action of the user",
   assert.deepEqual([text(applet.points), applet.t], [CUBIC, 0.25], "before anything has changed, too");
   applet.points = FIELDS.points.parse("100,300 150,100 400,120 500,310");
   applet.edit({ index: 1, point: [149, 100] });
-  applet.visiblePointsl.editor.dispatch((state) => commands.appended(state, [600, 30]), { by: "user" });
+  applet.model.editor.dispatch((state) => commands.appended(state, [600, 30]), { by: "user" });
   assert.equal(applet.points.length, 7);
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], ["100,300 150,100 400,120 500,310", 0.25]);
@@ -258,13 +260,13 @@ test("each action is announced and is one undo step; a refusal is announced and 
   }
   const { applet, acting, said } = actions({ points: CUBIC });
   acting.remove(0);
-  assert.match(applet.visiblePointsl.message, /^remove: .*only segment/);
+  assert.match(applet.model.message, /^remove: .*only segment/);
   applet.setAttribute("basis", "b-spline");
   acting.run("insert");
-  assert.match(applet.visiblePointsl.message, /^insert: expected the basis bezier or hermite/);
+  assert.match(applet.model.message, /^insert: expected the basis bezier or hermite/);
   assert.deepEqual([text(applet.points), said], [CUBIC, ["", ""]]);
   acting.open("no figure");
-  assert.match(applet.visiblePointsl.message, /^This is no figure: points\[0\]: expected numbers, got "no"$/);
+  assert.match(applet.model.message, /^This is no figure: points\[0\]: expected numbers, got "no"$/);
 });
 
 test("the same refusal is announced again", () => {

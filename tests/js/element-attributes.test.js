@@ -131,7 +131,7 @@ for (const [Type, bad, message] of [
   [BezierApplet, { basis: "bezzier" }, /^basis: expected bezier, .*, got "bezzier"$/],
   [BezierSurface, { segments: 65 }, "segments: expected a number from 1 to 64, got 65"],
   [BezierSurface, { shading: "shiny" }, /^shading: expected smooth, .*, got "shiny"$/],
-  [BezierSurface, { show: "surface nett" }, /^show: expected some of the words .*, got "surface nett"$/],
+  [BezierSurface, { show: "surface nett" }, /^show\[1\]: expected surface, .*, got "nett"$/],
   [BezierSurface, { probe: "1 2" }, 'probe: expected three numbers, got "1 2"'],
 ]) {
   const [[name, value]] = Object.entries(bad);

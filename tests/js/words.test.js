@@ -10,7 +10,7 @@ const WORDS = [
   [/\bMOST_\w+/g, "MAX_…"],
   [/\bLEAST_\w+/g, "MIN_…"],
   [/\b(Hands|Acting|acts)\b/g, "AppletController, actions"],
-  [/\b(Desk|Turning|Lease|Fineness)\b/g, "FileController, AutoRotation, ContextSlot, DetailSettings"],
+  [/\b(Desk|Turning|Lease|Fineness)\b/g, "SurfaceController, AutoRotation, ContextSlot, DetailSettings"],
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
   [
     /\b(told|tell|tells|heard|attended|dusted|deafen|leases|DeskPort)\b/g,

@@ -52,6 +52,9 @@ export const SHARED = {
   },
 };
 
+/** The property of an attribute: "visible-points" is `visiblePoints`. @param {string} attribute */
+export const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+
 /** Whose empty value is a yes. */
 const FLAGS = { controls: true, readonly: true, turn: true, swept: true };
 

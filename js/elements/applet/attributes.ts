@@ -1,5 +1,6 @@
 // The attributes of `<bezier-applet>` that are parts of the state: any text is read, and what has changed otherwise is written.
 import { attributeName, writeAttribute } from "../attribute-text.js";
+import { Problems } from "../problems.js";
 import { withJoints } from "../../editor/commands.js";
 import { FIELDS, VIEW } from "../../editor/schema.js";
 import { firstState } from "../../editor/state.js";
@@ -18,8 +19,7 @@ export class AppletAttributes implements ReactiveController {
   #editor: Editor<State>;
   /** Attributes that have been written from outside and not yet been read. */
   #unread: Set<string> = new Set();
-  /** What is wrong with the attributes; each is also said in the console, once. */
-  #problems: Map<string, string> = new Map();
+  #problems = new Problems((problem) => console.warn(`<${this.#host.localName}> ${problem}`));
   /** What the attributes say, or what the state said when they were read. */
   #known: Map<string, string>;
   #isWriting = false;
@@ -33,7 +33,7 @@ export class AppletAttributes implements ReactiveController {
 
   /** What is wrong with the attributes. */
   get problems() {
-    return [...this.#problems.values()];
+    return this.#problems.messages;
   }
 
   /** An attribute has changed. It is read later, because its meaning may depend on attributes that come after it. */
@@ -59,15 +59,9 @@ export class AppletAttributes implements ReactiveController {
     this.#unread.clear();
     let { state } = this.#editor;
     for (const name of names) {
-      const before = this.#problems.get(name);
-      this.#problems.delete(name);
-      try {
+      this.#problems.attempt(name, () => {
         state = readAttribute(state, name, this.#host.getAttribute(attributeName(name)));
-      } catch (error) {
-        const problem = error instanceof Error ? error.message : String(error);
-        this.#problems.set(name, problem);
-        if (problem !== before) console.warn(`<${this.#host.localName}> ${problem}`);
-      }
+      });
     }
     if (names.includes("joints")) state = withJoints(state, state.joints);
     for (const name of names) this.#known.set(name, FIELDS[name].write(state));
@@ -82,7 +76,7 @@ export class AppletAttributes implements ReactiveController {
       const value = write(state);
       if (value === this.#known.get(name)) continue;
       this.#known.set(name, value);
-      this.#problems.delete(name);
+      this.#problems.forget(name);
       writeAttribute(this.#host, name, EMPTY_MEANS_NONE.includes(name) && value === "" ? undefined : value);
     }
     this.#isWriting = false;

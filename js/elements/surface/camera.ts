@@ -98,10 +98,10 @@ export function cameraMatricesOf(
     distance + DEPTH_RADII * radius,
   );
   const upright = up === "y" ? aboutX(90) : translation(0, 0, 0);
-  const turned = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
+  const rotation = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
   const view = multiply(
     translation(panX * radius, panY * radius, -distance),
-    multiply(turned, translation(-centre[0], -centre[1], -centre[2])),
+    multiply(rotation, translation(-centre[0], -centre[1], -centre[2])),
   );
   const row = (r: number) => [view[r], view[r + 4], view[r + 8]] as Vector;
   const [right, upward, backward] = [row(0), row(1), row(2)];

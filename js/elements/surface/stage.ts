@@ -1,4 +1,5 @@
 // The canvas and its frames: at most one for each refresh of the display, and only when something has changed.
+import { messageOf } from "../../editor/check.js";
 import { followSize } from "../../ui/canvas-size.js";
 import { moved, cameraMatricesOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
@@ -11,8 +12,8 @@ import type { CameraMatrices, View } from "./camera.js";
 import type { Facts, Scene } from "./geometry.js";
 import type { Theme } from "./theme.js";
 
-/** What the stage reports to the element. */
-export interface StagePort {
+/** What the stage reports, and what it asks. */
+type Callbacks = {
   /** At the beginning of each frame: pointers that have moved, and the panel */
   render: () => void;
   /** After each frame */
@@ -22,7 +23,7 @@ export interface StagePort {
   stateChanged: (state: "webgl" | "flat" | "lost") => void;
   /** Whether the surface rotates by itself */
   isRotating: () => boolean;
-}
+};
 
 const ROTATION_DEGREES_PER_SECOND = 24;
 /** After so many frames without a movement the camera rests. */
@@ -37,7 +38,7 @@ export class Stage {
   #size = { width: 0, height: 0 };
   #overlay;
   #probe;
-  #port;
+  #callbacks;
   #view: GlView | FlatView | null = null;
   #scene: Scene | null = null;
   /** What the canvas shows; null if it has to be drawn again. */
@@ -55,17 +56,17 @@ export class Stage {
    * @param overlay is kept over the canvas
    * @param probe from which colours are read
    */
-  constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement, camera: View, port: StagePort) {
+  constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement, camera: View, callbacks: Callbacks) {
     this.#canvas = canvas;
     this.#overlay = overlay;
     this.#probe = probe;
     this.#camera = camera;
-    this.#port = port;
+    this.#callbacks = callbacks;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
     this.#lost = this.#view instanceof GlView && this.#view.lost;
     this.#slot = contextSlotOf(canvas);
     if (this.#lost) this.#slot.renew();
-    port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
+    callbacks.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
   }
 
@@ -74,12 +75,12 @@ export class Stage {
     const lost = () => {
       this.#lost = true;
       this.#drawnScene = null;
-      if (!this.#slot.ended) this.#port.stateChanged("lost");
+      if (!this.#slot.ended) this.#callbacks.stateChanged("lost");
     };
     const restored = () => {
       this.#lost = false;
       this.#view = GlView.on(canvas);
-      this.#port.stateChanged("webgl");
+      this.#callbacks.stateChanged("webgl");
       this.schedule();
     };
     canvas.addEventListener("webglcontextlost", lost);
@@ -107,7 +108,7 @@ export class Stage {
 
   show(scene: Scene) {
     this.#scene = scene;
-    if (scene !== this.#drawnScene || this.#port.isRotating()) this.schedule();
+    if (scene !== this.#drawnScene || this.#callbacks.isRotating()) this.schedule();
   }
 
   /** The style sheet has other colours now. */
@@ -143,13 +144,13 @@ export class Stage {
 
   #step(now: number) {
     try {
-      this.#port.render(); // the scene that it shows is drawn in this frame
+      this.#callbacks.render(); // the scene that it shows is drawn in this frame
     } finally {
       this.#frame = 0;
     }
     const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
     this.#before = now;
-    if (this.#port.isRotating() && this.#scene && !this.#lost)
+    if (this.#callbacks.isRotating() && this.#scene && !this.#lost)
       this.move({ turn: this.#camera.turn + (ROTATION_DEGREES_PER_SECOND * passed) / 1000 });
     this.draw(this.#framesAtRest++ < REST_FRAMES);
     if (this.geometry.outdated) this.schedule();
@@ -168,7 +169,7 @@ export class Stage {
     if (!facts) return;
     this.#view?.draw({ scene, geometry: this.geometry, matrices, theme, width, height, ratio });
     this.#drawnScene = scene;
-    this.#port.drawn(facts, matrices);
+    this.#callbacks.drawn(facts, matrices);
   }
 
   /**
@@ -179,7 +180,7 @@ export class Stage {
     try {
       return this.geometry.facts(scene);
     } catch (error) {
-      this.#port.refused(error instanceof Error ? error.message : String(error));
+      this.#callbacks.refused(messageOf(error));
       return null;
     }
   }

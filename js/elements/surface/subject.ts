@@ -15,6 +15,8 @@ export class Subject {
   editor = new Editor<State>(firstState(), TRANSIENT, TRANSIENT);
   /** What makes surfaces with weights, once it is loaded. */
   rational: Rational | null = null;
+  /** The surface that was set last; one with weights is shown when the code for it is there, unless another one is set before. */
+  assigned: unknown = null;
   #memo = new Memo();
   #reader;
 
