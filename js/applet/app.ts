@@ -1,5 +1,6 @@
-import { finiteNumber, pointPair } from "../editor/check.js";
+import { finiteNumber } from "../editor/check.js";
 import { appended, randomized } from "../editor/commands.js";
+import { pointPair } from "../editor/plane.js";
 import { allPointsToggled } from "../editor/state.js";
 import * as changes from "./changes.js";
 import { Engine } from "./engine.js";

@@ -1,7 +1,7 @@
 // What a page can set: each value is checked, and becomes a new state.
-import { finiteNumber, kindOf, pointsArray } from "../editor/check.js";
+import { finiteNumber, kindOf } from "../editor/check.js";
 import { withJoints } from "../editor/commands.js";
-import { POINTS_PER_SEGMENT } from "../editor/plane.js";
+import { POINTS_PER_SEGMENT, pointsArray } from "../editor/plane.js";
 import * as states from "../editor/state.js";
 import type { State } from "../editor/state.js";
 

@@ -53,23 +53,39 @@ export function brief(value: unknown): string {
   return kindOf(typeof value === "string" && value.length > MAX_SHOWN ? `${value.slice(0, MAX_SHOWN)}…` : value);
 }
 
-export function pointPair(value: unknown, name: string): [number, number] {
-  const { 0: x, 1: y, length } = (isList(value) ? value : []) as ArrayLike<unknown>;
-  if (length !== 2) throw new TypeError(`${name}: expected [x, y], got ${kindOf(value)}`);
-  return [finiteNumber(x, `x of ${name}`, "a finite number"), finiteNumber(y, `y of ${name}`, "a finite number")];
-}
+/** What is wrong with the attributes of an element. */
+export class Problems {
+  #messages: Map<string, string> = new Map();
+  #report;
 
-/** Chains of cubics only: 4, 7, 10 … points. */
-export function pointsArray(value: unknown): [number, number][] {
-  if (!Array.isArray(value)) {
-    throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
+  /** @param report is called once with each message */
+  constructor(report: (message: string) => void) {
+    this.#report = report;
   }
-  if (value.length < 4 || value.length % 3 !== 1) {
-    throw new RangeError(`points: expected 4, 7, 10 … points (3n + 1), got ${value.length}`);
-  }
-  return Array.from(value, (point, i) => pointPair(point, `points[${i}]`));
-}
 
-function isList(value: unknown): boolean {
-  return Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
+  get messages(): string[] {
+    return [...this.#messages.values()];
+  }
+
+  /**
+   * Reads an attribute.
+   *
+   * @param read may throw; then the message of the error is reported
+   */
+  attempt(name: string, read: () => void) {
+    const before = this.#messages.get(name);
+    this.#messages.delete(name);
+    try {
+      read();
+    } catch (error) {
+      const message = messageOf(error);
+      this.#messages.set(name, message);
+      if (message !== before) this.#report(message);
+    }
+  }
+
+  /** The attribute has a valid value now. */
+  forget(name: string) {
+    this.#messages.delete(name);
+  }
 }

@@ -1,7 +1,7 @@
 // What `<bezier-applet>` shows, as one immutable value. Every change goes through a function here, in schema.ts or in
 // commands.ts and returns a new state; what is refused changes nothing.
-import { kindOf, pointPair } from "./check.js";
-import { DEFAULT_BOX, firstPoints } from "./plane.js";
+import { kindOf } from "./check.js";
+import { DEFAULT_BOX, firstPoints, pointPair } from "./plane.js";
 import { translatedTable } from "./translations.js";
 
 export type JointMode = "free" | "g1" | "c1" | "c2" | "g2" | "auto";

@@ -1,6 +1,6 @@
 // The attributes of `<bezier-applet>` that are parts of the state: any text is read, and what has changed otherwise is written.
 import { attributeName, writeAttribute } from "../attribute-text.js";
-import { Problems } from "../problems.js";
+import { Problems } from "../../editor/check.js";
 import { withJoints } from "../../editor/commands.js";
 import { FIELDS, VIEW } from "../../editor/schema.js";
 import { firstState } from "../../editor/state.js";

@@ -1,6 +1,5 @@
 // The attributes as the drawing takes them. The last valid value stays in effect where a new one is invalid.
-import { brief, numberIn, wordIn } from "../../editor/check.js";
-import { Problems } from "../problems.js";
+import { brief, numberIn, Problems, wordIn } from "../../editor/check.js";
 
 /** Those with weights, which casteljau/nurbs makes. */
 export const RATIONAL_MODELS = ["sphere", "torus", "cylinder", "cone"] as const;

@@ -14,11 +14,12 @@ precision highp int;
 
 /**
  * Bernstein's polynomials by their recurrence, B(n, i) = (1 − t) B(n − 1, i) + t B(n − 1, i − 1); those of the two
- * degrees below, which it passes, give the derivatives. At t = 0 and 1 all of it is exact.
+ * degrees below, which it passes, give the derivatives. At t = 0 and 1 all of it is exact. `net` has for each patch its two
+ * degrees, then its control points.
  */
 const EVALUATION = `
 const int SIZE = ${MAX_GPU_DEGREE + 1};
-uniform highp sampler2D net; // for each patch its two degrees, then its control points
+uniform highp sampler2D net;
 uniform int stride;
 uniform float zeroRatio;
 struct Basis { float b[SIZE]; float d[SIZE]; float dd[SIZE]; };
@@ -106,10 +107,11 @@ void vertexOf(out vec3 p, out vec3 n, out vec2 k, out float patchIndex) {
 }
 `;
 
+/** `seen` is in the coordinates of the eye. */
 const SURFACE_VERTEX = `
 uniform mat4 view;
 uniform mat4 projection;
-out vec3 seen; // in the eye's coordinates
+out vec3 seen;
 out vec3 seenNormal;
 out vec3 ownNormal;
 out vec2 curvatures;
@@ -148,7 +150,7 @@ vec3 lit(vec3 base, vec3 n) {
   float gloss = pow(max(dot(n, normalize(KEY + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
   vec3 full = base * min(light + 0.12 * rim, 1.0);
-  return mix(full, vec3(1.0), 0.55 * max(light - 1.0, 0.0) + 0.30 * gloss); // towards white, not over it
+  return mix(full, vec3(1.0), 0.55 * max(light - 1.0, 0.0) + 0.30 * gloss);
 }
 
 void main() {
@@ -165,13 +167,16 @@ void main() {
 }
 `;
 
-/** A straight piece as a band of so many pixels, drawn a little nearer than it is, so that it shows on its surface. */
+/**
+ * A straight piece as a band of so many pixels, drawn a little nearer than it is, so that it shows on its surface. `cap`: how far
+ * it reaches beyond its ends, in widths.
+ */
 const BAND = `
 uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
-uniform float cap; // how far it reaches beyond its ends, in widths
+uniform float cap;
 const float LIFT = 0.9988;
 void band(vec3 from, vec3 to, int corner) {
   vec4 a = projection * vec4((view * vec4(from, 1.0)).xyz * LIFT, 1.0);
