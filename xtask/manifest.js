@@ -159,10 +159,11 @@ async function completeDeclaration(declaration, { tagName, name, path }, types, 
   };
 }
 
-/** The property of an attribute, usually with the same name. */
+/** The property of an attribute, usually with the same name in camelCase. */
 function propertyOf(built, attribute, member) {
   const [property] = [...built.elementProperties].find(([, options]) => options.attribute === attribute) ?? [attribute];
-  return member[property] ? property : attribute;
+  const camelCase = property.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+  return member[camelCase] ? camelCase : attribute;
 }
 
 function attributeOf(attributes, property) {

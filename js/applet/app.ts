@@ -1,5 +1,6 @@
-import { finiteNumber, pointPair } from "../editor/check.js";
+import { finiteNumber } from "../editor/check.js";
 import { appended, randomized } from "../editor/commands.js";
+import { pointPair } from "../editor/plane.js";
 import { allPointsToggled } from "../editor/state.js";
 import * as changes from "./changes.js";
 import { Engine } from "./engine.js";
@@ -21,6 +22,8 @@ export class BezierApp extends EventTarget {
   #engine;
 
   /**
+   * Starts the applet on a canvas.
+   *
    * @internal
    * @param forget called when the applet is taken away
    */
@@ -31,7 +34,7 @@ export class BezierApp extends EventTarget {
   }
 
   /**
-   * All points as [x, y] in the canvas's own units, y down; also those that are hidden in the 4-point mode. Assigned
+   * All points as [x, y] in the canvas's own units, y down; also the hidden ones. Assigned
    * points (4, 7, 10 …) are taken as they are; the joint mode holds from the next move on. What cannot be points is
    * refused with a RangeError or TypeError, and the applet stays as it was.
    *
@@ -46,11 +49,11 @@ export class BezierApp extends EventTarget {
   }
 
   /** How many points are shown: 4, 7, 10 …, at most as many as there are. */
-  get mode() {
+  get visiblePoints() {
     return this.#engine.state.shown;
   }
 
-  set mode(count) {
+  set visiblePoints(count) {
     this.#engine.command((state) => changes.withShown(state, count));
   }
 
@@ -87,7 +90,7 @@ export class BezierApp extends EventTarget {
     this.#engine.set(changes.withLayers(this.#engine.state, some));
   }
 
-  /** What holds at P3 now, as `Spline.continuity` reports it; null in the 4-point mode. */
+  /** What holds at P3 now, as `Spline.continuity` reports it; null where four points are shown. */
   get continuity(): Continuity | null {
     return continuityAtP3(this.#engine.figure);
   }
@@ -104,7 +107,7 @@ export class BezierApp extends EventTarget {
   }
 
   /** Shows four points only; called again, all of them. Nothing is deleted. */
-  toggleMode() {
+  toggleAllPoints() {
     this.#engine.command(allPointsToggled);
   }
 

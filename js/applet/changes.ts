@@ -1,7 +1,7 @@
 // What a page can set: each value is checked, and becomes a new state.
-import { finiteNumber, kindOf, pointsArray } from "../editor/check.js";
+import { finiteNumber, kindOf } from "../editor/check.js";
 import { withJoints } from "../editor/commands.js";
-import { POINTS_PER_SEGMENT } from "../editor/plane.js";
+import { POINTS_PER_SEGMENT, pointsArray } from "../editor/plane.js";
 import * as states from "../editor/state.js";
 import type { State } from "../editor/state.js";
 
@@ -34,9 +34,9 @@ export function withPoints(state: State, value: unknown): State {
 
 export function withShown(state: State, count: unknown): State {
   const max = state.points.length;
-  const shown = finiteNumber(count, "mode", `a number of points from 4 to ${max}: 4, 7, 10 …`);
+  const shown = finiteNumber(count, "visiblePoints", `a number of points from 4 to ${max}: 4, 7, 10 …`);
   if (shown < MIN_POINTS || shown > max || (shown - 1) % POINTS_PER_SEGMENT !== 0) {
-    throw new RangeError(`mode: expected a number of points from 4 to ${max} (4, 7, 10 …), got ${shown}`);
+    throw new RangeError(`visiblePoints: expected a number of points from 4 to ${max} (4, 7, 10 …), got ${shown}`);
   }
   return { ...state, shown };
 }

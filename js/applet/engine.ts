@@ -76,8 +76,8 @@ export class Engine {
     this.#drags = this.#createDrags();
     this.#controls = createControls(this.#view.controls, {
       run: (action) => this.#run(action),
-      setJoint: (mode) => this.#editor.dispatch((state) => withJoint(state, mode), { origin: "user" }),
-      setLayer: (name, on) => this.#editor.dispatch((state) => withLayers(state, { [name]: on }), { origin: "user" }),
+      setJoint: (mode) => this.#editor.dispatch((state) => withJoint(state, mode), { by: "user" }),
+      setLayer: (name, on) => this.#editor.dispatch((state) => withLayers(state, { [name]: on }), { by: "user" }),
       setT: (t) => this.#changePart((state) => withT(state, t)),
       commit: () => this.#editor.commit(),
     });
@@ -104,7 +104,7 @@ export class Engine {
   command(change: (state: State) => State) {
     change(this.state);
     this.#drags.end();
-    this.#editor.dispatch(change, { origin: "page", initial: true });
+    this.#editor.dispatch(change, { by: "page", initial: true });
   }
 
   undo() {
@@ -151,7 +151,7 @@ export class Engine {
     return new Drags(this.#view.overlay, {
       placeOf: (index) => this.#placeOf(index),
       toViewBox: (event) => this.#toViewBox(event),
-      elementOf: (index) => this.#handles.boxOf(index),
+      elementOf: (index) => this.#handles.elementOf(index),
       count: () => this.#handles.count,
       grabbed: (index) => this.#handles.focus(index),
       schedule: () => this.#schedule(),
@@ -213,7 +213,7 @@ export class Engine {
 
   /** A part of what the user is doing. */
   #changePart(change: (state: State) => State) {
-    this.#editor.dispatch(change, { origin: "user", merge: true });
+    this.#editor.dispatch(change, { by: "user", merge: true });
   }
 
   /** Moves a point as far as the picture goes. */
@@ -249,7 +249,7 @@ export class Engine {
   #appendByPointer(event: MouseEvent) {
     const at = clamped(this.state.box, this.#toViewBox(event));
     this.#drags.end();
-    this.#editor.dispatch((state) => appended(state, at), { origin: "user" });
+    this.#editor.dispatch((state) => appended(state, at), { by: "user" });
     this.#announcer.say(append.done(this.state));
     this.#render(); // so that the new point's handle is there to be focused
     this.#handles.focus(this.#handles.count - 1);

@@ -21,8 +21,7 @@ export interface Action {
 }
 
 /** A change by the user that is complete. */
-const dispatch = (editor: Editor<State>, change: (state: State) => State) =>
-  editor.dispatch(change, { origin: "user" });
+const dispatch = (editor: Editor<State>, change: (state: State) => State) => editor.dispatch(change, { by: "user" });
 
 export const undo: Action = {
   label: () => translated("Undo"),
@@ -74,7 +73,7 @@ export const randomize: Action = {
 export const reset: Action = {
   label: () => translated("Reset"),
   done: () => translated("As at first"),
-  run: (editor) => editor.dispatch(() => editor.initialState, { origin: "user" }),
+  run: (editor) => editor.dispatch(() => editor.initialState, { by: "user" }),
 };
 
 export const ACTIONS = { undo, redo, append, insert, toggle, randomize, reset } satisfies Record<string, Action>;

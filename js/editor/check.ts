@@ -10,29 +10,82 @@ export function kindOf(value: unknown): string {
     : Object.prototype.toString.call(value).slice("[object ".length, -1);
 }
 
+/** What went wrong, in words. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 export function finiteNumber(value: unknown, name: string, expected: string): number {
   if (typeof value !== "number") throw new TypeError(`${name}: expected ${expected}, got ${kindOf(value)}`);
   if (!Number.isFinite(value)) throw new RangeError(`${name}: expected ${expected}, got ${value}`);
   return value;
 }
 
-export function pointPair(value: unknown, name: string): [number, number] {
-  const { 0: x, 1: y, length } = (isList(value) ? value : []) as ArrayLike<unknown>;
-  if (length !== 2) throw new TypeError(`${name}: expected [x, y], got ${kindOf(value)}`);
-  return [finiteNumber(x, `x of ${name}`, "a finite number"), finiteNumber(y, `y of ${name}`, "a finite number")];
+export function numberIn(
+  value: unknown,
+  name: string,
+  min: number,
+  max: number,
+  expected = `a number from ${min} to ${max}`,
+): number {
+  const number = finiteNumber(value, name, expected);
+  if (number < min || number > max) throw new RangeError(`${name}: expected ${expected}, got ${number}`);
+  return number;
 }
 
-/** Chains of cubics only: 4, 7, 10 … points. */
-export function pointsArray(value: unknown): [number, number][] {
-  if (!Array.isArray(value)) {
-    throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
-  }
-  if (value.length < 4 || value.length % 3 !== 1) {
-    throw new RangeError(`points: expected 4, 7, 10 … points (3n + 1), got ${value.length}`);
-  }
-  return Array.from(value, (point, i) => pointPair(point, `points[${i}]`));
+export function wholeIn(value: unknown, name: string, min: number, max: number): number {
+  const number = numberIn(value, name, min, max);
+  if (!Number.isInteger(number)) throw new RangeError(`${name}: expected a whole number, got ${number}`);
+  return number;
 }
 
-function isList(value: unknown): boolean {
-  return Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
+export function wordIn<Word extends string>(value: unknown, name: string, known: readonly Word[]): Word {
+  const found = known.find((each) => each === value);
+  if (found) return found;
+  const Refusal = typeof value === "string" ? RangeError : TypeError;
+  throw new Refusal(`${name}: expected ${known.join(", ")}, got ${brief(value)}`);
+}
+
+/** The most that a message shows of a refused text. */
+const MAX_SHOWN = 40;
+
+export function brief(value: unknown): string {
+  return kindOf(typeof value === "string" && value.length > MAX_SHOWN ? `${value.slice(0, MAX_SHOWN)}…` : value);
+}
+
+/** What is wrong with the attributes of an element. */
+export class Problems {
+  #messages: Map<string, string> = new Map();
+  #report;
+
+  /** @param report is called once with each message */
+  constructor(report: (message: string) => void) {
+    this.#report = report;
+  }
+
+  get messages(): string[] {
+    return [...this.#messages.values()];
+  }
+
+  /**
+   * Reads an attribute.
+   *
+   * @param read may throw; then the message of the error is reported
+   */
+  attempt(name: string, read: () => void) {
+    const before = this.#messages.get(name);
+    this.#messages.delete(name);
+    try {
+      read();
+    } catch (error) {
+      const message = messageOf(error);
+      this.#messages.set(name, message);
+      if (message !== before) this.#report(message);
+    }
+  }
+
+  /** The attribute has a valid value now. */
+  forget(name: string) {
+    this.#messages.delete(name);
+  }
 }

@@ -1,9 +1,10 @@
 // What can be done to the points: each function returns a new state. Where joints are held, the core does it.
 import { Curve } from "../geometry/curve/curve.js";
+import { numberIn, wholeIn, wordIn } from "./check.js";
 import { generator, randomChain, randomPlaces } from "./random.js";
 import { pairs } from "./plane.js";
 import { degreeOf, figureOf, keepSpline, splineOf } from "./figure.js";
-import { MODES, MAX_POINTS, numberIn, placeIn, resizedWeights, weightsOf, wholeIn, wordIn } from "./state.js";
+import { MODES, MAX_POINTS, placeIn, resizedWeights, weightsOf } from "./state.js";
 import type { Spline } from "../geometry/spline/spline.js";
 import type { State } from "./state.js";
 import type { Point2 } from "./state.js";

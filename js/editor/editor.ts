@@ -9,7 +9,7 @@ export type EditorEvent = "state" | "input" | "change";
 
 export interface Dispatch {
   /** Who changes something: "page" makes an undo step, "user" in addition "input" and "change" */
-  origin: "page" | "user";
+  by: "page" | "user";
   /** Whether more changes belong to the same step; `commit` completes it. False by default */
   merge?: boolean;
   /** Whether a change by the page before the first one by the user makes no step, and is what `reset` returns to */
@@ -70,18 +70,18 @@ export class Editor<State extends object> {
   }
 
   /** Changes the state. A change that throws changes nothing. */
-  dispatch(change: (state: State) => State, { origin, merge = false, initial = false }: Dispatch) {
+  dispatch(change: (state: State) => State, { by, merge = false, initial = false }: Dispatch) {
     if (!merge) this.commit();
     const before = this.#state;
     const next = change(before);
-    if (origin === "user") this.#isTouched = true;
+    if (by === "user") this.#isTouched = true;
     if (this.#isTouched || !initial) {
       this.#initialState ??= before;
       this.#history.begin(before);
     } else this.#initialState = null;
     this.replaceState(next);
-    if (origin === "user") this.#notify("input");
-    if (origin === "page") this.#history.commit(next);
+    if (by === "user") this.#notify("input");
+    if (by === "page") this.#history.commit(next);
     else if (!merge) this.commit();
   }
 
@@ -98,21 +98,21 @@ export class Editor<State extends object> {
     this.#notify("input");
   }
 
-  /** @param origin "user" fires "input" and "change", as other changes by the user do */
-  undo(origin: Dispatch["origin"] = "page") {
-    this.#step(() => this.#history.undo(this.#state), origin);
+  /** @param by "user" fires "input" and "change", as other changes by the user do */
+  undo(by: Dispatch["by"] = "page") {
+    this.#step(() => this.#history.undo(this.#state), by);
   }
 
-  redo(origin: Dispatch["origin"] = "page") {
-    this.#step(() => this.#history.redo(this.#state), origin);
+  redo(by: Dispatch["by"] = "page") {
+    this.#step(() => this.#history.redo(this.#state), by);
   }
 
-  #step(stateAfter: () => State, origin: Dispatch["origin"]) {
+  #step(stateAfter: () => State, by: Dispatch["by"]) {
     this.commit();
     const before = this.#state;
     this.#initialState ??= before;
     this.replaceState(stateAfter());
-    if (origin === "page" || this.#state === before) return;
+    if (by === "page" || this.#state === before) return;
     this.#notify("input");
     this.#notify("change");
   }
@@ -124,7 +124,7 @@ export class Editor<State extends object> {
 
   /** Returns to the initial state, as a step. */
   reset() {
-    this.dispatch(() => this.initialState, { origin: "page" });
+    this.dispatch(() => this.initialState, { by: "page" });
   }
 
   #notify(event: EditorEvent) {

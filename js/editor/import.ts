@@ -2,6 +2,7 @@
 import { Curve } from "../geometry/curve/curve.js";
 import { readSvg } from "../io/svg-read.js";
 import { extentAt } from "../wasm/packed-path.js";
+import { messageOf } from "./check.js";
 import { pairs } from "./plane.js";
 import { pointsIn, stateOf } from "./schema.js";
 import { withPoints } from "./state.js";
@@ -20,7 +21,7 @@ export function withText(state: State, text: string): State {
   try {
     return read(state, text);
   } catch (error) {
-    throw new RangeError(`This is no figure: ${error instanceof Error ? error.message : error}`);
+    throw new RangeError(`This is no figure: ${messageOf(error)}`);
   }
 }
 

@@ -1,5 +1,6 @@
 // Boxes, points, and chains of cubics.
 import { Spline } from "../geometry/spline/spline.js";
+import { finiteNumber, kindOf } from "./check.js";
 
 /** The view box; coordinates are in its units, y down */
 export type Box = { width: number; height: number };
@@ -48,4 +49,25 @@ export function clamped(
 
 export function isInside({ width, height }: Box, point: ArrayLike<number>): boolean {
   return point[0] >= 0 && point[0] <= width && point[1] >= 0 && point[1] <= height;
+}
+
+export function pointPair(value: unknown, name: string): [number, number] {
+  const { 0: x, 1: y, length } = (isList(value) ? value : []) as ArrayLike<unknown>;
+  if (length !== 2) throw new TypeError(`${name}: expected [x, y], got ${kindOf(value)}`);
+  return [finiteNumber(x, `x of ${name}`, "a finite number"), finiteNumber(y, `y of ${name}`, "a finite number")];
+}
+
+/** Chains of cubics only: 4, 7, 10 … points. */
+export function pointsArray(value: unknown): [number, number][] {
+  if (!Array.isArray(value)) {
+    throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
+  }
+  if (value.length < 4 || value.length % 3 !== 1) {
+    throw new RangeError(`points: expected 4, 7, 10 … points (3n + 1), got ${value.length}`);
+  }
+  return Array.from(value, (point, i) => pointPair(point, `points[${i}]`));
+}
+
+function isList(value: unknown): boolean {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
 }

@@ -1,5 +1,5 @@
 // Each part of the state that can be written: as an attribute (any text), or as JSON (a value).
-import { kindOf } from "./check.js";
+import { brief, kindOf, numberIn, wholeIn, wordIn } from "./check.js";
 import * as states from "./state.js";
 import type { State, View } from "./state.js";
 
@@ -46,8 +46,8 @@ function field<Name extends keyof State>(
 }
 
 const number = (name: "tolerance" | "offset" | "t", min: number, max: number) =>
-  field(name, (value) => states.numberIn(value, name, min, max));
-const count = (name: "segments" | "ticks", max: number) => field(name, (value) => states.wholeIn(value, name, 1, max));
+  field(name, (value) => numberIn(value, name, min, max));
+const count = (name: "segments" | "ticks", max: number) => field(name, (value) => wholeIn(value, name, 1, max));
 
 /** The numbers of a view, in the order of the attribute. */
 export const VIEW = ["x", "y", "width", "height"] as const;
@@ -64,30 +64,26 @@ export const FIELDS: Record<string, Field> = {
     parse: (text) => words(text).map(numberOf),
     get: ({ weights }) => [...weights],
   }),
-  basis: field("basis", (value) => states.wordIn(value, "basis", states.BASES), { parse: trimmed }),
-  matrix: field(
-    "matrix",
-    (value) => list(value, "matrix", 16).map((x, i) => states.numberIn(x, `matrix[${i}]`, -1e6, 1e6)),
-    {
-      parse: (text) => words(text).map(numberOf),
-      get: ({ matrix }) => [...matrix],
-    },
-  ),
-  degree: field("degree", (value) => (value === "n" ? value : states.wholeIn(value, "degree", 1, states.MAX_DEGREE)), {
+  basis: field("basis", (value) => wordIn(value, "basis", states.BASES), { parse: trimmed }),
+  matrix: field("matrix", (value) => list(value, "matrix", 16).map((x, i) => numberIn(x, `matrix[${i}]`, -1e6, 1e6)), {
+    parse: (text) => words(text).map(numberOf),
+    get: ({ matrix }) => [...matrix],
+  }),
+  degree: field("degree", (value) => (value === "n" ? value : wholeIn(value, "degree", 1, states.MAX_DEGREE)), {
     parse: (text) => (trimmed(text) === "n" ? "n" : numberOf(text)),
   }),
-  mode: {
+  visiblePoints: {
     parse: (text) => (trimmed(text) === "" ? null : numberOf(text)), // as it is written
     put: (state, value) => ({
       ...state,
-      shown: value === null ? state.points.length : states.wholeIn(value, "mode", 2, state.points.length),
+      shown: value === null ? state.points.length : wholeIn(value, "visiblePoints", 2, state.points.length),
     }),
     get: ({ points, shown }) => (shown < points.length ? shown : null),
     write: ({ points, shown }) => (shown < points.length ? String(shown) : ""),
   },
   joints: field(
     "joints",
-    (value) => list(value, "joints").map((mode, k) => states.wordIn(mode, `joints[${k}]`, states.MODES)),
+    (value) => list(value, "joints").map((mode, k) => wordIn(mode, `joints[${k}]`, states.MODES)),
     {
       parse: words,
       get: ({ joints }) => [...joints],
@@ -98,14 +94,14 @@ export const FIELDS: Record<string, Field> = {
     put: (state, value) =>
       states.withLayers(
         state,
-        list(value, "show").map((name, k) => states.wordIn(name, `show[${k}]`, states.LAYER_NAMES)),
+        list(value, "show").map((name, k) => wordIn(name, `show[${k}]`, states.LAYER_NAMES)),
       ),
     get: ({ layers }) => [...layers],
     write: ({ layers }) => [...layers].join(" "),
   },
-  t: field("t", (value, state) => states.numberIn(value, "t", ...states.rangeOfT(state))),
-  segment: field("segment", (value) => states.wholeIn(value, "segment", 0, states.MAX_POINTS)),
-  labels: field("labels", (value) => states.wordIn(value, "labels", states.LABELS), { parse: trimmed }),
+  t: field("t", (value, state) => numberIn(value, "t", ...states.rangeOfT(state))),
+  segment: field("segment", (value) => wholeIn(value, "segment", 0, states.MAX_POINTS)),
+  labels: field("labels", (value) => wordIn(value, "labels", states.LABELS), { parse: trimmed }),
   tolerance: number("tolerance", 0.01, 200),
   segments: count("segments", 200),
   offset: number("offset", -500, 500),
@@ -122,7 +118,7 @@ export const FIELDS: Record<string, Field> = {
 function weightsIn(value: unknown, count: number): number[] {
   if (Array.isArray(value) && value.length === 0) return [];
   return list(value, "weights", count).map((x, i) =>
-    states.numberIn(x, `weights[${i}]`, states.MIN_WEIGHT, states.MAX_WEIGHT),
+    numberIn(x, `weights[${i}]`, states.MIN_WEIGHT, states.MAX_WEIGHT),
   );
 }
 
@@ -130,9 +126,9 @@ function viewIn(value: unknown): View {
   if (typeof value !== "object" || value === null || "more" in value)
     throw new TypeError(`view: expected x, y, width and height, got ${kindOf(value)}`);
   const given = value as Record<string, unknown>;
-  const [x, y] = [given.x, given.y].map((place, i) => states.numberIn(place, `${VIEW[i]} of view`, -1e6, 1e6));
+  const [x, y] = [given.x, given.y].map((place, i) => numberIn(place, `${VIEW[i]} of view`, -1e6, 1e6));
   const [width, height] = [given.width, given.height].map((size, i) =>
-    states.numberIn(size, `${VIEW[2 + i]} of view`, Number.MIN_VALUE, 1e6),
+    numberIn(size, `${VIEW[2 + i]} of view`, Number.MIN_VALUE, 1e6),
   );
   return { x, y, width, height };
 }
@@ -142,12 +138,12 @@ export function pointsIn(text: string): unknown[] {
   const numbers = words(text).map(numberOf);
   if (numbers.length % 2 !== 0)
     throw new RangeError(
-      `points: expected pairs of numbers, got ${numbers.length} ${numbers.length === 1 ? `word (${states.brief(text)})` : "numbers"}`,
+      `points: expected pairs of numbers, got ${numbers.length} ${numbers.length === 1 ? `word (${brief(text)})` : "numbers"}`,
     );
   return Array.from({ length: numbers.length / 2 }, (_, i) => {
     const pair = [numbers[2 * i], numbers[2 * i + 1]];
     const wrong = pair.find((x) => typeof x === "string");
-    if (wrong !== undefined) throw new RangeError(`points[${i}]: expected numbers, got ${states.brief(wrong)}`);
+    if (wrong !== undefined) throw new RangeError(`points[${i}]: expected numbers, got ${brief(wrong)}`);
     return pair;
   });
 }

@@ -31,16 +31,16 @@ function anchorOf(state: State, index: number): Point2 | undefined {
 /**
  * Beside a joint: the place that makes it C1, or else the nearest on the line that makes it G1, if one is near.
  *
- * @param px the length of a CSS pixel
+ * @param unitsPerPixel the length of a CSS pixel
  */
-export function snapped(state: State, index: number, to: Point2, px: number): Point2 {
+export function snapped(state: State, index: number, to: Point2, unitsPerPixel: number): Point2 {
   const chain = chainOf(state);
   if (!chain) return to;
   const { degree, spline } = chain;
   for (let joint = 1; joint < spline.segmentCount; joint++) {
     const [a, b, c] = [-1, 0, 1].map((step) => state.points[joint * degree + step]);
     const places = [smooth(index - joint * degree, a, b, c, to)].flat();
-    const found = places.find((place) => Math.hypot(place[0] - to[0], place[1] - to[1]) <= SNAP_PX * px);
+    const found = places.find((place) => Math.hypot(place[0] - to[0], place[1] - to[1]) <= SNAP_PX * unitsPerPixel);
     if (found) return found;
   }
   return to;

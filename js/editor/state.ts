@@ -1,7 +1,7 @@
 // What `<bezier-applet>` shows, as one immutable value. Every change goes through a function here, in schema.ts or in
 // commands.ts and returns a new state; what is refused changes nothing.
-import { finiteNumber, kindOf, pointPair } from "./check.js";
-import { DEFAULT_BOX, firstPoints } from "./plane.js";
+import { kindOf } from "./check.js";
+import { DEFAULT_BOX, firstPoints, pointPair } from "./plane.js";
 import { translatedTable } from "./translations.js";
 
 export type JointMode = "free" | "g1" | "c1" | "c2" | "g2" | "auto";
@@ -157,33 +157,6 @@ export function placeIn(value: unknown, name: string): Point2 {
   if (far !== undefined)
     throw new RangeError(`${name}: expected coordinates from −${FARTHEST} to ${FARTHEST}, got ${far}`);
   return place;
-}
-
-export function numberIn(value: unknown, name: string, min: number, max: number): number {
-  const number = finiteNumber(value, name, `a number from ${min} to ${max}`);
-  if (number < min || number > max)
-    throw new RangeError(`${name}: expected a number from ${min} to ${max}, got ${number}`);
-  return number;
-}
-
-export function wholeIn(value: unknown, name: string, min: number, max: number): number {
-  const number = numberIn(value, name, min, max);
-  if (!Number.isInteger(number)) throw new RangeError(`${name}: expected a whole number, got ${number}`);
-  return number;
-}
-
-export function wordIn<Word extends string>(value: unknown, name: string, known: readonly Word[]): Word {
-  const found = known.find((each) => each === value);
-  if (found) return found;
-  const Refusal = typeof value === "string" ? RangeError : TypeError;
-  throw new Refusal(`${name}: expected ${known.join(", ")}, got ${brief(value)}`);
-}
-
-/** The most that a message shows of a refused text. */
-const MAX_SHOWN = 40;
-
-export function brief(value: unknown): string {
-  return kindOf(typeof value === "string" && value.length > MAX_SHOWN ? `${value.slice(0, MAX_SHOWN)}…` : value);
 }
 
 /** The range of t: beyond the ends where the extrapolation is shown. */

@@ -1,5 +1,6 @@
 // Weights of control points as places on the legs of the control polygon, which can be dragged.
-import { MAX_WEIGHT, MIN_WEIGHT, placeIn, wholeIn } from "./state.js";
+import { wholeIn } from "./check.js";
+import { MAX_WEIGHT, MIN_WEIGHT, placeIn } from "./state.js";
 import type { Figure } from "./figure.js";
 import type { Point2 } from "./state.js";
 import type { State } from "./state.js";

@@ -1,6 +1,9 @@
 // Frameworks set properties with what a template has: attributes' texts, undefined for what a template no longer has.
 import type { PropertyDeclaration } from "lit";
 
+/** The attribute of a property: `visiblePoints` has the attribute `visible-points`. */
+export const attributeName = (property: string) => property.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
 export interface Accessor {
   get: (this: any) => unknown;
   set: (this: any, value: any) => void;
@@ -61,11 +64,12 @@ export function hasPart(groups: ControlGroups, group: string, part: string): boo
 /**
  * Writes a value that frameworks have as an attribute: a text, or undefined for none.
  *
+ * @param name of the property
  * @returns whether it was such a value
  */
 export function writeAttribute(element: HTMLElement, name: string, value: unknown): boolean {
-  if (value === undefined) element.removeAttribute(name);
-  else if (typeof value === "string") element.setAttribute(name, value);
+  if (value === undefined) element.removeAttribute(attributeName(name));
+  else if (typeof value === "string") element.setAttribute(attributeName(name), value);
   else return false;
   return true;
 }

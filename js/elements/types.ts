@@ -64,7 +64,7 @@ export interface SurfaceFigure {
 }
 
 /**
- * `<bezier-surface>`: a surface of Bézier patches in WebGL2. Every attribute is a property of the same name. After an
+ * `<bezier-surface>`: a surface of Bézier patches in WebGL2. Every attribute is a property of the same name, in camelCase. After an
  * unknown word or a number out of range the last valid value stays in effect, and the console says so once. The events "input" (during a change by the user) and
  * "change" (at its end) bubble; changes by the page do not fire them. "update" follows every change, by the user or by the
  * page, and does not bubble.
@@ -118,7 +118,7 @@ export interface SurfaceProperties {
    */
   controls: string | boolean | null;
   /** Whether the surface rotates; it does not start by itself for users who prefer reduced motion */
-  turn: boolean;
+  autoRotate: boolean;
   /** The name of the picture for screen readers */
   label: string;
   /** The colours; "auto" follows the color scheme of the user */
@@ -188,7 +188,7 @@ export interface AppletProperties {
    */
   weights: number[];
   /** The number of points that are shown; null for all */
-  mode: number | null;
+  visiblePoints: number | null;
   /** How the points determine the curve */
   basis: "bezier" | "hermite" | "b-spline" | "catmull-rom" | "natural" | "centripetal" | "matrix";
   /** 16 numbers for the basis "matrix", row-major: [t³ t² t 1]·M·P */
@@ -252,7 +252,7 @@ export interface AppletProperties {
   /** Appends a point */
   appendPoint: (point: [number, number]) => void;
   /** Switches between the points of one curve and all points */
-  toggleMode: () => void;
+  toggleAllPoints: () => void;
   /** The property `state` */
   toJSON: () => Record<string, unknown>;
   /** The picture as an SVG document */
@@ -262,7 +262,7 @@ export interface AppletProperties {
   /** A program that draws the same curve */
   toCode: (language: "js" | "rust" | "canvas") => Promise<string>;
   /** Changes values as a user does, with events; the values are those of the state */
-  steer: (
+  edit: (
     what: {
       index?: number;
       point?: [number, number];

@@ -93,6 +93,8 @@ export type BrandedType =
 export type Branded<T> = { readonly casteljauType: BrandedType; casteljauData(): T };
 
 /**
+ * The type of an object of this package, also of another bundle.
+ *
  * @internal
  * @returns undefined for any other value
  */
@@ -101,6 +103,8 @@ export function typeOf(value: unknown): BrandedType | undefined {
 }
 
 /**
+ * The data of a curve.
+ *
  * @internal
  * @throws {TypeError} for anything but a curve
  */
@@ -120,6 +124,8 @@ export function splineData(value: unknown, name: string, expected = "a Curve or 
 }
 
 /**
+ * The data of a rational curve.
+ *
  * @internal
  * @throws {TypeError} for anything but a rational curve
  */
@@ -128,6 +134,8 @@ export function rationalData(value: unknown, name: string): RationalData {
 }
 
 /**
+ * The data of a NURBS curve.
+ *
  * @internal
  * @throws {TypeError} for anything but a NURBS curve
  */
@@ -136,6 +144,8 @@ export function nurbsData(value: unknown, name: string): NurbsData {
 }
 
 /**
+ * The data of a spline.
+ *
  * @internal
  * @throws {TypeError} for anything but a spline
  */
@@ -144,6 +154,8 @@ export function onlySplineData(value: unknown, name: string): SplineData {
 }
 
 /**
+ * The packed path of a path.
+ *
  * @internal
  * @returns see `packed-path.js`
  * @throws {TypeError} for anything but a path
@@ -153,6 +165,8 @@ export function pathData(value: unknown, name: string): Float64Array {
 }
 
 /**
+ * The data of a patch.
+ *
  * @internal
  * @throws {TypeError} for anything but a patch
  */
@@ -161,6 +175,8 @@ export function patchData(value: unknown, name: string): PatchData {
 }
 
 /**
+ * The data of a rational patch.
+ *
  * @internal
  * @throws {TypeError} for anything but a rational patch
  */
@@ -169,6 +185,8 @@ export function rationalPatchData(value: unknown, name: string): RationalPatchDa
 }
 
 /**
+ * The data of a NURBS surface.
+ *
  * @internal
  * @throws {TypeError} for anything but a NURBS surface
  */
@@ -177,6 +195,8 @@ export function nurbsSurfaceData(value: unknown, name: string): NurbsSurfaceData
 }
 
 /**
+ * The network of a surface.
+ *
  * @internal
  * @throws {TypeError} for anything but a surface without weights
  */
@@ -185,6 +205,8 @@ export function surfaceData(value: unknown, name: string): Network {
 }
 
 /**
+ * The network of a surface of rational patches.
+ *
  * @internal
  * @throws {TypeError} for anything but a surface of rational patches
  */

@@ -13,6 +13,8 @@ const HEADER_LENGTH = 5;
 const PIECE_LENGTH = HEADER_LENGTH + 12;
 
 /**
+ * The pieces of `Surface.subdivide`.
+ *
  * @internal
  * @param writeSurface writes the surface to the arena
  */

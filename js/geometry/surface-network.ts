@@ -109,6 +109,8 @@ export function sharedVertices(
 }
 
 /**
+ * A network as plain data.
+ *
  * @internal
  * @param patches the vertex indices of each patch
  */

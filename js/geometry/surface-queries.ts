@@ -122,6 +122,8 @@ export function withoutPatch({ u, v, point, distance }: SurfacePoint): PatchPoin
 }
 
 /**
+ * The points of de Casteljau's algorithm on a net.
+ *
  * @internal
  * @param levels all levels at t of a curve
  */

@@ -37,6 +37,8 @@ const WIREFRAME_OPTIONS = ["lines", "radius", "sides", "width", "into"] as any;
 const MAX_SIDES = 0xffffffff;
 
 /**
+ * The isocurves of all patches.
+ *
  * @internal
  * @param writeSurface writes the surface to the arena
  * @param options `lines`: how many strips, 4 by default

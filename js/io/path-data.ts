@@ -24,6 +24,8 @@ export interface CssOptions {
 }
 
 /**
+ * Reads the segments of `getPathData()`.
+ *
  * @internal
  * @param tolerance for arcs, 0 for the default
  * @returns a packed path

@@ -33,6 +33,8 @@ export type Parser = {
 type ReadMore = (reader: Reader, degreeU: number, degreeV: number) => void;
 
 /**
+ * Reads the text form of a surface.
+ *
  * @internal
  * @param joinedOf returns for each vertex the index of the first one with the same position
  * @param readMore reads what follows the net of a patch in the format of `surfaceText`

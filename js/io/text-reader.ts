@@ -174,12 +174,16 @@ export class Reader {
 }
 
 /**
+ * The number that a word is.
+ *
  * @internal
  * @returns undefined if the word is no number; infinite if it is too large
  */
 export const numberOf = (word: string): number | undefined => (NUMBER.test(word) ? Number(word) : undefined);
 
 /**
+ * The whole number that a word is.
+ *
  * @internal
  * @returns undefined if the word is not a sequence of digits
  */

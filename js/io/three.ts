@@ -83,6 +83,8 @@ export interface Curved {
 }
 
 /**
+ * A curve of three.js with the points of a curve of this package.
+ *
  * @internal
  * @param end the parameter of the end
  */

@@ -5,7 +5,7 @@ import type { Curve } from "../index.js";
 import type { Theme } from "./theme.js";
 import type { Role } from "./theme.js";
 import type { State } from "../editor/state.js";
-import type { Paper } from "../ui/pen.js";
+import type { PenContext } from "../ui/pen.js";
 
 export type Point2 = [number, number];
 
@@ -22,7 +22,7 @@ export interface Word {
   rank: number;
 }
 
-/** A paper with a lens before it. Paths go through the lens; marks and words stand on the picture, at `lens.place`. */
+/** A canvas, and the lens that transforms the plane to it. Paths go through the lens; marks and words stand on the picture, at `lens.place`. */
 export interface DrawContext {
   /** Scaled to the view box */
   ctx: CanvasRenderingContext2D;
@@ -37,7 +37,7 @@ export interface DrawContext {
   reserved: number[];
 }
 
-export function contextOn({ ctx, theme, px }: Paper<Role>, state: State): DrawContext {
+export function contextOn({ ctx, theme, px }: PenContext<Role>, state: State): DrawContext {
   return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], reserved: [] };
 }
 

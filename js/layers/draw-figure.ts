@@ -7,7 +7,7 @@ import type { DrawContext } from "./draw-context.js";
 import type { Role } from "./theme.js";
 import type { Figure } from "../editor/figure.js";
 import type { DrawnState, LayerName } from "../editor/state.js";
-import type { Paper } from "../ui/pen.js";
+import type { PenContext } from "../ui/pen.js";
 
 export interface Layer {
   /** By which it is switched; else it is always there */
@@ -28,18 +28,18 @@ export type LayerMessage = { name: string; words: string };
 /**
  * Draws everything on a cleared canvas.
  *
- * @param paper its context is scaled to the box; the view is seen to here
+ * @param pen its context is scaled to the view box; the view is applied here
  * @param layers from the back to the front
  * @returns the messages of the layers
  */
 export function drawFigure(
-  paper: Paper<Role>,
+  pen: PenContext<Role>,
   state: DrawnState,
   figure: Figure,
   layers: readonly Layer[],
 ): LayerMessage[] {
-  const context = contextOn(paper, state);
-  const { ctx } = paper;
+  const context = contextOn(pen, state);
+  const { ctx } = pen;
   ctx.clearRect(0, 0, state.box.width, state.box.height);
   ctx.lineJoin = ctx.lineCap = "round";
   const part = bounded(figure);

@@ -6,7 +6,7 @@ import type { State } from "../editor/state.js";
 
 export type Node = ReturnType<Curve["subdivide"]>;
 
-/** A finer tolerance than this share of a piece's polygon shows nothing more, and takes long. */
+/** The smallest tolerance, as a fraction of the length of a piece's control polygon: it bounds the time. */
 const FINEST = 1e-5;
 /** Steps between two vertices at which the distance is measured. */
 const STEPS = 8;

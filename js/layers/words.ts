@@ -46,8 +46,8 @@ function bestPlace(
       const [c, s] = [Math.cos((turn * Math.PI) / 4), Math.sin((turn * Math.PI) / 4)];
       const [dx, dy] = [c * away[0] - s * away[1], s * away[0] + c * away[1]];
       const long = Math.max(0, halfWidth - MARGIN * px) * Math.abs(dx);
-      const reach = gap * px * ring + long;
-      const place = inside(box, [at[0] + dx * reach, at[1] + dy * reach], halfWidth, MARGIN * px);
+      const distance = gap * px * ring + long;
+      const place = inside(box, [at[0] + dx * distance, at[1] + dy * distance], halfWidth, MARGIN * px);
       const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight, min);
       if (cost < min) [best, min] = [place, cost];
       if (min === 0) return best;
@@ -67,7 +67,7 @@ function inside({ width, height }: DrawContext["box"], [x, y]: Point2, across: n
 /**
  * The area that a box shares with those that are taken.
  *
- * @param most where this much is reached the rest does not matter
+ * @param max the sum stops here
  */
 function overlap(taken: number[], x: number, y: number, halfWidth: number, halfHeight: number, max: number): number {
   let sum = 0;

@@ -3,20 +3,20 @@
 /**
  * Keeps the canvas as sharp as the display, and the overlay over it.
  *
- * @param resized called with the width in CSS pixels after every change of size, and once at the start
+ * @param resized called with the size in CSS pixels after every change of size, and once at the start
  * @returns ends it
  */
 export function followSize(
   canvas: HTMLCanvasElement,
   overlay: HTMLElement,
-  resized: (width: number) => void,
+  resized: (width: number, height: number) => void,
 ): () => void {
   const observer = new ResizeObserver((entries) => {
     const { width, height } = devicePixels(canvas, entries[entries.length - 1]);
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     coverCanvas(canvas, overlay);
-    resized(canvas.clientWidth);
+    resized(canvas.clientWidth, canvas.clientHeight);
   });
   observeDevicePixels(observer, canvas);
   return () => observer.disconnect();

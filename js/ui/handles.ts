@@ -25,7 +25,7 @@ export class Handles {
     return this.#handles.length;
   }
 
-  boxOf(index: number): HTMLElement {
+  elementOf(index: number): HTMLElement {
     return this.#handles[index].box;
   }
 

@@ -5,7 +5,7 @@ import type { Box } from "../editor/plane.js";
 
 export type Point2 = [number, number];
 
-export interface Paper<Role extends string = AppletRole> {
+export interface PenContext<Role extends string = AppletRole> {
   /** Scaled to the view box */
   ctx: CanvasRenderingContext2D;
   theme: Record<Role, string>;
@@ -13,8 +13,8 @@ export interface Paper<Role extends string = AppletRole> {
   px: number;
 }
 
-/** Paper of any theme. */
-export type AnyPaper = Paper<"ink" | "paper">;
+/** With any theme that has these two roles. */
+export type AnyPenContext = PenContext<"ink" | "paper">;
 
 export const CURVE_WIDTH = 3;
 export const HALF_WIDTH = 4;
@@ -45,59 +45,59 @@ export function line(ctx: CanvasRenderingContext2D, from: Point2, to: Point2) {
   ctx.lineTo(...to);
 }
 
-export function stroke({ ctx, px }: AnyPaper, colour: string, width: number) {
+export function stroke({ ctx, px }: AnyPenContext, colour: string, width: number) {
   ctx.strokeStyle = colour;
   ctx.lineWidth = width * px;
   ctx.stroke();
 }
 
 /** The path that there is, filled faintly inside a dashed rim. */
-export function tint(paper: AnyPaper, colour: string) {
-  const { ctx, px } = paper;
+export function tint(context: AnyPenContext, colour: string) {
+  const { ctx, px } = context;
   ctx.globalAlpha = HULL_OPACITY;
   ctx.fillStyle = colour;
   ctx.fill();
   ctx.globalAlpha = 1;
   ctx.setLineDash(DASH.map((length) => length * px));
-  stroke(paper, colour, POLYGON_WIDTH);
+  stroke(context, colour, POLYGON_WIDTH);
   ctx.setLineDash([]);
 }
 
 /** A control point: a disc on the curve, a square off it; hollow where the point itself lies elsewhere. */
-export function controlPoint(paper: AnyPaper, [x, y]: Point2, onCurve: boolean, colour: string, full: boolean) {
-  const { ctx, theme, px } = paper;
+export function controlPoint(context: AnyPenContext, [x, y]: Point2, onCurve: boolean, colour: string, full: boolean) {
+  const { ctx, theme, px } = context;
   ctx.beginPath();
   if (onCurve) ctx.arc(x, y, DISC_RADIUS * px, 0, 2 * Math.PI);
   else ctx.rect(x - SQUARE_HALF * px, y - SQUARE_HALF * px, 2 * SQUARE_HALF * px, 2 * SQUARE_HALF * px);
   ctx.fillStyle = full ? colour : theme.paper;
   ctx.fill();
-  stroke(paper, full ? theme.paper : colour, RIM_WIDTH);
+  stroke(context, full ? theme.paper : colour, RIM_WIDTH);
 }
 
 /** A point that follows from others. */
-export function ring(paper: AnyPaper, [x, y]: Point2, colour: string) {
-  const { ctx, theme, px } = paper;
+export function ring(context: AnyPenContext, [x, y]: Point2, colour: string) {
+  const { ctx, theme, px } = context;
   ctx.beginPath();
   ctx.arc(x, y, HOLLOW_RADIUS * px, 0, 2 * Math.PI);
   ctx.fillStyle = theme.paper;
   ctx.fill();
-  stroke(paper, colour, RIM_WIDTH);
+  stroke(context, colour, RIM_WIDTH);
 }
 
 /** The point at t. */
-export function diamond(paper: AnyPaper, [x, y]: Point2) {
-  const { ctx, theme, px } = paper;
+export function diamond(context: AnyPenContext, [x, y]: Point2) {
+  const { ctx, theme, px } = context;
   const half = DIAMOND_HALF * px;
   path(ctx, [x, y - half, x + half, y, x, y + half, x - half, y]);
   ctx.closePath();
   ctx.fillStyle = theme.ink;
   ctx.fill();
-  stroke(paper, theme.paper, RIM_WIDTH);
+  stroke(context, theme.paper, RIM_WIDTH);
 }
 
-/** Words around a place, with a rim of paper to stay readable on lines. */
+/** Words around a place, with a rim to stay readable on lines. */
 export function label(
-  { ctx, theme, px }: AnyPaper,
+  { ctx, theme, px }: AnyPenContext,
   words: string,
   [x, y]: Point2,
   [weight, size]: readonly [weight: number, size: number] = FONT,

@@ -28,13 +28,13 @@ export function listenToGestures(overlay: HTMLElement, options: GestureOptions) 
       options.zoomAt(factor, options.place(before), options.place(after));
     },
   });
-  overlay.addEventListener("wheel", (event) => turned(event, options), { passive: false });
+  overlay.addEventListener("wheel", (event) => zoomByWheel(event, options), { passive: false });
   overlay.addEventListener("pointerdown", (event) => {
     if (event.target === overlay && event.button === 0) pointers.add(event);
   });
 }
 
-function turned(event: WheelEvent, options: GestureOptions) {
+function zoomByWheel(event: WheelEvent, options: GestureOptions) {
   if (!event.ctrlKey) return;
   event.preventDefault(); // else the page is enlarged
   const place = options.place(event);

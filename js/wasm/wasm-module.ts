@@ -205,6 +205,8 @@ export class WasmModule {
 export const wasmModules: WasmModule[] = [];
 
 /**
+ * Registers a wasm module, which is compiled before its first use.
+ *
  * @internal
  * @param source the bytes as text, or a function that gives them
  */

@@ -69,14 +69,14 @@ inEach((test) => {
     async (session) => {
       const before = await points(session);
       await session.press("m");
-      assert.equal(await app(session, "mode"), 4);
+      assert.equal(await app(session, "visiblePoints"), 4);
       await session.press("m");
-      assert.deepEqual([await app(session, "mode"), await points(session)], [7, before]);
+      assert.deepEqual([await app(session, "visiblePoints"), await points(session)], [7, before]);
       await session.press("r");
       const random = await points(session);
       assert.equal(random.filter(([x, y], i) => x !== before[i][0] && y !== before[i][1]).length, 7);
       await click(session, "Show 4 points");
-      assert.equal(await app(session, "mode"), 4);
+      assert.equal(await app(session, "visiblePoints"), 4);
     },
   );
 

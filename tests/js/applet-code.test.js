@@ -26,13 +26,13 @@ for (const basis of BASES) {
 }
 
 test("where there is no curve every language says so", () => {
-  const state = stateOf({ points, mode: 3 });
+  const state = stateOf({ points, visiblePoints: 3 });
   for (const language of /** @type {const} */ (["js", "rust", "canvas"]))
     assert.equal(codeOf(state, figureOf(state), language), "// Too few points for a curve.\n");
 });
 
-test('mode="" shows all points, as it is read', () => {
-  const { parse, put, write } = FIELDS.mode;
+test('visible-points="" shows all points, as it is read', () => {
+  const { parse, put, write } = FIELDS.visiblePoints;
   const few = put(firstState(), parse("4"));
   assert.equal(few.shown, 4);
   assert.equal(write(put(few, parse(""))), "");

@@ -135,7 +135,7 @@ test("what cannot be removed or cut is refused", () => {
 /** Attributes that cannot be used. */
 const UNUSABLE = {
   points: ["", "1", "1,2", "a,b c,d", "1,2 3,NaN", "1,2 3,Infinity", "1e9,0 0,0", "<script>", "1 2 3"],
-  mode: ["1", "99", "4.5", "x"],
+  visiblePoints: ["1", "99", "4.5", "x"],
   joints: ["g7", "g1 x"],
   basis: ["", "Bezier", "constructor", "__proto__"],
   degree: ["0", "65", "2.5", "x", ""],

@@ -1,7 +1,7 @@
 // The rules of the small applet without a page: the joint, random points, the edge of the picture, refusals, texts.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pointPair } from "#js/editor/check.js";
+import { pointPair } from "#js/editor/plane.js";
 import { withJoint, withLayers, withPoints, withShown, withT } from "#js/applet/changes.js";
 import { continuityAtP3, description, jointLabel, place } from "#js/applet/words.js";
 import { appended, randomized, withPointAt } from "#js/editor/commands.js";

@@ -77,7 +77,7 @@ test("refusals name the field and what came", () => {
     [{ t: 1.5 }, "RangeError t: expected a number from 0 to 1, got 1.5"],
     [{ t: 1.5, show: ["extrapolation"] }, "nothing"], // there t goes on
     [{ t: 1.6, show: ["extrapolation"] }, "RangeError t: expected a number from -0.5 to 1.5, got 1.6"],
-    [{ mode: 8 }, "RangeError mode: expected a number from 2 to 7, got 8"],
+    [{ visiblePoints: 8 }, "RangeError visiblePoints: expected a number from 2 to 7, got 8"],
     [{ matrix: [1] }, "RangeError matrix: expected 16 numbers, got 1"],
     [{ joints: { 0: "g1" } }, "TypeError joints: expected an array, got Object"],
     [[], "TypeError state: expected an object with points, got an array of 0"],

@@ -56,7 +56,7 @@ test("attributes: as many weights as points, above 0 and up to 1000; removed, th
   assert.deepEqual([applet.weights, applet.model.problems, applet.state.weights], [[], [], undefined]);
   applet.weights = [1, 5, 1];
   assert.deepEqual([applet.weights, applet.getAttribute("weights")], [[1, 5, 1], "1 5 1"]);
-  applet.steer({ weights: [] });
+  applet.edit({ weights: [] });
   applet.model.attributes.hostUpdated();
   assert.equal(applet.getAttribute("weights"), null);
 });
@@ -194,14 +194,14 @@ test("the program for a rational curve finds the point that is shown", () => {
   }
 });
 
-test("weights by `steer` are a step of undo; readonly refuses them; split gives rational halves", () => {
+test("weights by `edit` are a step of undo; readonly refuses them; split gives rational halves", () => {
   const applet = elementOf(BezierApplet);
   applet.state = QUARTER;
   applet.model.rational = rational;
   assert.equal(applet.figure.rational.length, 1);
   const [first, second] = applet.split(0.5);
   near([first.length() / second.length()], [1], 1e-9);
-  applet.steer({ weights: [1, 2, 1] });
+  applet.edit({ weights: [1, 2, 1] });
   assert.deepEqual(
     [applet.weights, applet.figure.weights],
     [
@@ -212,7 +212,7 @@ test("weights by `steer` are a step of undo; readonly refuses them; split gives 
   applet.undo();
   assert.deepEqual(applet.weights, QUARTER.weights);
   applet.readonly = true;
-  applet.steer({ weights: [1, 3, 1] });
+  applet.edit({ weights: [1, 3, 1] });
   assert.deepEqual(applet.weights, QUARTER.weights);
   assert.equal(new AppletController(applet).weightWords(1), "Weight of P1: 0.7071");
 });

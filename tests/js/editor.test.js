@@ -3,10 +3,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Editor } from "#js/editor/editor.js";
 
-const user = /** @type {const} */ ({ origin: "user" });
-const drag = /** @type {const} */ ({ origin: "user", merge: true });
-const page = /** @type {const} */ ({ origin: "page" });
-const property = /** @type {const} */ ({ origin: "page", initial: true });
+const user = /** @type {const} */ ({ by: "user" });
+const drag = /** @type {const} */ ({ by: "user", merge: true });
+const page = /** @type {const} */ ({ by: "page" });
+const property = /** @type {const} */ ({ by: "page", initial: true });
 
 /** @param {number} x */
 const to = (x) => (/** @type {State} */ state) => ({ ...state, x });

@@ -6,6 +6,7 @@ import { BezierApplet } from "#js/elements/applet/element.js";
 import { elementOf } from "./element-node.js";
 import * as commands from "#js/editor/commands.js";
 import { FIELDS } from "#js/editor/schema.js";
+import { attributeName } from "#js/elements/attribute-text.js";
 import { figureOf } from "#js/editor/figure.js";
 import { withText } from "#js/editor/import.js";
 import { jointsOf } from "#js/editor/joints.js";
@@ -61,8 +62,8 @@ const REFUSED = {
     (a) => a.appendPoint([NaN, 1]),
     (a) => a.randomize(0.5),
     (a) => a.split(3),
-    (a) => a.steer({ index: 99, point: [1, 1] }),
-    (a) => a.steer({ t: 9 }),
+    (a) => a.edit({ index: 99, point: [1, 1] }),
+    (a) => a.edit({ t: 9 }),
   ],
 };
 
@@ -85,7 +86,7 @@ test("properties and methods refuse with the right error, and nothing changes", 
 /** For each attribute a text that cannot be used; applet-joints.test.js has more of them. */
 const UNUSABLE = {
   points: "1,2 3,NaN",
-  mode: "99",
+  visiblePoints: "99",
   joints: "g1 x",
   basis: "__proto__",
   degree: "2.5",
@@ -106,30 +107,31 @@ test("a warning about a bad attribute stays until the attribute is removed, and 
   assert.deepEqual(Object.keys(UNUSABLE).sort(), Object.keys(FIELDS).sort());
   const { applet } = element({ points: "10,20 30,200 300,40 400,300", t: "0.25", show: "hull" });
   for (const [name, unusable] of Object.entries(UNUSABLE)) {
-    const [good, given] = [JSON.stringify(applet), applet.getAttribute(name)];
-    applet.setAttribute(name, unusable);
+    const attribute = attributeName(name);
+    const [good, given] = [JSON.stringify(applet), applet.getAttribute(attribute)];
+    applet.setAttribute(attribute, unusable);
     assert.equal(JSON.stringify(applet), good, name);
     assert.equal(applet.model.problems.length, 1, name);
     assert.match(applet.model.problems[0], new RegExp(`^(\\w+ of )?${name}(\\[\\d+\\])?: expected`));
-    if (given === null) applet.removeAttribute(name);
-    else applet.setAttribute(name, given);
+    if (given === null) applet.removeAttribute(attribute);
+    else applet.setAttribute(attribute, given);
     assert.deepEqual([JSON.stringify(applet), applet.model.problems], [good, []], name);
   }
 });
 
 test("attributes are read in any order, reflect, and go back to the defaults when they are taken away", () => {
   const { applet } = element({
-    mode: "4",
+    "visible-points": "4",
     joints: "c1",
     t: "0.2",
     show: "hull",
     points: "0,0 10,100 20,100 100,0 200,-90 300,10 310,20",
   });
-  const { points, figure, mode, t, show } = applet;
-  assert.deepEqual([mode, t, points.length, figure.points.length, show], [4, 0.2, 7, 4, "hull"]);
+  const { points, figure, visiblePoints, t, show } = applet;
+  assert.deepEqual([visiblePoints, t, points.length, figure.points.length, show], [4, 0.2, 7, 4, "hull"]);
   assert.equal(text(points), "0,0 10,100 20,100 100,0 180,-100 300,10 310,20", "held from the start");
-  for (const name of ["points", "mode", "t", "show", "joints"]) applet.removeAttribute(name);
-  assert.deepEqual([text(applet.points), applet.mode, applet.t, applet.show], [FIRST, null, 0.5, "polygon"]);
+  for (const name of ["points", "visible-points", "t", "show", "joints"]) applet.removeAttribute(name);
+  assert.deepEqual([text(applet.points), applet.visiblePoints, applet.t, applet.show], [FIRST, null, 0.5, "polygon"]);
   applet.model.attributes.hostUpdated();
   assert.equal(applet.attributes.length, 0, "what is as at first is not written");
   Object.assign(applet, { show: "comb tree", t: 0.25, points: CUBIC, joints: ["c2"], view: "10 20 67 48" });
@@ -149,7 +151,7 @@ test("the state goes through JSON and back to the last bit", () => {
   b.state = JSON.parse(JSON.stringify(a));
   for (const each of [a, b]) each.model.attributes.hostUpdated();
   assert.deepEqual([b.state, b.figure], [a.state, a.figure]);
-  const attributes = (each) => Object.keys(FIELDS).map((name) => [name, each.getAttribute(name)]);
+  const attributes = (each) => Object.keys(FIELDS).map((name) => [name, each.getAttribute(attributeName(name))]);
   assert.deepEqual(attributes(b), attributes(a));
 });
 
@@ -171,27 +173,27 @@ test("what the page writes fires nothing, and each step can be undone", () => {
   applet.redo();
   assert.equal(applet.points.length, 7);
   assert.deepEqual(events, []);
-  applet.steer({ t: 0.5 }); // as the user does
+  applet.edit({ t: 0.5 }); // as the user does
   applet.points = FIELDS.points.parse(FIRST);
   applet.undo();
   assert.equal(applet.points.length, 7);
 });
 
-test("companions steer as the user does: input, one change, one undo step", () => {
+test("companions edit as the user does: input, one change, one undo step", () => {
   const { applet, events } = element();
-  for (const t of [0.1, 0.2, 0.3]) applet.steer({ t }, false);
+  for (const t of [0.1, 0.2, 0.3]) applet.edit({ t }, false);
   assert.deepEqual(events.splice(0), ["input", "input", "input"]);
-  applet.steer({ t: 0.4 }, true);
+  applet.edit({ t: 0.4 }, true);
   assert.deepEqual(events.splice(0), ["input", "change"]);
   assert.equal(applet.figure.t, 0.4);
-  applet.steer({ index: 0, point: [1, 2] });
+  applet.edit({ index: 0, point: [1, 2] });
   assert.deepEqual(applet.points[0], [1, 2]);
   applet.undo();
   applet.undo();
   assert.deepEqual([applet.t, text(applet.points)], [0.5, FIRST]);
   applet.readonly = true;
-  applet.steer({ index: 0, point: [1, 2] });
-  applet.steer({ t: 0.9 });
+  applet.edit({ index: 0, point: [1, 2] });
+  applet.edit({ t: 0.9 });
   assert.deepEqual([applet.t, text(applet.points)], [0.9, FIRST], "read only: t alone moves");
 });
 
@@ -200,8 +202,8 @@ test("reset restores what the page has set before the first action of the user",
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], [CUBIC, 0.25], "before anything has changed, too");
   applet.points = FIELDS.points.parse("100,300 150,100 400,120 500,310");
-  applet.steer({ index: 1, point: [149, 100] });
-  applet.model.editor.dispatch((state) => commands.appended(state, [600, 30]), { origin: "user" });
+  applet.edit({ index: 1, point: [149, 100] });
+  applet.model.editor.dispatch((state) => commands.appended(state, [600, 30]), { by: "user" });
   assert.equal(applet.points.length, 7);
   applet.reset();
   assert.deepEqual([text(applet.points), applet.t], ["100,300 150,100 400,120 500,310", 0.25]);
@@ -278,7 +280,7 @@ test("in every basis a point is moved, and undone it is back", () => {
   for (const basis of BASES) {
     const { applet } = element({ basis, points: "100,300 150,100 300,100 350,300 450,420 550,300" });
     const before = text(applet.points);
-    applet.steer({ index: 2, point: [320, 80] });
+    applet.edit({ index: 2, point: [320, 80] });
     assert.deepEqual(applet.points[2], [320, 80], basis);
     applet.undo();
     assert.equal(text(applet.points), before);

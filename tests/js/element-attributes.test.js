@@ -42,7 +42,7 @@ const GIVEN = [
   [
     BezierApplet,
     {
-      mode: "4",
+      visiblePoints: "4",
       segment: "1",
       tolerance: "2",
       segments: "8",
@@ -54,7 +54,7 @@ const GIVEN = [
       show: "hull ticks",
     },
     {
-      mode: 4,
+      visiblePoints: 4,
       segment: 1,
       tolerance: 2,
       segments: 8,
@@ -97,7 +97,7 @@ for (const [Type, texts, after] of GIVEN) {
 test("numbers, lists and views are set as they are read", () => {
   const element = elementOf(BezierApplet);
   const values = {
-    mode: 4,
+    visiblePoints: 4,
     degree: "n",
     tolerance: 0.25,
     offset: -3,
@@ -109,8 +109,8 @@ test("numbers, lists and views are set as they are read", () => {
   assert.deepEqual(read(), values);
   Object.assign(element, read());
   assert.deepEqual(read(), values);
-  element.mode = null;
-  assert.equal(element.mode, null);
+  element.visiblePoints = null;
+  assert.equal(element.visiblePoints, null);
 });
 
 /** What the console says while something is done. */
@@ -131,7 +131,7 @@ for (const [Type, bad, message] of [
   [BezierApplet, { basis: "bezzier" }, /^basis: expected bezier, .*, got "bezzier"$/],
   [BezierSurface, { segments: 65 }, "segments: expected a number from 1 to 64, got 65"],
   [BezierSurface, { shading: "shiny" }, /^shading: expected smooth, .*, got "shiny"$/],
-  [BezierSurface, { show: "surface nett" }, /^show: expected some of the words .*, got "surface nett"$/],
+  [BezierSurface, { show: "surface nett" }, /^show\[1\]: expected surface, .*, got "nett"$/],
   [BezierSurface, { probe: "1 2" }, 'probe: expected three numbers, got "1 2"'],
 ]) {
   const [[name, value]] = Object.entries(bad);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
 import { Surface as SurfaceOfOtherEntry } from "#js/surfaces.js";
-import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, moved, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
 import { withPointAt } from "#js/elements/surface/state.js";
@@ -25,7 +25,7 @@ const [WIDTH, HEIGHT] = [640, 460];
 function factsSeen(attributes, view) {
   const geometry = new Geometry();
   const shown = scene(attributes);
-  geometry.seen(sightOf(moved(HOME, view), frameOf(shown.surface.vertices, "z"), WIDTH, HEIGHT), WIDTH, HEIGHT);
+  geometry.seen(cameraMatricesOf(moved(HOME, view), boundingSphereOf(shown.surface.vertices, "z"), WIDTH, HEIGHT));
   return geometry.facts(shown);
 }
 /** A flat square as one patch. */
@@ -165,7 +165,7 @@ test("moved points: one after the other, all at once and after undo, the surface
   const { editor } = subject;
   editor.replaceState({ ...subject.state, model: "teacup" });
   for (const [k, [vertex, to]] of moves.entries()) {
-    editor.dispatch((state) => withPointAt(state, subject.modelKey, vertex, [...to]), { origin: "user" });
+    editor.dispatch((state) => withPointAt(state, subject.modelKey, vertex, [...to]), { by: "user" });
     assert.deepEqual(subject.surface.vertices, moved(moves.slice(0, k + 1)));
   }
   editor.undo();

@@ -96,12 +96,12 @@ test("no public member of an element is left undescribed", () => {
 test("the methods that the sources have for pages are in it", () => {
   const methods = (tagName) => names(declared(tagName).members.filter(({ kind }) => kind === "method"));
   const applet =
-    "appendPoint insertJoint randomize redo removePoint reset split steer toBlob toCode toJSON toSVG undo".split(" ");
+    "appendPoint insertJoint randomize redo removePoint reset split edit toBlob toCode toJSON toSVG undo".split(" ");
   assert.deepEqual(without(applet, methods("bezier-applet")), []);
   assert.deepEqual(without(["redo", "toBlob", "undo"], methods("bezier-surface")), []);
   assert.deepEqual(methods("bezier-easing"), ["checkValidity", "reportValidity", "setCustomValidity"]);
-  const steer = declared("bezier-applet").members.find(({ name }) => name === "steer");
-  const parameters = steer.parameters.map(({ name, optional }) => `${name}${optional === true ? "?" : ""}`);
+  const edit = declared("bezier-applet").members.find(({ name }) => name === "edit");
+  const parameters = edit.parameters.map(({ name, optional }) => `${name}${optional === true ? "?" : ""}`);
   assert.deepEqual(parameters, ["what", "done?"]);
 });
 

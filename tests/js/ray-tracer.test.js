@@ -2,19 +2,19 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { frameOf, HOME, rayThrough, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, rayThrough, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { boxEntry, progressiveBlocks, RayTracer } from "../../www/figures/lib/ray-tracer.js";
 import { pointsOf } from "./reference.js";
 
 const [WIDTH, HEIGHT] = [31, 23];
 const teapot = Surface.teapot();
-const frame = frameOf(teapot.vertices, "z");
-const sight = sightOf(HOME, frame, WIDTH, HEIGHT);
+const sphere = boundingSphereOf(teapot.vertices, "z");
+const matrices = cameraMatricesOf(HOME, sphere, WIDTH, HEIGHT);
 const [FRONT, BACK] = pointsOf("0.2,0.4,0.8 0.8,0.4,0.2");
-const lighting = { radius: frame.radius, front: FRONT, back: BACK, hasShadows: true };
+const lighting = { radius: sphere.radius, front: FRONT, back: BACK, hasShadows: true };
 function tracerOf(surface, options = {}) {
   const patches = surface.patches.map((_, k) => surface.patch(k));
-  return new RayTracer(patches, { sight, width: WIDTH, height: HEIGHT, ...lighting, ...options });
+  return new RayTracer(patches, { matrices, ...lighting, ...options });
 }
 
 test("the nearest hit is the first one of the surface's query", () => {
@@ -22,7 +22,7 @@ test("the nearest hit is the first one of the surface's query", () => {
   let hits = 0;
   for (let y = 0.5; y < HEIGHT; y++)
     for (let x = 0.5; x < WIDTH; x++) {
-      const { origin, direction } = rayThrough(sight, x, y, WIDTH, HEIGHT);
+      const { origin, direction } = rayThrough(matrices, x, y);
       const [expected] = teapot.intersectRay(origin, direction);
       const hit = tracer.firstHit(origin, direction);
       assert.equal(hit === null, expected === undefined, `at ${x}, ${y}`);
@@ -39,9 +39,13 @@ test("a wall between a point and the light takes the light away", () => {
   const floor = "0 0 0\n4 0 0\n0 4 0\n4 4 0\n";
   const wall = "1 0 0\n1 4 0\n1 0 9\n1 4 9\n";
   const [alone, both] = [Surface.parse(`1\n1 1\n${floor}`), Surface.parse(`2\n1 1\n${floor}1 1\n${wall}`)];
-  const above = sightOf({ turn: 0, tilt: 90, zoom: 1, panX: 0, panY: 0 }, frameOf(alone.vertices, "z"), 41, 41);
-  const at = (surface, hasShadows) =>
-    tracerOf(surface, { sight: above, width: 41, height: 41, radius: 3, hasShadows }).colour(18.5, 20.5);
+  const above = cameraMatricesOf(
+    { turn: 0, tilt: 90, zoom: 1, panX: 0, panY: 0 },
+    boundingSphereOf(alone.vertices, "z"),
+    41,
+    41,
+  );
+  const at = (surface, hasShadows) => tracerOf(surface, { matrices: above, radius: 3, hasShadows }).colour(18.5, 20.5);
   const [lit, shadow] = [at(alone, true), at(both, true)];
   assert.deepEqual(at(both, false), at(alone, false), "without shadows the wall changes nothing there");
   assert.deepEqual(lit, at(alone, false));

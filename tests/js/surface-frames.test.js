@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, moved, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
 import { settingsOf } from "#js/elements/surface/settings.js";
@@ -13,22 +13,23 @@ const [WIDTH, HEIGHT] = [600, 400];
 const scene = (attributes) => ({
   surface,
   settings: settingsOf(/** @type {any} */ (attributes)),
-  frame: frameOf(surface.vertices, "z"),
+  sphere: boundingSphereOf(surface.vertices, "z"),
   picked: null,
 });
-const sight = (zoom) => sightOf(moved(HOME, { zoom }), frameOf(surface.vertices, "z"), WIDTH, HEIGHT);
+const matrices = (zoom) =>
+  cameraMatricesOf(moved(HOME, { zoom }), boundingSphereOf(surface.vertices, "z"), WIDTH, HEIGHT);
 
 test("a mesh by pixels stays while the camera moves, and follows when it rests", () => {
   const geometry = new Geometry();
   const shown = scene({ pixels: 1 });
-  geometry.seen(sight(1), WIDTH, HEIGHT, true); // the first view counts in any case
+  geometry.seen(matrices(1), true); // the first view counts in any case
   const coarse = geometry.mesh(shown).indices.length;
   const version = geometry.version();
-  geometry.seen(sight(3), WIDTH, HEIGHT, true);
+  geometry.seen(matrices(3), true);
   geometry.mesh(shown);
   assert.equal(geometry.version(), version);
   assert.equal(geometry.outdated, true);
-  geometry.seen(sight(3), WIDTH, HEIGHT, false);
+  geometry.seen(matrices(3), false);
   assert.ok(geometry.mesh(shown).indices.length > coarse);
   assert.ok(geometry.version() > version);
   assert.equal(geometry.outdated, false);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Surface } from "casteljau";
-import { frameOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf } from "#js/elements/surface/camera.js";
 import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
 import { surfaceNamed } from "#js/elements/surface/models.js";
@@ -30,7 +30,7 @@ function figure(properties) {
       const scene = {
         surface,
         settings: settingsOf(element),
-        frame: frameOf(surface.vertices, "z"),
+        sphere: boundingSphereOf(surface.vertices, "z"),
         picked: element.patch ?? (surface.patchCount === 1 ? 0 : null),
       };
       return figureOf(scene, new Geometry().facts(scene));

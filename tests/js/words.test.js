@@ -10,14 +10,14 @@ const WORDS = [
   [/\bMOST_\w+/g, "MAX_…"],
   [/\bLEAST_\w+/g, "MIN_…"],
   [/\b(Hands|Acting|acts)\b/g, "AppletController, actions"],
-  [/\b(Desk|Turning|Lease|Fineness)\b/g, "FileController, AutoRotation, ContextSlot, DetailSettings"],
+  [/\b(Desk|Turning|Lease|Fineness)\b/g, "SurfaceController, AutoRotation, ContextSlot, DetailSettings"],
   [/\b(Sheet|Place)\b/g, "DrawContext, Point2"],
   [
     /\b(told|tell|tells|heard|attended|dusted|deafen|leases|DeskPort)\b/g,
     "notify, messages, announced, focusedPoint, roundedToPixels",
   ],
   [/\b(least|most)\b/g, "min, max"],
-  [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch with an origin, commit, revert"],
+  [/\b(chosen|during|byUser|byPage|settle|giveUp)\b/g, "selected, dispatch by someone, commit, revert"],
   [/\b(knob|hollow|truth|fewest)\b/g, "controlPoint, ring, continuityLabels, minPoints"],
 ];
 

@@ -155,7 +155,7 @@ export const text: string = easing(0, 0, 1, 1).toLinear(0.01) + ease.css;
 easing(0, 0, 1);
 export const both: Promise<void>[] = [init(), slim.init(fetch("casteljau.wasm"))];
 export const app: Function = bezierApp;
-export const turning: boolean = new BezierSurface().turn;
+export const isRotating: boolean = new BezierSurface().autoRotate;
 export const loaded: Promise<void> = loadElement("bezier-surface");
 // @ts-expect-error: a curve is made of points
 new Curve(7);

@@ -40,9 +40,9 @@ test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
   };
   const app = (name) => page.evaluate((name) => bezierApp()[name], name);
   await press(page.getByRole("button", { name: /Show 4 points/ }), "Enter");
-  assert.equal(await app("mode"), 4);
+  assert.equal(await app("visiblePoints"), 4);
   await press(page.getByRole("button", { name: /Show 7 points/ }), "Space");
-  assert.equal(await app("mode"), 7);
+  assert.equal(await app("visiblePoints"), 7);
   await press(page.getByLabel("Free"), "ArrowRight");
   assert.equal(await app("joint"), "g1");
   await press(page.getByLabel("t", { exact: true }), "ArrowRight");

@@ -156,10 +156,10 @@ test("r and m are left alone in fields, with modifiers, and when switched off", 
   await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
   await page.keyboard.press("r");
   assert.deepEqual(await points(page), before);
-  assert.equal(await page.evaluate(() => bezierApp().mode), 7);
+  assert.equal(await page.evaluate(() => bezierApp().visiblePoints), 7);
   await page.getByLabel("P0 x").focus(); // inside the applet they always count
   await page.keyboard.press("m");
-  assert.equal(await page.evaluate(() => bezierApp().mode), 4);
+  assert.equal(await page.evaluate(() => bezierApp().visiblePoints), 4);
 });
 
 test("undo and redo by button and key, with the focus inside only; Esc takes a drag back", async (t) => {
@@ -197,8 +197,8 @@ test("events: input while moving, change at the end, none for what the page writ
   });
   await page.evaluate(() => {
     const app = bezierApp();
-    Object.assign(app, { points: app.points, t: 0.2, joint: "g1", mode: 4, layers: { hull: true } });
-    app.toggleMode();
+    Object.assign(app, { points: app.points, t: 0.2, joint: "g1", visiblePoints: 4, layers: { hull: true } });
+    app.toggleAllPoints();
     app.randomize(1);
     app.append([10, 10]);
   });
@@ -224,7 +224,13 @@ test("assigned values show: points, t, layers", async (t) => {
   assert.ok((await countColour(page, [130, 257.5], GREEN)) >= 2, "the construction");
   assert.equal(await page.getByLabel("t", { exact: true }).inputValue(), "0.25");
   assert.equal(await page.getByLabel("two halves at t").isChecked(), true);
-  for (const bad of [{ points: [] }, { mode: 5 }, { joint: "G9" }, { t: "half" }, { layers: { bones: true } }]) {
+  for (const bad of [
+    { points: [] },
+    { visiblePoints: 5 },
+    { joint: "G9" },
+    { t: "half" },
+    { layers: { bones: true } },
+  ]) {
     const setting = page.evaluate((values) => void Object.assign(bezierApp(), values), bad);
     await assert.rejects(setting, /(RangeError|TypeError): .+: expected .+, got .+/);
   }
@@ -252,7 +258,7 @@ test("bezierApp takes a canvas, its id, or means #beziercanvas; the second call 
   assert.ok(inside, "the points fit a smaller canvas");
   await page.locator('[part="handle"]').last().hover();
   await page.keyboard.press("m");
-  const modes = () => page.evaluate(() => [bezierApp().mode, bezierApp("other").mode]);
+  const modes = () => page.evaluate(() => [bezierApp().visiblePoints, bezierApp("other").visiblePoints]);
   assert.deepEqual(await modes(), [7, 4], "m is for the applet under the pointer");
 });
 
@@ -302,8 +308,8 @@ test("destroy leaves the page as it was, and a new applet can follow", async (t)
   });
   await drawn(page);
   assert.equal(await html(), before);
-  assert.equal(await page.evaluate(() => app.mode), 7, "its keys are gone");
-  assert.equal(await page.evaluate(() => bezierApp() !== app && bezierApp().mode), 7);
+  assert.equal(await page.evaluate(() => app.visiblePoints), 7, "its keys are gone");
+  assert.equal(await page.evaluate(() => bezierApp() !== app && bezierApp().visiblePoints), 7);
   await handle(page, 6).waitFor();
 });
 

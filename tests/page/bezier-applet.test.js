@@ -148,7 +148,7 @@ test("r and m reach the applet that has the focus, is under the pointer, or is a
   await page.mouse.move(2, 2);
   await page.setViewportSize({ width: 800, height: 300 });
   await press(page, "m");
-  assert.equal(await ask(page, () => a.mode), 4, "the one in view");
+  assert.equal(await ask(page, () => a.visiblePoints), 4, "the one in view");
 });
 
 test("keys are left alone in fields and in the list of keys, and can be switched off", async (t) => {
@@ -160,16 +160,19 @@ test("keys are left alone in fields and in the list of keys, and can be switched
   await press(page, "r");
   await focus(page, 3);
   for (const key of ["r", "m", "i", "Delete", "Enter"]) await press(page, key);
-  assert.deepEqual([await pointsText(page), await ask(page, () => [a.mode, a.joints])], [FIRST, [null, ["free"]]]);
+  assert.deepEqual(
+    [await pointsText(page), await ask(page, () => [a.visiblePoints, a.joints])],
+    [FIRST, [null, ["free"]]],
+  );
   await press(page, "ArrowLeft");
   assert.equal((await points(page))[3][0], 324, "the arrows are the sliders' own");
   await ask(page, () => a.removeAttribute("hotkeys"));
   await press(page, "m");
-  assert.equal(await ask(page, () => a.mode), 4);
+  assert.equal(await ask(page, () => a.visiblePoints), 4);
   await press(page, "?");
   assert.ok(await page.getByRole("dialog", { name: "Keys" }).isVisible());
   await press(page, "m");
-  assert.equal(await ask(page, () => a.mode), 4, "the list is open");
+  assert.equal(await ask(page, () => a.visiblePoints), 4, "the list is open");
   await press(page, "Escape");
   assert.ok(!(await page.getByRole("dialog").isVisible()));
 });
@@ -240,10 +243,10 @@ test("events of the panel's controls stay inside: a page gets those of the eleme
 test("attributes, properties and a double click change the picture, and the attributes follow", async (t) => {
   const page = await openApplet(
     t,
-    'mode="4" joints="c1" show="hull" points="0,0 10,100 20,100 100,0 200,-90 300,10 310,20"',
+    'visible-points="4" joints="c1" show="hull" points="0,0 10,100 20,100 100,0 200,-90 300,10 310,20"',
   );
   assert.equal(await page.locator('bezier-applet [part="handle"]').count(), 4);
-  await ask(page, () => a.removeAttribute("mode"));
+  await ask(page, () => a.removeAttribute("visible-points"));
   await settled(page);
   assert.equal(await page.locator('bezier-applet [part="handle"]').count(), 7);
   assert.deepEqual((await points(page))[4], [180, -100], "held from the start");

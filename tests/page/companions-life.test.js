@@ -36,7 +36,7 @@ test("either of the two may be defined first", async (test) => {
         figure = JSON.parse(
           '{"points":[[0,0],[1,1]],"names":["A","B"],"basis":"bezier","matrix":null,"t":0.75,"segment":0,"pieces":[]}',
         );
-        steer() {}
+        edit() {}
       },
     ),
   );
@@ -186,7 +186,7 @@ test("linked to an applet, removed and put back many times they leave nothing", 
       frames++;
       return original(act);
     };
-    document.querySelector("bezier-applet").steer({ t: 0.11 }, true);
+    document.querySelector("bezier-applet").edit({ t: 0.11 }, true);
     for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     return frames;
   }, QUIET_FRAMES);

@@ -124,7 +124,7 @@ test("the equation: MathML with live numbers that add up, and a text for screen 
     [110, 90],
     [300, 20],
   ]) {
-    await on(page, "bezier-applet", (applet, point) => applet.steer({ index: 1, point }, true), point);
+    await on(page, "bezier-applet", (applet, point) => applet.edit({ index: 1, point }, true), point);
     await settled(page);
     const place = await on(page, "bezier-applet", ({ figure }) => figure.pieces[figure.segment].curve.eval(figure.t));
     assertNear(await sum(), [place.x, place.y], 5.1e-4);
@@ -320,7 +320,7 @@ test("coordinates are typed: the applet moves with every digit, and Enter makes 
   await page.keyboard.press("Escape");
   assert.deepEqual([await p1(), await input.inputValue()], [[110, 90], "110"]);
   await input.fill("12");
-  await on(page, "bezier-applet", (applet) => applet.steer({ index: 1, point: [44, 55] }, false));
+  await on(page, "bezier-applet", (applet) => applet.edit({ index: 1, point: [44, 55] }, false));
   await settled(page);
   assert.deepEqual([await input.inputValue(), await other.inputValue()], ["12", "55"], "what is typed is not touched");
   await on(page, "bezier-applet", (applet) => Object.assign(applet, { readonly: true, t: 0.9 }));

@@ -126,7 +126,7 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
     applet.evaluate(
       (/** @type {any} */ element, [by, done]) => {
         const [, , p2, p3] = element.points;
-        element.steer({ index: 4, point: [3 * p3[0] - 2 * p2[0] + by, 3 * p3[1] - 2 * p2[1]] }, done);
+        element.edit({ index: 4, point: [3 * p3[0] - 2 * p2[0] + by, 3 * p3[1] - 2 * p2[1]] }, done);
       },
       /** @type {[number, boolean]} */ ([by, done]),
     );

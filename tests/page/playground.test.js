@@ -13,7 +13,7 @@ test("the control of an attribute follows from its row in the table", () => {
   assert.deepEqual(controlOf("joints", "words: free g1", "continuity"), { kind: "words", options: ["free", "g1"] });
   const show = controlOf("show", "words, polygon", "layers: polygon hull. Without names, …");
   assert.deepEqual(show, { kind: "words", options: ["polygon", "hull"] });
-  assert.deepEqual(controlOf("turn", "boolean", ""), { kind: "flag" });
+  assert.deepEqual(controlOf("auto-rotate", "boolean", ""), { kind: "flag" });
   assert.deepEqual(controlOf("points", "“x,y x,y …”", ""), { kind: "text" });
 });
 

@@ -1,7 +1,7 @@
 // What a reader changes is in the page's address, and any address can be read: what cannot be used is told, nothing breaks.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { SHARED } from "../../www/parts/address.js";
+import { propertyOf, SHARED } from "../../www/parts/address.js";
 import { openPage } from "./browser.js";
 import { centreOf, pullFrom } from "./gestures.js";
 import { openStrict, settled } from "./site-pages.js";
@@ -64,14 +64,17 @@ test("whatever an address can set of an element, it can be read off it", async (
     const kinds = await page
       .locator(name)
       .first()
-      .evaluate((element, names) => names.map((each) => [each, typeof element[each]]), Object.keys(SHARED[name]));
+      .evaluate(
+        (element, names) => names.map((each) => [each, typeof element[each]]),
+        Object.keys(SHARED[name]).map(propertyOf),
+      );
     for (const [each, kind] of kinds) assert.match(kind, /^(string|number|object)$/, `${name}.${each} is a ${kind}`);
   }
   await page.goto(ELEMENTS);
   await ready(page);
   await hero(page).evaluate((applet) => {
     applet.setAttribute("show", "hull");
-    applet.steer({ t: 0.25 }, true);
+    applet.edit({ t: 0.25 }, true);
   });
   await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });

@@ -144,7 +144,7 @@ test("moved to another place it shows the same; taken away it leaves nothing run
   assert.equal(await difference(page, before, after), 0);
   const requested = await page.evaluate(async (quiet) => {
     const element = document.querySelector("bezier-surface");
-    element.turn = true;
+    element.autoRotate = true;
     element.remove();
     let count = 0;
     const original = requestAnimationFrame;
@@ -161,11 +161,11 @@ test("moved to another place it shows the same; taken away it leaves nothing run
 });
 
 test("it draws only when something changes, and turns only when asked", async (t) => {
-  const page = await openSurface(t, "turn", { reducedMotion: "no-preference" });
+  const page = await openSurface(t, "auto-rotate", { reducedMotion: "no-preference" });
   const turn = () => page.evaluate(() => document.querySelector("bezier-surface").view.turn);
   const first = await turn();
   await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
-  await page.getByRole("button", { name: "Stop turning" }).click();
+  await page.getByRole("button", { name: "Stop rotating" }).click();
   await settled(page);
   const count = await page.evaluate(async (quiet) => {
     let draws = 0;
@@ -182,12 +182,12 @@ test("it draws only when something changes, and turns only when asked", async (t
 });
 
 test("it stands still for those who want less motion, until they ask", async (t) => {
-  const page = await openSurface(t, "turn");
+  const page = await openSurface(t, "auto-rotate");
   const turn = () => page.evaluate(() => document.querySelector("bezier-surface").view.turn);
   const first = await turn();
   await frames(page, QUIET_FRAMES);
   assert.equal(await turn(), first);
-  await page.getByRole("button", { name: "Turn", exact: true }).click();
+  await page.getByRole("button", { name: "Rotate", exact: true }).click();
   await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
 });
 

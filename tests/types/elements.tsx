@@ -47,7 +47,14 @@ export function Page() {
         onupdate={() => {}}
       />
       <bezier-applet points={[[0, 0]]} joints={["g1"]} style={{ width: 300 }} onInput={() => ref.current?.undo()} />
-      <bezier-surface model="teapot" segments="24" pixels={0.5} turn view={{ zoom: 2 }} surface={Surface.teapot()} />
+      <bezier-surface
+        model="teapot"
+        segments="24"
+        pixels={0.5}
+        autoRotate
+        view={{ zoom: 2 }}
+        surface={Surface.teapot()}
+      />
       <bezier-bernstein for="a" degree={3} />
       <bezier-equation htmlFor="a" editable form="matrix" />
       <bezier-coordinates points="0,0 1,1" className="table" />

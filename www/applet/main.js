@@ -10,7 +10,7 @@ window.addEventListener("load", () => {
 });
 
 function show(app, type) {
-  rows.replaceChildren(...app.points.map((point, index) => row(point, index, index >= app.mode)));
+  rows.replaceChildren(...app.points.map((point, index) => row(point, index, index >= app.visiblePoints)));
   lastEvent.textContent = type;
 }
 

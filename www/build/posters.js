@@ -2,6 +2,7 @@
 // element starts, without JavaScript, and on paper. By the same layers that draw it later.
 import { FONT_FAMILY } from "#js/ui/tokens.js";
 import { FIELDS } from "#js/editor/schema.js";
+import { attributeName } from "#js/elements/attribute-text.js";
 import { figureOf } from "#js/editor/figure.js";
 import { svgFigure } from "#js/layers/svg.js";
 import { RATIONAL_LAYERS } from "#js/layers/rational.js";
@@ -27,8 +28,10 @@ const attributesOf = (tag) =>
  * @returns {string} SVG
  */
 export function posterOf(attributes) {
-  const given = Object.entries(FIELDS).filter(([name]) => name in attributes);
-  const state = given.reduce((now, [name, { parse, put }]) => put(now, parse(attributes[name])), firstState());
+  const state = Object.entries(FIELDS).reduce((now, [name, { parse, put }]) => {
+    const given = attributes[attributeName(name)];
+    return given === undefined ? now : put(now, parse(given));
+  }, firstState());
   const layers = weightsOf(state) ? RATIONAL_LAYERS : undefined;
   return svgFigure(state, figureOf(state, RationalCurve), { theme: THEME, label: attributes.label, layers });
 }

@@ -1,6 +1,6 @@
 // Draws every <bezier-surface …></bezier-surface> into the page while the site is built, as lines: the picture that is there
 // before the element starts, without JavaScript, and on paper where it was not seen yet.
-import { frameOf, HOME, moved, pixelMatrix, placeOf, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, moved, pixelMatrix, placeOf, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { framingPoints, surfaceNamed } from "#js/elements/surface/models.js";
 import * as rational from "#js/elements/surface/rational.js";
 import { settingsOf } from "#js/elements/surface/settings.js";
@@ -43,31 +43,28 @@ export function surfacePoster(attributes) {
   const settings = settingsOf(/** @type {any} */ (attributes));
   const given = GIVEN[attributes["data-surface"] ?? attributes.id]?.();
   const surface = given ?? surfaceNamed(settings, rational);
-  const frame = frameOf(given?.vertices ?? framingPoints(settings, rational), settings.up);
+  const sphere = boundingSphereOf(given?.vertices ?? framingPoints(settings, rational), settings.up);
   const view = moved(HOME, JSON.parse(attributes["data-view"] ?? "{}"));
-  const sight = sightOf(view, frame, WIDTH, HEIGHT);
+  const matrices = cameraMatricesOf(view, sphere, WIDTH, HEIGHT);
   const lines = surface.patchCount < ROOM ? MANY : FEW;
   const path = surface
     .isocurves({ lines })
-    .map((/** @type {any} */ curve) => ("weights" in curve ? projected(curve, sight) : pathOf(curve, sight)))
+    .map((/** @type {any} */ curve) => ("weights" in curve ? projected(curve, matrices) : pathOf(curve, matrices)))
     .join("");
   return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
 }
 
-/** @param {import("casteljau/nurbs").RationalCurve<3>} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} sight */
-function projected(curve, sight) {
-  const image = curve.transform(pixelMatrix(sight, WIDTH, HEIGHT));
+/** @param {import("casteljau/nurbs").RationalCurve<3>} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} matrices */
+function projected(curve, matrices) {
+  const image = curve.transform(pixelMatrix(matrices, WIDTH, HEIGHT));
   const points = image.points().map(({ x, y }) => [x, y]);
   return new RationalCurve(points, image.weights()).toSVG({ precision: 1 });
 }
 
-/** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} sight */
-function pathOf(curve, sight) {
+/** @param {import("casteljau/surfaces").Curve} curve @param {import("#js/elements/surface/camera.js").CameraMatrices} matrices */
+function pathOf(curve, matrices) {
   const points = curve.controlPoints();
-  const places = Array.from(
-    { length: points.length / 3 },
-    (_, k) => placeOf(sight, points, 3 * k, WIDTH, HEIGHT) ?? [0, 0],
-  );
+  const places = Array.from({ length: points.length / 3 }, (_, k) => placeOf(matrices, points, 3 * k) ?? [0, 0]);
   const [first, ...rest] = places.map((place) => place.map((x) => x.toFixed(1)).join(" "));
   return `M${first}${rest.length === 3 ? "C" : rest.length === 2 ? "Q" : "L"}${rest.join(" ")}`;
 }

@@ -1,7 +1,7 @@
 // The picture of the teapot on the first page, until <bezier-surface> takes its place: drawn with its camera, its light and its
 // colours, for light and dark pages.
 import { mkdir, writeFile } from "node:fs/promises";
-import { frameOf, HOME, moved, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, moved, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { isocurves, nets } from "#js/elements/surface/lines.js";
 import { image } from "#js/elements/surface/matrix.js";
 import { framingPoints, surfaceNamed } from "#js/elements/surface/models.js";
@@ -59,18 +59,23 @@ function lightOn(normal, at) {
 function scene() {
   const settings = settingsOf(/** @type {any} */ (TEAPOT));
   const surface = surfaceNamed(settings);
-  const sight = sightOf(moved(HOME, TEAPOT_VIEW), frameOf(framingPoints(settings), settings.up), WIDTH, HEIGHT);
+  const matrices = cameraMatricesOf(
+    moved(HOME, TEAPOT_VIEW),
+    boundingSphereOf(framingPoints(settings), settings.up),
+    WIDTH,
+    HEIGHT,
+  );
   /** Where a point appears: x, y, depth. @param {ArrayLike<number>} flat @param {number} i */
   const project = (flat, i) => {
-    const [x, y, z, w] = image(sight.viewProjection, flat, 3 * i);
+    const [x, y, z, w] = image(matrices.viewProjection, flat, 3 * i);
     return [((x / w + 1) * WIDTH * SAMPLES) / 2, ((1 - y / w) * HEIGHT * SAMPLES) / 2, z / w];
   };
   /** @param {ArrayLike<number>} flat @param {number} i */
-  const seen = (flat, i) => image(sight.view, flat, 3 * i).slice(0, 3);
+  const seen = (flat, i) => image(matrices.view, flat, 3 * i).slice(0, 3);
   /** @param {ArrayLike<number>} flat @param {number} i */
   const turned = (flat, i) => {
     const [x, y, z] = [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]];
-    return [0, 1, 2].map((row) => sight.view[row] * x + sight.view[row + 4] * y + sight.view[row + 8] * z);
+    return [0, 1, 2].map((row) => matrices.view[row] * x + matrices.view[row + 4] * y + matrices.view[row + 8] * z);
   };
   const mesh = surface.grid({ segments: SEGMENTS });
   const vertices = Array.from({ length: mesh.positions.length / 3 }, (_, i) => ({

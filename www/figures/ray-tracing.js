@@ -1,6 +1,6 @@
 // <ray-tracing for="id">: the view of a <bezier-surface>, ray traced from its patches in a Web Worker.
 import { css, html } from "lit";
-import { frameOf, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { Figure } from "./lib/figure.js";
 import { check } from "./lib/parts.js";
 
@@ -91,13 +91,13 @@ export class RayTracing extends Figure {
     this.#tracedView = JSON.stringify(target.view);
     Object.assign(this, { state: "running", progress: 0, isOutdated: false });
     const { vertices } = target.surface;
-    const frame = frameOf(vertices, target.up);
-    const sight = sightOf(target.view, frame, side, side);
+    const sphere = boundingSphereOf(vertices, target.up);
+    const matrices = cameraMatricesOf(target.view, sphere, side, side);
     const [front, back] = ["--bz-front", "--bz-back"].map((name) => colourOf(target, name));
     this.#worker = new Worker(new URL("./lib/trace-worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#show(canvas, data);
     this.#worker.onerror = () => this.#finish("failed");
-    const view = { sight, width: side, height: side, radius: frame.radius, front, back, hasShadows: this.hasShadows };
+    const view = { matrices, radius: sphere.radius, front, back, hasShadows: this.hasShadows };
     this.#worker.postMessage({ surface: target.surface.toJSON(), view });
   }
 

@@ -1,7 +1,7 @@
 // <reyes-dicing>: the steps of the REYES algorithm on the teapot: bound, split, dice, shade.
 import { css, html } from "lit";
 import { Surface } from "casteljau/surfaces";
-import { frameOf, HOME, sightOf } from "#js/elements/surface/camera.js";
+import { boundingSphereOf, HOME, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { dice, screenBounds, splitPatch } from "./lib/dicing.js";
 import { Figure } from "./lib/figure.js";
 import { grouped } from "./lib/numbers.js";
@@ -37,8 +37,8 @@ export class ReyesDicing extends Figure {
   #watch = null;
   /** @type {import("casteljau/surfaces").Patch[]} */
   #patches = [];
-  /** @type {import("#js/elements/surface/camera.js").Frame | null} */
-  #frame = null;
+  /** @type {import("#js/elements/surface/camera.js").BoundingSphere | null} */
+  #sphere = null;
 
   constructor() {
     super();
@@ -84,12 +84,12 @@ export class ReyesDicing extends Figure {
   #build() {
     const teapot = Surface.teapot();
     this.#patches = teapot.patches.map((_, k) => teapot.patch(k));
-    this.#frame = frameOf(teapot.vertices, "z");
+    this.#sphere = boundingSphereOf(teapot.vertices, "z");
   }
 
   /** The parts of all patches and their micropolygons. @param {number} zoom */
   #dice(zoom) {
-    if (!this.#frame) this.#build();
+    if (!this.#sphere) this.#build();
     const { project, toEye } = this.#camera(this.wide, Math.round(ASPECT * this.wide), zoom);
     const parts = this.#patches.flatMap((patch, patchIndex) =>
       splitPatch(patch, project, this.size).map((part) => ({ part, patchIndex })),
@@ -123,11 +123,11 @@ export class ReyesDicing extends Figure {
 
   /** A parallel projection in the direction of the elements' first view. @param {number} width @param {number} height @param {number} zoom */
   #camera(width, height, zoom) {
-    const frame = /** @type {import("#js/elements/surface/camera.js").Frame} */ (this.#frame);
-    const { right, upward, forward } = sightOf(HOME, frame, width, height);
-    const scale = (zoom * FILLED * width) / frame.radius;
+    const sphere = /** @type {import("#js/elements/surface/camera.js").BoundingSphere} */ (this.#sphere);
+    const { right, upward, forward } = cameraMatricesOf(HOME, sphere, width, height);
+    const scale = (zoom * FILLED * width) / sphere.radius;
     const along = (/** @type {ArrayLike<number>} */ p, /** @type {number[]} */ axis) =>
-      axis.reduce((sum, a, k) => sum + a * (p[k] - frame.centre[k]), 0);
+      axis.reduce((sum, a, k) => sum + a * (p[k] - sphere.centre[k]), 0);
     /** @type {import("./lib/dicing.js").Projection} */
     const project = (p) => [
       width / 2 + scale * along(p, right),

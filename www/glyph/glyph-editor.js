@@ -154,7 +154,7 @@ export class GlyphEditor extends Figure {
     this.problem = this.fieldProblem = "";
     this.outline = outline;
     if (outline !== this.editor.state.outline) {
-      this.editor.dispatch(() => ({ outline }), { origin: "page" });
+      this.editor.dispatch(() => ({ outline }), { by: "page" });
       this.notifyChange();
     }
     this.requestUpdate();

@@ -172,7 +172,7 @@ export class InkPad extends Figure {
 
   /** @param {(drawing: Drawing) => Drawing} change */
   change(change) {
-    this.editor.dispatch(change, { origin: "user" });
+    this.editor.dispatch(change, { by: "user" });
     this.notifyChange();
   }
 

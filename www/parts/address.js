@@ -17,7 +17,7 @@ export const SHARED = {
   "bezier-applet": {
     points: POINTS,
     weights: NUMBERS,
-    mode: NUMBER,
+    "visible-points": NUMBER,
     joints: WORDS,
     basis: WORDS,
     degree: WORDS,
@@ -51,6 +51,9 @@ export const SHARED = {
     patch: NUMBER,
   },
 };
+
+/** The property of an attribute: "visible-points" is `visiblePoints`. @param {string} attribute */
+export const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 /** Whose empty value is a yes. */
 const FLAGS = { controls: true, readonly: true, turn: true, swept: true };

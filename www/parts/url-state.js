@@ -1,7 +1,7 @@
 // A figure that the reader has changed is in the page's address, to be kept or sent: #id?points=…&t=…, with what differs
 // from the page. Written when a change is done, read with suspicion. The elements know nothing of it.
 import { loadElement } from "casteljau/elements";
-import { apply, LONGEST_ADDRESS, read, SHARED, write } from "./address.js";
+import { apply, LONGEST_ADDRESS, propertyOf, read, SHARED, write } from "./address.js";
 
 /** Applications keep a state of their own there. */
 const OTHERS = "#state=";
@@ -14,7 +14,7 @@ const originals = new WeakMap();
 const text = (value) => (Array.isArray(value) ? value.map(String).join(" ") : String(value ?? ""));
 /** @param {any} element */
 const settings = (element) =>
-  new Map(Object.keys(SHARED[element.localName]).map((name) => [name, text(element[name])]));
+  new Map(Object.keys(SHARED[element.localName]).map((name) => [name, text(element[propertyOf(name)])]));
 
 /** An element and the id by which the address names it: its own, or its figure's. @param {Element} element */
 const idOf = (element) => element.id || element.closest("[id]")?.id || "";

@@ -1,4 +1,6 @@
 // The attributes of `<bezier-applet>` that are parts of the state: any text is read, and what has changed otherwise is written.
+import { attributeName, writeAttribute } from "../attribute-text.js";
+import { Problems } from "../../editor/check.js";
 import { withJoints } from "../../editor/commands.js";
 import { FIELDS, VIEW } from "../../editor/schema.js";
 import { firstState } from "../../editor/state.js";
@@ -6,14 +8,18 @@ import type { LitElement, ReactiveController } from "lit";
 import type { Editor } from "../../editor/editor.js";
 import type { State } from "../../editor/state.js";
 
+/** The fields of the state, by their attributes. */
+export const FIELD_NAMES: ReadonlyMap<string, string> = new Map(
+  Object.keys(FIELDS).map((name) => [attributeName(name), name]),
+);
+
 /** Keeps the state and the attributes the same. */
 export class AppletAttributes implements ReactiveController {
   #host: LitElement;
   #editor: Editor<State>;
   /** Attributes that have been written from outside and not yet been read. */
   #unread: Set<string> = new Set();
-  /** What is wrong with the attributes; each is also said in the console, once. */
-  #problems: Map<string, string> = new Map();
+  #problems = new Problems((problem) => console.warn(`<${this.#host.localName}> ${problem}`));
   /** What the attributes say, or what the state said when they were read. */
   #known: Map<string, string>;
   #isWriting = false;
@@ -27,7 +33,7 @@ export class AppletAttributes implements ReactiveController {
 
   /** What is wrong with the attributes. */
   get problems() {
-    return [...this.#problems.values()];
+    return this.#problems.messages;
   }
 
   /** An attribute has changed. It is read later, because its meaning may depend on attributes that come after it. */
@@ -53,15 +59,9 @@ export class AppletAttributes implements ReactiveController {
     this.#unread.clear();
     let { state } = this.#editor;
     for (const name of names) {
-      const before = this.#problems.get(name);
-      this.#problems.delete(name);
-      try {
-        state = readAttribute(state, name, this.#host.getAttribute(name));
-      } catch (error) {
-        const problem = error instanceof Error ? error.message : String(error);
-        this.#problems.set(name, problem);
-        if (problem !== before) console.warn(`<${this.#host.localName}> ${problem}`);
-      }
+      this.#problems.attempt(name, () => {
+        state = readAttribute(state, name, this.#host.getAttribute(attributeName(name)));
+      });
     }
     if (names.includes("joints")) state = withJoints(state, state.joints);
     for (const name of names) this.#known.set(name, FIELDS[name].write(state));
@@ -76,9 +76,8 @@ export class AppletAttributes implements ReactiveController {
       const value = write(state);
       if (value === this.#known.get(name)) continue;
       this.#known.set(name, value);
-      this.#problems.delete(name);
-      if ((name === "mode" || name === "weights") && value === "") this.#host.removeAttribute(name);
-      else this.#host.setAttribute(name, value);
+      this.#problems.forget(name);
+      writeAttribute(this.#host, name, EMPTY_MEANS_NONE.includes(name) && value === "" ? undefined : value);
     }
     this.#isWriting = false;
   }
@@ -89,6 +88,9 @@ function readAttribute(state: State, name: string, given: string | null): State 
   const { parse, put, get } = FIELDS[name];
   return put(state, given === null ? get(firstState()) : parse(given));
 }
+
+/** Fields whose attribute is absent where their text would be empty. */
+const EMPTY_MEANS_NONE = ["visiblePoints", "weights"];
 
 /** A number, a word, a list of numbers, or a view. */
 function attributeText(value: unknown): string {
@@ -119,8 +121,7 @@ export function defineProperties<Element extends HTMLElement>(
         return name === "show" ? write(stateOf(this)) : get(stateOf(this));
       },
       set(this: Element, value: unknown) {
-        if (value === null || value === undefined) this.removeAttribute(name);
-        else this.setAttribute(name, attributeText(value));
+        writeAttribute(this, name, value === null || value === undefined ? undefined : attributeText(value));
       },
     });
   }

@@ -210,7 +210,7 @@ export class AppletController {
 
   /** A part of what the user is doing. */
   #changePart(change: (state: State) => State) {
-    this.model.attempt(() => this.editor.dispatch(change, { origin: "user", merge: true }));
+    this.model.attempt(() => this.editor.dispatch(change, { by: "user", merge: true }));
   }
 
   /** A handle is dragged to a place in the plane. */
@@ -403,7 +403,7 @@ export class AppletController {
   /** A change by the user that is complete. */
   change(change: (state: State) => State, words = "") {
     return this.#do(
-      () => this.editor.dispatch(change, { origin: "user" }),
+      () => this.editor.dispatch(change, { by: "user" }),
       () => words,
     );
   }

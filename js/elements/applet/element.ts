@@ -1,7 +1,7 @@
 import { css, html, LitElement } from "lit";
 import { adoptProperties } from "../adopt.js";
 import { acceptAttributeText, CONTROLS, writeAttribute } from "../attribute-text.js";
-import { defineProperties } from "./attributes.js";
+import { defineProperties, FIELD_NAMES } from "./attributes.js";
 import { AppletModel } from "./model.js";
 import * as commands from "../../editor/commands.js";
 import { figureOf } from "../../editor/figure.js";
@@ -53,7 +53,7 @@ export class BezierApplet extends LitElement {
 
   static get observedAttributes() {
     // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on
-    return [...super.observedAttributes, ...Object.keys(FIELDS)];
+    return [...super.observedAttributes, ...FIELD_NAMES.keys()];
   }
 
   /** Until the rest has come: as large as it will be, with what the page put into it. */
@@ -181,7 +181,7 @@ export class BezierApplet extends LitElement {
   }
 
   /** Few points, or all. */
-  toggleMode() {
+  toggleAllPoints() {
     this.#change(allPointsToggled);
   }
 
@@ -190,7 +190,7 @@ export class BezierApplet extends LitElement {
    *
    * @param done whether the undo step is complete
    */
-  steer(
+  edit(
     {
       index,
       point,
@@ -215,7 +215,7 @@ export class BezierApplet extends LitElement {
       );
       return index === undefined ? next : commands.withPointAt(next, index, point);
     };
-    this.model.editor.dispatch(change, { origin: "user", merge: true });
+    this.model.editor.dispatch(change, { by: "user", merge: true });
     if (done) this.model.editor.commit();
   }
 
@@ -236,16 +236,17 @@ export class BezierApplet extends LitElement {
 
   /** The page sets a property. Before the first action of the user, this is what `reset` restores, and no undo step. */
   #assign(change: (state: State) => State) {
-    this.model.editor.dispatch(change, { origin: "page", initial: true });
+    this.model.editor.dispatch(change, { by: "page", initial: true });
   }
 
   /** A method of the page: an undo step, but no events. What is refused changes nothing. */
   #change(change: (state: State) => State) {
-    this.model.editor.dispatch(change, { origin: "page" });
+    this.model.editor.dispatch(change, { by: "page" });
   }
 
   attributeChangedCallback(name: string, before: string | null, value: string | null) {
-    if (Object.hasOwn(FIELDS, name)) this.model.attributeChanged(name);
+    const field = FIELD_NAMES.get(name);
+    if (field) this.model.attributeChanged(field);
     else super.attributeChangedCallback(name, before, value);
   }
 

@@ -1,6 +1,7 @@
 // What `<bezier-applet>` shows, without its picture: the editor, the figure of its state, and the message below the picture.
 import { followTranslations } from "../follow-translations.js";
 import { AppletAttributes } from "./attributes.js";
+import { messageOf } from "../../editor/check.js";
 import { Editor } from "../../editor/editor.js";
 import { figureOf } from "../../editor/figure.js";
 import { Memo } from "../../editor/memo.js";
@@ -103,7 +104,7 @@ export class AppletModel {
     try {
       act();
     } catch (error) {
-      message = error instanceof Error ? error.message : String(error);
+      message = messageOf(error);
     }
     this.say(message);
     return message === "";

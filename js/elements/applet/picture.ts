@@ -91,8 +91,8 @@ export class Picture {
     const { state, figure } = this.#model;
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
-    const paper = { ctx: this.#context, theme: this.#theme, px: this.#px };
-    const messages = drawFigure(paper, { ...state, pointer }, figure, layers);
+    const pen = { ctx: this.#context, theme: this.#theme, px: this.#px };
+    const messages = drawFigure(pen, { ...state, pointer }, figure, layers);
     this.placeHandles(readonly);
     return messages;
   }
@@ -135,7 +135,7 @@ export class Picture {
 
   handleElement(index: number): HTMLElement {
     const leg = index - this.#points.count;
-    return leg < 0 ? this.#points.boxOf(index) : (this.#weights as WeightHandles).boxOf(leg);
+    return leg < 0 ? this.#points.elementOf(index) : (this.#weights as WeightHandles).elementOf(leg);
   }
 
   /** The place of a handle in the plane. */

@@ -28,7 +28,7 @@ export class WeightHandles {
     return this.#handles.length;
   }
 
-  boxOf(k: number): HTMLElement {
+  elementOf(k: number): HTMLElement {
     return this.#handles[k].box;
   }
 

@@ -85,16 +85,16 @@ export class CoordinatesView {
   #weigh(index: number, weight: number, done: boolean) {
     const { target } = this.#host;
     const all = (target && "weights" in target ? target.weights : this.#weights()) as number[];
-    target?.steer({ weights: all.map((each, i) => (i === index ? weight : each)) }, done);
+    target?.edit({ weights: all.map((each, i) => (i === index ? weight : each)) }, done);
   }
 
   /** Points in a row, from the one at `first` on. */
   #place(given: Point2[], first: number, done: boolean) {
     const { target } = this.#host;
-    if (target && given.length === 1) return target.steer({ index: first, point: given[0] }, done);
+    if (target && given.length === 1) return target.edit({ index: first, point: given[0] }, done);
     const all = (target && "points" in target ? target.points : this.#host.places()) as Point2[];
     const points = [...all.slice(0, first), ...given, ...all.slice(first + given.length)];
-    if (target) target.steer({ points }, done);
+    if (target) target.edit({ points }, done);
     else this.#host.given = points;
   }
 

@@ -34,9 +34,9 @@ const BASIS_NAMES: Record<string, string> = translatedTable({
   "catmull-rom": "Catmull-Rom",
   matrix: "own numbers",
 });
-/** Of higher degrees, a page has no room for the matrix, */
+/** Largest degree whose matrix is shown. */
 const MAX_MATRIX = 10;
-/** and of de Casteljau's triangle for the last levels only. */
+/** Largest number of levels of de Casteljau's triangle that are shown: the last ones. */
 const MAX_LEVELS = 6;
 
 /** The element: its properties as they are given, good or not. */
@@ -166,7 +166,7 @@ export class EquationView {
 
   #giveMatrix(numbers: number[], done: boolean) {
     const { target } = this.#host;
-    if (target) target.steer({ basis: "matrix", matrix: numbers }, done);
+    if (target) target.edit({ basis: "matrix", matrix: numbers }, done);
     else this.#host.basis = "matrix";
     this.#host.matrix = numbers.join(" ");
     this.#host.notify(done);
@@ -181,7 +181,7 @@ export class EquationView {
 
   #setBasis(basis: string) {
     if (basis === "matrix") return this.#giveMatrix(this.#matrix(), true);
-    if (this.#host.target) this.#host.target.steer({ basis }, true);
+    if (this.#host.target) this.#host.target.edit({ basis }, true);
     else this.#host.basis = basis;
     this.#fields.clear();
     this.#host.notify(true);

@@ -6,7 +6,7 @@ import { quoted } from "../../ui/numbers.js";
 import type { PropertyDeclarations } from "lit";
 
 /** What a companion needs of an applet. */
-export type Target = HTMLElement & { figure: any; steer(change: object, done: boolean): void };
+export type Target = HTMLElement & { figure: any; edit(change: object, done: boolean): void };
 
 export class Linked extends Companion {
   declare htmlFor: string;
@@ -49,7 +49,7 @@ export class Linked extends Companion {
    * The user chooses t here.
    */
   setT(t: number, done: boolean) {
-    if (this.#target) this.#target.steer({ t }, done);
+    if (this.#target) this.#target.edit({ t }, done);
     else Object.assign(this, { t });
     this.notify(done);
   }
@@ -82,7 +82,7 @@ export class Linked extends Companion {
 
   #find() {
     const found = this.#id ? elementFor(this, this.#id) : null;
-    const able = found !== null && "steer" in found;
+    const able = found !== null && "edit" in found;
     const awaited = found !== null && !able && found.localName.includes("-") && !customElements.get(found.localName);
     if (awaited) this.#awaitDefinition(found.localName);
     const what = found ? `a ${found.localName}${awaited ? " that is not defined" : ""}` : "which is nowhere";

@@ -34,8 +34,9 @@ export class LinkedWithPoints extends Linked {
   }
 
   /**
+   * The points that are shown: those of the applet, or its own.
+   *
    * @internal
-   * @returns what is shown: the applet's points, or its own
    */
   places(): Point2[] {
     return this.target ? (this.target.figure?.points ?? []) : ownPoints(this.given, (...args) => this.checked(...args));

@@ -1,5 +1,5 @@
 // The properties of the element, each with its attribute.
-import { CONTROLS } from "../attribute-text.js";
+import { attributeName, CONTROLS } from "../attribute-text.js";
 import { ATTRIBUTE_NAMES, OPTIONS } from "./settings.js";
 import type { PropertyDeclaration } from "lit";
 
@@ -17,5 +17,8 @@ export const PROPERTIES: Record<string, { declaration: PropertyDeclaration; valu
   theme: { declaration: { ...reflected(String), useDefault: true }, value: "auto" },
   patch: { declaration: reflected(Number), value: null },
   controls: { declaration: CONTROLS, value: null },
-  turn: { declaration: reflected(Boolean), value: false },
+  autoRotate: {
+    declaration: { ...reflected(Boolean), attribute: attributeName("autoRotate") },
+    value: false,
+  },
 };

@@ -1,18 +1,18 @@
 const REDUCED_MOTION = "(prefers-reduced-motion: reduce)";
 
 /**
- * Whether the picture turns by itself: as the attribute asks, until a hand stops it; for those who want less motion only
- * when they ask by the button.
+ * Whether the surface rotates by itself: as the attribute says, until the user drags it; under prefers-reduced-motion only
+ * after a press of the button.
  */
 export class AutoRotation {
   #asked = false;
   #stopped = false;
 
-  on(attribute: boolean) {
+  isOn(attribute: boolean) {
     return attribute && !this.#stopped && (this.#asked || !matchMedia(REDUCED_MOTION).matches);
   }
 
-  /** The button: it counts for more than what the system prefers. */
+  /** The button, which overrides what the system prefers. */
   ask(on: boolean) {
     this.#asked = on;
     this.#stopped = !on;

@@ -57,13 +57,13 @@ export class Batch {
     return true;
   }
 
-  draw(mode: number, instances?: number) {
+  draw(primitive: number, instances?: number) {
     const [gl, info] = [this.#gl, this.#info];
     if (!info || this.#length === 0) return;
     gl.bindVertexArray(this.#array);
     if (info.indices)
-      gl.drawElementsInstanced(mode, this.#length, info.elementType ?? gl.UNSIGNED_SHORT, 0, instances ?? 1);
-    else gl.drawArraysInstanced(mode, 0, this.#length, instances ?? 1);
+      gl.drawElementsInstanced(primitive, this.#length, info.elementType ?? gl.UNSIGNED_SHORT, 0, instances ?? 1);
+    else gl.drawArraysInstanced(primitive, 0, this.#length, instances ?? 1);
     gl.bindVertexArray(null);
   }
 

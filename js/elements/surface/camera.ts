@@ -7,11 +7,10 @@ import type { Matrix, Vector } from "./matrix.js";
  */
 export type View = { turn: number; tilt: number; zoom: number; panX: number; panY: number };
 
-export type Frame = { centre: Vector; radius: number; up: "z" | "y" };
+/** A sphere about the surface; `up`: the axis that points up. */
+export type BoundingSphere = { centre: Vector; radius: number; up: "z" | "y" };
 
-/**
- * What drawing needs: the matrices, the size of a world unit at the middle in clip units, the directions of the picture.
- */
+/** The camera's matrices, its directions and place in space, and the size of the picture in CSS pixels. */
 export type CameraMatrices = {
   view: Matrix;
   projection: Matrix;
@@ -20,6 +19,8 @@ export type CameraMatrices = {
   upward: Vector;
   forward: Vector;
   eye: Vector;
+  width: number;
+  height: number;
 };
 
 export const HOME: View = Object.freeze({ turn: -35, tilt: 24, zoom: 1, panX: 0, panY: 0 });
@@ -62,8 +63,8 @@ export function radiiPerPixel({ zoom }: View, width: number, height: number) {
   return 2 / FILLED / zoom / fittedSide(width, height);
 }
 
-/** A sphere about some points, about the middle of their box. */
-export function frameOf(points: ArrayLike<number>, up: "z" | "y"): Frame {
+/** The sphere about the centre of the bounding box of some points that contains them. */
+export function boundingSphereOf(points: ArrayLike<number>, up: "z" | "y"): BoundingSphere {
   const [min, max] = [
     [Infinity, Infinity, Infinity],
     [-Infinity, -Infinity, -Infinity],
@@ -80,12 +81,10 @@ export function frameOf(points: ArrayLike<number>, up: "z" | "y"): Frame {
   return { centre, radius: radius || 1, up };
 }
 
-/**
- * @param width of the picture
- */
-export function sightOf(
+/** @param width of the picture, in CSS pixels */
+export function cameraMatricesOf(
   { turn, tilt, zoom, panX, panY }: View,
-  { centre, radius, up }: Frame,
+  { centre, radius, up }: BoundingSphere,
   width: number,
   height: number,
 ): CameraMatrices {
@@ -99,10 +98,10 @@ export function sightOf(
     distance + DEPTH_RADII * radius,
   );
   const upright = up === "y" ? aboutX(90) : translation(0, 0, 0);
-  const turned = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
+  const rotation = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
   const view = multiply(
     translation(panX * radius, panY * radius, -distance),
-    multiply(turned, translation(-centre[0], -centre[1], -centre[2])),
+    multiply(rotation, translation(-centre[0], -centre[1], -centre[2])),
   );
   const row = (r: number) => [view[r], view[r + 4], view[r + 8]] as Vector;
   const [right, upward, backward] = [row(0), row(1), row(2)];
@@ -116,52 +115,48 @@ export function sightOf(
     upward,
     forward,
     eye: [along(0), along(1), along(2)],
+    width,
+    height,
   };
 }
 
 /** Where a point appears, in the picture's units from its upper left corner; null behind the eye. */
 export function placeOf(
-  sight: CameraMatrices,
+  { viewProjection, width, height }: CameraMatrices,
   point: ArrayLike<number>,
   at: number,
-  width: number,
-  height: number,
 ): [number, number] | null {
-  const [x, y, , w] = image(sight.viewProjection, point, at);
+  const [x, y, , w] = image(viewProjection, point, at);
   return w > 0 ? [((x / w + 1) * width) / 2, ((1 - y / w) * height) / 2] : null;
 }
 
 /** The way in space that moves a point by (dx, dy) in the picture, in the plane through it that faces the eye. */
 export function shiftOf(
-  sight: CameraMatrices,
+  { viewProjection, projection, right, upward, width, height }: CameraMatrices,
   point: ArrayLike<number>,
   dx: number,
   dy: number,
-  width: number,
-  height: number,
 ): Vector {
-  const w = image(sight.viewProjection, point)[3];
-  const x = (2 * dx * w) / width / sight.projection[0];
-  const y = (-2 * dy * w) / height / sight.projection[5];
-  return sight.right.map((r, k) => r * x + sight.upward[k] * y) as Vector;
+  const w = image(viewProjection, point)[3];
+  const x = (2 * dx * w) / width / projection[0];
+  const y = (-2 * dy * w) / height / projection[5];
+  return right.map((r, k) => r * x + upward[k] * y) as Vector;
 }
 
 /** The ray from the eye through a place of the picture. */
 export function rayThrough(
-  sight: CameraMatrices,
+  { projection, right, upward, forward, eye, width, height }: CameraMatrices,
   x: number,
   y: number,
-  width: number,
-  height: number,
 ): { origin: Vector; direction: Vector } {
-  const sx = ((2 * x) / width - 1) / sight.projection[0];
-  const sy = (1 - (2 * y) / height) / sight.projection[5];
-  const direction = sight.forward.map((f, k) => f + sight.right[k] * sx + sight.upward[k] * sy) as Vector;
-  return { origin: sight.eye, direction };
+  const sx = ((2 * x) / width - 1) / projection[0];
+  const sy = (1 - (2 * y) / height) / projection[5];
+  const direction = forward.map((f, k) => f + right[k] * sx + upward[k] * sy) as Vector;
+  return { origin: eye, direction };
 }
 
 /** From the surface's coordinates to the picture's: what a canvas in two dimensions draws with. */
-export function pixelMatrix(sight: CameraMatrices, width: number, height: number): Matrix {
+export function pixelMatrix({ viewProjection }: CameraMatrices, width: number, height: number): Matrix {
   const toPixels = [width / 2, 0, 0, 0, 0, -height / 2, 0, 0, 0, 0, 1, 0, width / 2, height / 2, 0, 1];
-  return multiply(toPixels, sight.viewProjection);
+  return multiply(toPixels, viewProjection);
 }

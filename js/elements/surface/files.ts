@@ -47,7 +47,7 @@ export function meshFile(mesh: Mesh, kind: "obj" | "stl" | "glb", up: "z" | "y")
 
 /** From z up to y up: (x, y, z) → (x, z, −y). */
 function raised(mesh: Mesh) {
-  const turn = (numbers: Float32Array | Float64Array) =>
+  const rotated = (numbers: Float32Array | Float64Array) =>
     numbers.map((x, i) => (i % 3 === 0 ? x : i % 3 === 1 ? numbers[i + 1] : -numbers[i - 1]));
-  return new Mesh({ ...mesh, positions: turn(mesh.positions), normals: turn(mesh.normals) });
+  return new Mesh({ ...mesh, positions: rotated(mesh.positions), normals: rotated(mesh.normals) });
 }

@@ -16,11 +16,11 @@ export class FlatView {
     return context && new FlatView(context);
   }
 
-  draw({ scene, sight, theme, width, height, ratio }: Picture) {
+  draw({ scene, matrices, theme, width, height, ratio }: Picture) {
     const context = this.#context;
     context.clearRect(0, 0, width, height);
     context.beginPath();
-    scene.surface.trace(context, { matrix: pixelMatrix(sight, width, height), lines: STRIPS });
+    scene.surface.trace(context, { matrix: pixelMatrix(matrices, width, height), lines: STRIPS });
     context.strokeStyle = `rgb(${theme.front.map((x) => Math.round(255 * x)).join(" ")})`;
     context.lineWidth = ratio;
     context.lineJoin = "round";

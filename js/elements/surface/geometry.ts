@@ -9,11 +9,11 @@ import { MAX_GPU_DEGREE } from "./shaders.js";
 import { Mesh } from "../../surfaces.js";
 import type { Surface } from "../../surfaces.js";
 import type { Settings } from "./settings.js";
-import type { Frame, CameraMatrices } from "./camera.js";
+import type { BoundingSphere, CameraMatrices } from "./camera.js";
 import type { Piece } from "./pieces.js";
 
 /** What is to be seen. */
-export type Scene = { surface: Surface; settings: Settings; frame: Frame; picked: number | null };
+export type Scene = { surface: Surface; settings: Settings; sphere: BoundingSphere; picked: number | null };
 
 export type Recursion = { pieces: number; depth: number; cracks: number; widest: number };
 
@@ -44,23 +44,22 @@ export class Geometry {
   /** What the text's recursion left, where it made the mesh. */
   #pieces: Piece[] = [];
   #seen: unknown[] = [];
-  #sight: { viewProjection: number[]; viewport: number[] } | null = null;
+  #projection: { viewProjection: number[]; viewport: number[] } | null = null;
   /** Whether the camera has moved since the view that tolerances in pixels refer to. */
   outdated = false;
 
   /**
    * Sets how the surface is seen, which counts where the tolerance is in pixels.
    *
-   * @param width in CSS pixels
    * @param moving the camera moves: the mesh of the last view stays until it rests, which keeps frames short
    */
-  seen({ viewProjection }: CameraMatrices, width: number, height: number, moving = false) {
+  seen({ viewProjection, width, height }: CameraMatrices, moving = false) {
     const numbers = [...viewProjection, width, height];
     this.outdated = !numbers.every((x, i) => x === this.#seen[i]);
-    if (!this.outdated || (moving && this.#sight)) return;
+    if (!this.outdated || (moving && this.#projection)) return;
     this.outdated = false;
     this.#seen = numbers;
-    this.#sight = { viewProjection, viewport: [width, height] };
+    this.#projection = { viewProjection, viewport: [width, height] };
   }
 
   /** Whether the vertex shader evaluates the patches: it can do grids only, and not of every degree. */
@@ -81,7 +80,7 @@ export class Geometry {
     const surface = this.shown(scene);
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
     const method = evaluation === "forward" ? "forward-difference" : "bernstein";
-    const sight = "pixels" in detail ? this.#sight : null;
+    const projection = "pixels" in detail ? this.#projection : null;
     const make = (before: Mesh | undefined) => {
       const [mesh, ms] = timed(() => this.#make(surface, detail, own, method, reusable(before, surface)));
       this.#ms = ms;
@@ -89,7 +88,7 @@ export class Geometry {
     };
     return this.#memo.get(
       "mesh",
-      [surface, ...Object.values(detail), Object.keys(detail)[0], own, method, sight],
+      [surface, ...Object.values(detail), Object.keys(detail)[0], own, method, projection],
       make,
     );
   }
@@ -111,7 +110,7 @@ export class Geometry {
       this.#pieces = surface.subdivide(detail.flatness);
       return piecesMesh(surface, this.#pieces);
     }
-    const { viewProjection = [], viewport = [] } = this.#sight ?? {};
+    const { viewProjection = [], viewport = [] } = this.#projection ?? {};
     return surface.tessellate({ ...detail, viewProjection, viewport, weld, into });
   }
 
@@ -156,21 +155,21 @@ export class Geometry {
   /** The curves as bodies: tubes, or ribbons that lie in the surface. */
   wires(kind: "tubes" | "ribbons", scene: Scene): Mesh {
     const {
-      frame,
+      sphere,
       settings: { lines: count },
     } = scene;
     const surface = this.shown(scene);
     const size =
       kind === "tubes"
-        ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES }
-        : { width: frame.radius * RIBBON_WIDTH };
+        ? { radius: sphere.radius * TUBE_RADIUS, sides: TUBE_SIDES }
+        : { width: sphere.radius * RIBBON_WIDTH };
     const make = (before: Mesh | undefined) => {
       const into = reusable(before, surface);
       const [mesh, ms] = timed(() => surface.wireframe({ lines: count, ...size, into }));
       this.#wiresMs[kind] = ms;
       return mesh;
     };
-    return this.#memo.get(kind, [surface, frame, count], make);
+    return this.#memo.get(kind, [surface, sphere, count], make);
   }
 
   wiresVersion(kind: "tubes" | "ribbons") {
@@ -214,9 +213,9 @@ export class Geometry {
   }
 
   /** The derivatives and the normal at (u, v). */
-  derivatives({ surface, picked, frame, settings: { u, v } }: Scene) {
+  derivatives({ surface, picked, sphere, settings: { u, v } }: Scene) {
     return this.#memo.get("derivatives", [surface, picked, u, v], () =>
-      arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius),
+      arrowsAt(patchesOf(surface)[picked ?? 0], u, v, sphere.radius),
     );
   }
 

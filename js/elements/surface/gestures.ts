@@ -3,17 +3,16 @@
 import { cssZoom } from "../../ui/canvas-size.js";
 import { arrowDirection } from "../../ui/keys.js";
 import { PressedPointers } from "../../ui/pressed-pointers.js";
-import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
+import { HOME, radiiPerPixel, ZOOM_STEP } from "./camera.js";
 import type { Span } from "../../ui/pressed-pointers.js";
 import type { View } from "./camera.js";
 
-export interface GesturePort {
+type Callbacks = {
   view: () => View;
-  move: (changes: Partial<View>, done: boolean) => void;
-  /** A press without a way, in CSS pixels of the canvas */
+  move: (changes: Partial<View>, isDone: boolean) => void;
+  /** A click, in CSS pixels of the canvas */
   pick: (x: number, y: number) => void;
-  home: () => void;
-}
+};
 
 const DEGREES_PER_PIXEL = 0.4;
 const DEGREES_PER_KEY = 5;
@@ -25,16 +24,16 @@ const PAN_PER_KEY = 0.05;
 
 export class Gestures {
   #canvas;
-  #port;
+  #callbacks;
   #pointers = new PressedPointers({
     move: (before, after, event) => this.#moved(before, after, event),
     end: (event, released) => this.#up(event, released),
   });
   #travelled = 0;
 
-  constructor(canvas: HTMLCanvasElement, port: GesturePort) {
+  constructor(canvas: HTMLCanvasElement, callbacks: Callbacks) {
     this.#canvas = canvas;
-    this.#port = port;
+    this.#callbacks = callbacks;
   }
 
   /** Listens; what comes back ends it. */
@@ -68,28 +67,28 @@ export class Gestures {
 
   #up(event: PointerEvent, released: boolean) {
     if (this.#pointers.count > 0) return;
-    if (this.#travelled >= CLICK_PX) return this.#port.move({}, true);
+    if (this.#travelled >= CLICK_PX) return this.#callbacks.move({}, true);
     if (!released) return;
     const box = this.#canvas.getBoundingClientRect();
     const zoom = cssZoom(this.#canvas);
-    this.#port.pick((event.clientX - box.left) / zoom, (event.clientY - box.top) / zoom);
+    this.#callbacks.pick((event.clientX - box.left) / zoom, (event.clientY - box.top) / zoom);
   }
 
   #orbit(dx: number, dy: number) {
-    const { turn, tilt } = this.#port.view();
-    this.#port.move({ turn: turn + dx * DEGREES_PER_PIXEL, tilt: tilt + dy * DEGREES_PER_PIXEL }, false);
+    const { turn, tilt } = this.#callbacks.view();
+    this.#callbacks.move({ turn: turn + dx * DEGREES_PER_PIXEL, tilt: tilt + dy * DEGREES_PER_PIXEL }, false);
   }
 
   #pan(dx: number, dy: number) {
-    const view = this.#port.view();
+    const view = this.#callbacks.view();
     const scale = radiiPerPixel(view, this.#canvas.clientWidth, this.#canvas.clientHeight) / cssZoom(this.#canvas);
-    this.#port.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
+    this.#callbacks.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
   }
 
   /** Two fingers: their distance is the zoom, their centre the shift. */
   #pinch(before: Span, after: Span) {
-    const { zoom } = this.#port.view();
-    this.#port.move({ zoom: (zoom * Math.max(1, after.width)) / Math.max(1, before.width) }, false);
+    const { zoom } = this.#callbacks.view();
+    this.#callbacks.move({ zoom: (zoom * Math.max(1, after.width)) / Math.max(1, before.width) }, false);
     this.#pan(after.clientX - before.clientX, after.clientY - before.clientY);
   }
 
@@ -101,24 +100,24 @@ export class Gestures {
     if (!focused && !event.ctrlKey) return;
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === 1 ? LINE_PX : 1) * (event.ctrlKey ? 4 : 1);
-    this.#port.move({ zoom: this.#port.view().zoom * ZOOM_PER_WHEEL_PIXEL ** -pixels }, true);
+    this.#callbacks.move({ zoom: this.#callbacks.view().zoom * ZOOM_PER_WHEEL_PIXEL ** -pixels }, true);
   }
 
   #key(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const view = this.#port.view();
+    const view = this.#callbacks.view();
     const arrow = arrowDirection(event);
     if (arrow && event.shiftKey) {
       const scale = PAN_PER_KEY / view.zoom;
-      this.#port.move({ panX: view.panX + arrow[0] * scale, panY: view.panY - arrow[1] * scale }, true);
+      this.#callbacks.move({ panX: view.panX + arrow[0] * scale, panY: view.panY - arrow[1] * scale }, true);
     } else if (arrow)
-      this.#port.move(
+      this.#callbacks.move(
         { turn: view.turn + arrow[0] * DEGREES_PER_KEY, tilt: view.tilt + arrow[1] * DEGREES_PER_KEY },
         true,
       );
-    else if (event.key === "+" || event.key === "=") this.#port.move({ zoom: view.zoom * ZOOM_STEP }, true);
-    else if (event.key === "-" || event.key === "_") this.#port.move({ zoom: view.zoom / ZOOM_STEP }, true);
-    else if (event.key === "0") this.#port.home();
+    else if (event.key === "+" || event.key === "=") this.#callbacks.move({ zoom: view.zoom * ZOOM_STEP }, true);
+    else if (event.key === "-" || event.key === "_") this.#callbacks.move({ zoom: view.zoom / ZOOM_STEP }, true);
+    else if (event.key === "0") this.#callbacks.move(HOME, true);
     else return;
     event.preventDefault();
   }

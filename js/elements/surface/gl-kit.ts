@@ -15,7 +15,7 @@ const ZERO_RATIO = 2e-6;
 export type Picture = {
   scene: Scene;
   geometry: Geometry;
-  sight: CameraMatrices;
+  matrices: CameraMatrices;
   theme: Theme;
   width: number;
   height: number;

@@ -51,7 +51,7 @@ export class GlLines {
 
   /** The gaps are filled, and since most are thinner than a pixel, drawn as lines, too. */
   #cracks(picture: Picture) {
-    const { scene, geometry, sight, theme } = picture;
+    const { scene, geometry, matrices, theme } = picture;
     const cracks = geometry.cracks(scene);
     if (!cracks || !scene.settings.layers.has("surface")) return;
     const program = this.#kit.program("plain");
@@ -62,7 +62,7 @@ export class GlLines {
       program,
     );
     this.#kit.gl.useProgram(program.program);
-    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, ink: [...theme.gap, 1] });
+    twgl.setUniforms(program, { view: matrices.view, projection: matrices.projection, ink: [...theme.gap, 1] });
     batch.draw(this.#kit.gl.TRIANGLES);
     this.#bands(picture, "cracks", cracks.lines, { colour: theme.gap, width: MIDDLE });
   }
@@ -137,14 +137,14 @@ export class GlLines {
     gl.depthFunc(gl.LESS);
   }
 
-  #uniforms(program: ProgramInfo, { sight, width, height, ratio }: Picture, pen: Pen) {
+  #uniforms(program: ProgramInfo, { matrices, width, height, ratio }: Picture, pen: Pen) {
     this.#kit.gl.useProgram(program.program);
     const halfWidth = (pen.width * ratio) / 2;
     const ink = [...pen.colour, pen.alpha ?? 1];
     const cap = pen.alpha === undefined ? ROUND : 0; // pieces that let something through must not overlap
     twgl.setUniforms(program, {
-      view: sight.view,
-      projection: sight.projection,
+      view: matrices.view,
+      projection: matrices.projection,
       viewport: [width / 2, height / 2],
       width: halfWidth,
       ink,
@@ -153,7 +153,7 @@ export class GlLines {
   }
 
   #points(
-    { sight, ratio, theme }: Picture,
+    { matrices, ratio, theme }: Picture,
     name: string,
     points: Float32Array,
     colour: number[],
@@ -167,8 +167,8 @@ export class GlLines {
     gl.useProgram(program.program);
     gl.disable(gl.DEPTH_TEST);
     twgl.setUniforms(program, {
-      view: sight.view,
-      projection: sight.projection,
+      view: matrices.view,
+      projection: matrices.projection,
       width: size * ratio,
       ink: [...colour, 1],
       paper: theme.paper,

@@ -4,7 +4,7 @@ import { WIRES } from "./geometry.js";
 import { GlKit } from "./gl-kit.js";
 import { GlLines } from "./gl-lines.js";
 import { unitGrid } from "./patch-texture.js";
-import { MODES } from "./shaders.js";
+import { SHADING_CODES } from "./shaders.js";
 import type { Picture } from "./gl-kit.js";
 import type { ProgramInfo } from "twgl.js";
 
@@ -81,7 +81,7 @@ export class GlView {
     const batch = this.#kit.batch(kind);
     batch.fill(geometry.wiresVersion(kind), make, program);
     this.#uniforms(program, picture);
-    twgl.setUniforms(program, { mode: MODES.smooth, front: theme.wire, back: theme.wire });
+    twgl.setUniforms(program, { shading: SHADING_CODES.smooth, front: theme.wire, back: theme.wire });
     batch.draw(this.#kit.gl.TRIANGLES);
   }
 
@@ -103,15 +103,25 @@ export class GlView {
     batch.draw(this.#kit.gl.TRIANGLES, surface.patchCount);
   }
 
-  #uniforms(program: ProgramInfo, { scene, sight, theme }: Picture) {
+  #uniforms(program: ProgramInfo, { scene, matrices, theme }: Picture) {
     const gl = this.#kit.gl;
     gl.useProgram(program.program);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
     const { front, back, low, middle, high } = theme;
-    const mode = MODES[scene.settings.shading];
-    const { view, projection } = sight;
-    twgl.setUniforms(program, { view, projection, radius: scene.frame.radius, mode, front, back, low, middle, high });
+    const shading = SHADING_CODES[scene.settings.shading];
+    const { view, projection } = matrices;
+    twgl.setUniforms(program, {
+      view,
+      projection,
+      radius: scene.sphere.radius,
+      shading,
+      front,
+      back,
+      low,
+      middle,
+      high,
+    });
   }
 
   /** Gives everything back to the graphics card. */

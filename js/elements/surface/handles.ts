@@ -8,16 +8,16 @@ import type { CameraMatrices } from "./camera.js";
 import type { Point2 } from "../../ui/capture.js";
 import type { Scene } from "./geometry.js";
 
-export interface HandlePort {
-  moved: (vertex: number, to: number[], done: boolean) => void;
+type Callbacks = {
+  moved: (vertex: number, to: number[], isDone: boolean) => void;
   /** The last pointer has let go of its point */
   dropped: () => void;
   /** The pointer was taken away, or Escape was pressed: back to what was before */
   cancelled: () => void;
   /** Asks for a frame, which calls `apply` */
   schedule: () => void;
-  sight: () => { sight: CameraMatrices; width: number; height: number } | null;
-}
+  matrices: () => CameraMatrices | null;
+};
 
 /** A net with more points is shown without handles, which would overlap. */
 const MAX_HANDLES = 100;
@@ -31,7 +31,7 @@ const DEPTH_KEYS = new Map([
 
 export class Handles {
   #overlay;
-  #port;
+  #callbacks;
   #buttons: HTMLButtonElement[] = [];
   /** The vertex of each button. */
   #vertices: number[] = [];
@@ -41,24 +41,24 @@ export class Handles {
   /** For each button that is dragged: its vertex, and the control point before. */
   #grabbed: Map<number, { vertex: number; point: number[] }> = new Map();
 
-  constructor(overlay: HTMLElement, port: HandlePort) {
+  constructor(overlay: HTMLElement, callbacks: Callbacks) {
     this.#overlay = overlay;
-    this.#port = port;
+    this.#callbacks = callbacks;
     overlay.addEventListener("keydown", (event) => this.#key(event));
     this.#drags = new Drags(overlay, {
       count: () => this.#buttons.length,
       elementOf: (i) => this.#buttons[i],
       placeOf: () => [0, 0], // of a drag, only the shift counts
       toViewBox: ({ clientX, clientY }) => [clientX / cssZoom(overlay), clientY / cssZoom(overlay)],
-      schedule: () => port.schedule(),
+      schedule: () => callbacks.schedule(),
       started: () => this.#grabbed.clear(),
       grabbed: (i) => {
         this.#buttons[i].focus({ preventScroll: true });
         this.#grabbed.set(i, { vertex: this.#vertices[i], point: this.#pointAt(i) });
       },
       move: (i, shift) => this.#follow(i, shift),
-      cancelled: () => port.cancelled(),
-      ended: () => port.dropped(),
+      cancelled: () => callbacks.cancelled(),
+      ended: () => callbacks.dropped(),
     });
   }
 
@@ -98,15 +98,16 @@ export class Handles {
     const [column, row, rows] = [i % columns, Math.floor(i / columns), this.#vertices.length / columns];
     const corner = (column === 0 || column === columns - 1) && (row === 0 || row === rows - 1);
     const numbers = [...this.#points.subarray(3 * i, 3 * i + 3)].map((x) => Number(x.toPrecision(3)));
-    button.dataset.index = String(i);
-    button.dataset.kind = corner ? "on" : "off";
-    button.setAttribute("aria-label", `P${column}${row}: x ${numbers[0]}, y ${numbers[1]}, z ${numbers[2]}`);
+    setAttribute(button, "data-index", String(i));
+    setAttribute(button, "data-kind", corner ? "on" : "off");
+    setAttribute(button, "aria-label", `P${column}${row}: x ${numbers[0]}, y ${numbers[1]}, z ${numbers[2]}`);
   }
 
   /** Puts every handle where its point is seen; outside the picture only the focused one stays, at its edge. */
-  place(sight: CameraMatrices, width: number, height: number) {
+  place(matrices: CameraMatrices) {
+    const { width, height } = matrices;
     this.#buttons.forEach((button, i) => {
-      const at = placeOf(sight, this.#points, 3 * i, width, height);
+      const at = placeOf(matrices, this.#points, 3 * i);
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
       button.hidden = !inside && !button.matches(":focus");
       if (!at || button.hidden) return;
@@ -140,15 +141,19 @@ export class Handles {
    * @param way in pixels: right, down, away
    */
   #shift(vertex: number, from: number[], [dx, dy, away]: number[], done: boolean) {
-    const seen = this.#port.sight();
-    if (!seen) return;
-    const { sight, width, height } = seen;
-    const flat = shiftOf(sight, from, dx, dy, width, height);
-    const unit = Math.hypot(...shiftOf(sight, from, 1, 0, width, height));
-    this.#port.moved(
+    const matrices = this.#callbacks.matrices();
+    if (!matrices) return;
+    const flat = shiftOf(matrices, from, dx, dy);
+    const unit = Math.hypot(...shiftOf(matrices, from, 1, 0));
+    this.#callbacks.moved(
       vertex,
-      from.map((x, k) => x + flat[k] + away * unit * sight.forward[k]),
+      from.map((x, k) => x + flat[k] + away * unit * matrices.forward[k]),
       done,
     );
   }
+}
+
+/** Writes an attribute if it differs: during a drag most are as they were, and writing costs. */
+function setAttribute(element: HTMLElement, name: string, value: string) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }

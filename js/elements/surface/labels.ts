@@ -65,25 +65,25 @@ export class Labels {
   }
 
   /** Puts the names where their points are seen. */
-  place(sight: CameraMatrices, width: number, height: number) {
+  place(matrices: CameraMatrices) {
     const axes = this.#labels.map(({ role, at, from }, k) => {
-      const end = placeOf(sight, at, 0, width, height);
+      const end = placeOf(matrices, at, 0);
       const text = this.#texts[k];
       text.setAttribute("visibility", end ? "visible" : "hidden");
       if (!end) return "";
-      const isLeft = role === "point" && end[0] > width - NAME_WIDTH_PX; // otherwise the edge would cut it off
+      const isLeft = role === "point" && end[0] > matrices.width - NAME_WIDTH_PX; // otherwise the edge would cut it off
       const [dx, dy] = role === "axis" ? [-4, 5] : [isLeft ? -OFFSET_X_PX : OFFSET_X_PX, OFFSET_Y_PX];
       text.setAttribute("text-anchor", isLeft ? "end" : "start");
       text.setAttribute("x", (end[0] + dx).toFixed(1));
       text.setAttribute("y", (end[1] + dy).toFixed(1));
-      const start = from && placeOf(sight, from, 0, width, height);
+      const start = from && placeOf(matrices, from, 0);
       return start ? arrowPath(start, end) : "";
     });
     this.#axes.setAttribute("d", axes.join(""));
   }
 }
 
-function labelsOf({ surface, picked, frame, settings: { layers, u, v } }: Scene): Label[] {
+function labelsOf({ surface, picked, sphere, settings: { layers, u, v } }: Scene): Label[] {
   const patch = patchesOf(surface)[picked ?? 0];
   if (!patch || (picked === null && !layers.has("derivatives"))) return [];
   const points = patch.controlPoints();
@@ -91,7 +91,7 @@ function labelsOf({ surface, picked, frame, settings: { layers, u, v } }: Scene)
   return [
     ...(named ? pointLabels(points, patch.degreeU + 1) : []),
     ...(named || (layers.has("place") && !layers.has("derivatives")) ? axisLabels(patch) : []),
-    ...(layers.has("derivatives") ? vectorLabels(patch, u, v, frame.radius) : []),
+    ...(layers.has("derivatives") ? vectorLabels(patch, u, v, sphere.radius) : []),
   ];
 }
 

@@ -120,11 +120,12 @@ function cornersOf(surface: Surface, pieces: Piece[]): Set<number>[] {
   }
   const { shared, nonManifold } = surface.topology();
   for (const group of [...shared, ...nonManifold]) {
-    const turned = (side: { reversed: boolean }, t: number) => (side.reversed ? 1 - t : t);
+    const parameterOn = (side: { reversed: boolean }, t: number) => (side.reversed ? 1 - t : t);
     const all = new Set(
-      group.flatMap((side) => (along.get(`${side.patch} ${side.edge}`) ?? []).map((t) => turned(side, t))),
+      group.flatMap((side) => (along.get(`${side.patch} ${side.edge}`) ?? []).map((t) => parameterOn(side, t))),
     );
-    for (const side of group) for (const t of all) corners[side.patch].add(key(...placeOn(side.edge, turned(side, t))));
+    for (const side of group)
+      for (const t of all) corners[side.patch].add(key(...placeOn(side.edge, parameterOn(side, t))));
   }
   return corners;
 }

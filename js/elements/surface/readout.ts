@@ -1,21 +1,27 @@
 import { html, nothing } from "lit";
+import { Memo } from "../../editor/memo.js";
 import { twoDigits, upperBound } from "./words.js";
 import { translated, translatedParts } from "../../editor/translations.js";
 import type { Facts, Recursion } from "./geometry.js";
 
-/** Writes a number, or one that `figures` has rounded, in bold. */
+/** Writes a number, or one that is rounded, in bold. */
 type Writer = (x: number | string, digits?: Intl.NumberFormatOptions) => unknown;
 
 /** @param language a tag such as "de"; English if it is none */
 function writerFor(language: string): Writer {
-  return (x, digits) => {
-    if (/e/.test(`${x}`)) return html`<b>${x}</b>`;
-    try {
-      return html`<b>${Number(x).toLocaleString(language || "en", digits)}</b>`;
-    } catch {
-      return html`<b>${Number(x).toLocaleString("en", digits)}</b>`;
-    }
-  };
+  return (x, digits) =>
+    html`<b>${/e/.test(`${x}`) ? x : formats.get(`${language} ${JSON.stringify(digits)}`, [], () => formatOf(language, digits)).format(Number(x))}</b>`;
+}
+
+/** Kept, because making a format takes longer than the rest of the read-out. */
+const formats = new Memo();
+
+function formatOf(language: string, digits?: Intl.NumberFormatOptions) {
+  try {
+    return new Intl.NumberFormat(language || "en", digits);
+  } catch {
+    return new Intl.NumberFormat("en", digits);
+  }
 }
 
 const ROUNDED = { maximumSignificantDigits: 2 };

@@ -1,4 +1,5 @@
 // The attributes as the drawing takes them. The last valid value stays in effect where a new one is invalid.
+import { brief, numberIn, Problems, wordIn } from "../../editor/check.js";
 
 /** Those with weights, which casteljau/nurbs makes. */
 export const RATIONAL_MODELS = ["sphere", "torus", "cylinder", "cone"] as const;
@@ -25,7 +26,7 @@ export const LAYERS = [
 export const MAX_SEGMENTS = 64;
 /** Strips of a patch each way that curves or tubes divide it into. */
 export const MAX_LINES = 12;
-/** A mesh finer than this on the screen shows nothing more. */
+/** The smallest tolerance in pixels: a finer mesh looks the same. */
 const MIN_PIXELS = 0.05;
 /** Of de Casteljau's algorithm: the first row, all rows, the curve across them, its point. */
 export const STEPS = 4;
@@ -81,10 +82,8 @@ interface Option<T> {
   property: unknown;
   /** What it means */
   initial: T;
-  /** Undefined for what is invalid */
-  read: (value: unknown) => T | undefined;
-  /** What is valid, for messages */
-  expected: string;
+  /** Refuses with a RangeError or TypeError that names the attribute */
+  check: (value: unknown, name: string) => T;
 }
 
 /** All attributes that change the scene. */
@@ -94,9 +93,9 @@ export const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   height: word(HEIGHTS),
   up: word(AXES),
   segments: whole(1, MAX_SEGMENTS, 12),
-  tolerance: positive(),
-  pixels: { ...number<number | null>(MIN_PIXELS, 100, null), expected: `a number from ${MIN_PIXELS} to 100` },
-  flatness: positive(),
+  tolerance: number<number | null>(0, Number.MAX_VALUE, null, "a positive number"),
+  pixels: number<number | null>(MIN_PIXELS, 100, null),
+  flatness: number<number | null>(0, Number.MAX_VALUE, null, "a positive number"),
   lines: whole(1, MAX_LINES, 4),
   shading: word([...SHADINGS, "curvature"]),
   show: words(LAYERS, ["surface"], "surface"),
@@ -104,8 +103,8 @@ export const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   u: number(0, 1, 0.5),
   v: number(0, 1, 0.5),
   step: whole(1, STEPS, STEPS),
-  swept: { type: Boolean, property: false, initial: false, read: Boolean, expected: "true or false" },
-  probe: { type: String, property: null, initial: null, read: pointOf, expected: "three numbers" },
+  swept: { type: Boolean, property: false, initial: false, check: Boolean },
+  probe: { type: String, property: null, initial: null, check: pointIn },
 };
 
 export const ATTRIBUTE_NAMES = Object.keys(OPTIONS) as (keyof Attributes)[];
@@ -113,12 +112,11 @@ export const ATTRIBUTE_NAMES = Object.keys(OPTIONS) as (keyof Attributes)[];
 /** Checks the attributes of one element and keeps the last valid value of each. */
 export class SettingsReader {
   #valid: Record<string, unknown> = {};
-  /** The invalid values that were reported. */
-  #invalid: Map<string, unknown> = new Map();
-  #report: (problem: string) => void;
+  #problems;
 
+  /** @param report is called with what is wrong with an attribute */
   constructor(report: (problem: string) => void) {
-    this.#report = report;
+    this.#problems = new Problems(report);
   }
 
   read(given: Attributes): Settings {
@@ -133,18 +131,11 @@ export class SettingsReader {
     };
   }
 
-  #check(name: string, { initial, read, expected }: Option<unknown>, value: unknown) {
-    const valid = value === null || value === undefined ? initial : read(value);
-    if (valid !== undefined) {
-      this.#valid[name] = valid;
-      this.#invalid.delete(name);
-      return;
-    }
+  #check(name: string, { initial, check }: Option<unknown>, value: unknown) {
     this.#valid[name] ??= initial;
-    if (!this.#invalid.has(name) || !Object.is(this.#invalid.get(name), value)) {
-      this.#invalid.set(name, value);
-      this.#report(`${name}: expected ${expected}, got ${typeof value === "string" ? `"${value}"` : value}`);
-    }
+    this.#problems.attempt(name, () => {
+      this.#valid[name] = value === null || value === undefined ? initial : check(value, name);
+    });
   }
 }
 
@@ -157,13 +148,7 @@ export function settingsOf(given: Attributes): Settings {
  * @param known the first is the default
  */
 function word<Word extends string>(known: readonly Word[]): Option<Word> {
-  return {
-    type: String,
-    property: known[0],
-    initial: known[0],
-    read: (value) => known.find((each) => each === value),
-    expected: known.join(", "),
-  };
+  return { type: String, property: known[0], initial: known[0], check: (value, name) => wordIn(value, name, known) };
 }
 
 /** A list of words, separated by spaces. */
@@ -172,57 +157,36 @@ function words<Word extends string>(
   initial: readonly Word[],
   property: string | null,
 ): Option<Set<Word>> {
-  return {
-    type: String,
-    property,
-    initial: new Set(initial),
-    read: (value) => {
-      const given = String(value).split(/\s+/).filter(Boolean);
-      const isKnown = given.every((each) => known.some((one) => one === each));
-      return isKnown ? new Set(known.filter((each) => given.includes(each))) : undefined;
-    },
-    expected: `some of the words ${known.join(", ")}`,
+  const check = (value: unknown, name: string) => {
+    const given = String(value).split(/\s+/).filter(Boolean);
+    given.forEach((each, k) => wordIn(each, `${name}[${k}]`, known));
+    return new Set(known.filter((each) => given.includes(each)));
   };
+  return { type: String, property, initial: new Set(initial), check };
 }
 
-function number<T extends number | null>(min: number, max: number, initial: T): Option<T | number> {
-  return {
-    type: Number,
-    property: initial,
-    initial,
-    read: (value) => {
-      const given = value === "" ? NaN : Number(value);
-      return given >= min && given <= max ? given : undefined;
-    },
-    expected: `a number from ${min} to ${max}`,
-  };
+function number<T extends number | null>(min: number, max: number, initial: T, expected?: string): Option<T | number> {
+  const check = (value: unknown, name: string) =>
+    numberIn(value === "" ? NaN : Number(value), name, min, max, expected);
+  return { type: Number, property: initial, initial, check };
 }
 
 /** Rounded to a whole number. */
 function whole(min: number, max: number, initial: number): Option<number> {
-  const { read, ...option } = number(min, max, initial);
-  return {
-    ...option,
-    read: (value) => {
-      const given = read(value);
-      return given === undefined ? undefined : Math.round(given);
-    },
-  };
+  const option = number(min, max, initial);
+  return { ...option, check: (value, name) => Math.round(option.check(value, name)) };
 }
 
-/** A positive number, or 0 or null for none. */
-function positive(): Option<number | null> {
-  return { ...number<number | null>(0, Number.MAX_VALUE, null), expected: "a positive number" };
-}
-
-/** Three numbers. */
-function pointOf(value: unknown): number[] | null | undefined {
+/** Three numbers, or none. */
+function pointIn(value: unknown, name: string): number[] | null {
   const numbers = String(value)
     .split(/[\s,]+/)
     .filter(Boolean)
     .map(Number);
   if (numbers.length === 0) return null;
-  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : undefined;
+  if (numbers.length !== 3 || !numbers.every(Number.isFinite))
+    throw new RangeError(`${name}: expected three numbers, got ${brief(value)}`);
+  return numbers;
 }
 
 /** A list of words as an attribute holds it, with one of them put in or taken out. */

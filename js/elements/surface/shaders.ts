@@ -4,8 +4,8 @@
 /** Patches of higher degrees are evaluated by the core, whatever was asked for. */
 export const MAX_GPU_DEGREE = 8;
 
-/** Shading modes in the order of `SHADINGS`. */
-export const MODES = { smooth: 0, flat: 1, normals: 2, gaussian: 3, mean: 4, patches: 5 };
+/** The numbers of the shadings in the shader, in the order of `SHADINGS`. */
+export const SHADING_CODES = { smooth: 0, flat: 1, normals: 2, gaussian: 3, mean: 4, patches: 5 };
 
 const HEAD = `#version 300 es
 precision highp float;
@@ -14,11 +14,12 @@ precision highp int;
 
 /**
  * Bernstein's polynomials by their recurrence, B(n, i) = (1 − t) B(n − 1, i) + t B(n − 1, i − 1); those of the two
- * degrees below, which it passes, give the derivatives. At t = 0 and 1 all of it is exact.
+ * degrees below, which it passes, give the derivatives. At t = 0 and 1 all of it is exact. `net` has for each patch its two
+ * degrees, then its control points.
  */
 const EVALUATION = `
 const int SIZE = ${MAX_GPU_DEGREE + 1};
-uniform highp sampler2D net; // for each patch its two degrees, then its control points
+uniform highp sampler2D net;
 uniform int stride;
 uniform float zeroRatio;
 struct Basis { float b[SIZE]; float d[SIZE]; float dd[SIZE]; };
@@ -106,10 +107,11 @@ void vertexOf(out vec3 p, out vec3 n, out vec2 k, out float patchIndex) {
 }
 `;
 
+/** `seen` is in the coordinates of the eye. */
 const SURFACE_VERTEX = `
 uniform mat4 view;
 uniform mat4 projection;
-out vec3 seen; // in the eye's coordinates
+out vec3 seen;
 out vec3 seenNormal;
 out vec3 ownNormal;
 out vec2 curvatures;
@@ -130,7 +132,7 @@ in vec3 seenNormal;
 in vec3 ownNormal;
 in vec2 curvatures;
 flat in float patchNumber;
-uniform int mode;
+uniform int shading;
 uniform float radius;
 uniform vec3 front, back, low, middle, high;
 out vec4 colour;
@@ -148,30 +150,33 @@ vec3 lit(vec3 base, vec3 n) {
   float gloss = pow(max(dot(n, normalize(KEY + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
   vec3 full = base * min(light + 0.12 * rim, 1.0);
-  return mix(full, vec3(1.0), 0.55 * max(light - 1.0, 0.0) + 0.30 * gloss); // towards white, not over it
+  return mix(full, vec3(1.0), 0.55 * max(light - 1.0, 0.0) + 0.30 * gloss);
 }
 
 void main() {
   vec3 facet = normalize(cross(dFdx(seen), dFdy(seen)));
   bool known = dot(seenNormal, seenNormal) > 1e-12;
-  vec3 n = mode == ${MODES.flat} || !known ? facet : normalize(seenNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 n = shading == ${SHADING_CODES.flat} || !known ? facet : normalize(seenNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 base = gl_FrontFacing ? front : back;
-  if (mode == ${MODES.patches}) base = mix(vec3(0.9), hue(patchNumber * 0.61803399 + 0.07), 0.62) * 0.94;
-  if (mode == ${MODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.37) * 0.63661977);
-  if (mode == ${MODES.mean}) base = scale(atan(curvatures.y * radius * 0.73) * 0.63661977);
+  if (shading == ${SHADING_CODES.patches}) base = mix(vec3(0.9), hue(patchNumber * 0.61803399 + 0.07), 0.62) * 0.94;
+  if (shading == ${SHADING_CODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.37) * 0.63661977);
+  if (shading == ${SHADING_CODES.mean}) base = scale(atan(curvatures.y * radius * 0.73) * 0.63661977);
   vec3 shaded = lit(base, n);
-  if (mode == ${MODES.normals}) shaded = (known ? normalize(ownNormal) : vec3(0)) * 0.5 + 0.5;
+  if (shading == ${SHADING_CODES.normals}) shaded = (known ? normalize(ownNormal) : vec3(0)) * 0.5 + 0.5;
   colour = vec4(shaded, 1.0);
 }
 `;
 
-/** A straight piece as a band of so many pixels, drawn a little nearer than it is, so that it shows on its surface. */
+/**
+ * A straight piece as a band of so many pixels, drawn a little nearer than it is, so that it shows on its surface. `cap`: how far
+ * it reaches beyond its ends, in widths.
+ */
 const BAND = `
 uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
-uniform float cap; // how far it reaches beyond its ends, in widths
+uniform float cap;
 const float LIFT = 0.9988;
 void band(vec3 from, vec3 to, int corner) {
   vec4 a = projection * vec4((view * vec4(from, 1.0)).xyz * LIFT, 1.0);

@@ -1,6 +1,7 @@
-// The canvas and its frames: at most one a turn of the display, and only when something has changed.
+// The canvas and its frames: at most one for each refresh of the display, and only when something has changed.
+import { messageOf } from "../../editor/check.js";
 import { followSize } from "../../ui/canvas-size.js";
-import { moved, sightOf } from "./camera.js";
+import { moved, cameraMatricesOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
@@ -11,20 +12,20 @@ import type { CameraMatrices, View } from "./camera.js";
 import type { Facts, Scene } from "./geometry.js";
 import type { Theme } from "./theme.js";
 
-/** What the stage reports to the element. */
-export interface StagePort {
+/** What the stage reports, and what it asks. */
+type Callbacks = {
   /** At the beginning of each frame: pointers that have moved, and the panel */
   render: () => void;
-  /** After each frame; the size in CSS pixels */
-  drawn: (facts: Facts, sight: CameraMatrices, width: number, height: number) => void;
+  /** After each frame */
+  drawn: (facts: Facts, matrices: CameraMatrices) => void;
   /** The core cannot make this mesh */
   refused: (message: string) => void;
   stateChanged: (state: "webgl" | "flat" | "lost") => void;
-  /** Whether the picture turns by itself */
-  turning: () => boolean;
-}
+  /** Whether the surface rotates by itself */
+  isRotating: () => boolean;
+};
 
-const TURN_DEGREES_PER_SECOND = 24;
+const ROTATION_DEGREES_PER_SECOND = 24;
 /** After so many frames without a movement the camera rests. */
 const REST_FRAMES = 3;
 /** A frame after a pause (a hidden tab) does not make the picture jump. */
@@ -33,9 +34,11 @@ const LONGEST_FRAME_MS = 100;
 export class Stage {
   geometry = new Geometry();
   #canvas;
+  /** The size of the canvas in CSS pixels; to ask for it in each frame would cost a layout. */
+  #size = { width: 0, height: 0 };
   #overlay;
   #probe;
-  #port;
+  #callbacks;
   #view: GlView | FlatView | null = null;
   #scene: Scene | null = null;
   /** What the canvas shows; null if it has to be drawn again. */
@@ -53,17 +56,17 @@ export class Stage {
    * @param overlay is kept over the canvas
    * @param probe from which colours are read
    */
-  constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement, camera: View, port: StagePort) {
+  constructor(canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement, camera: View, callbacks: Callbacks) {
     this.#canvas = canvas;
     this.#overlay = overlay;
     this.#probe = probe;
     this.#camera = camera;
-    this.#port = port;
+    this.#callbacks = callbacks;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
     this.#lost = this.#view instanceof GlView && this.#view.lost;
     this.#slot = contextSlotOf(canvas);
     if (this.#lost) this.#slot.renew();
-    port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
+    callbacks.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
   }
 
@@ -72,12 +75,12 @@ export class Stage {
     const lost = () => {
       this.#lost = true;
       this.#drawnScene = null;
-      if (!this.#slot.ended) this.#port.stateChanged("lost");
+      if (!this.#slot.ended) this.#callbacks.stateChanged("lost");
     };
     const restored = () => {
       this.#lost = false;
       this.#view = GlView.on(canvas);
-      this.#port.stateChanged("webgl");
+      this.#callbacks.stateChanged("webgl");
       this.schedule();
     };
     canvas.addEventListener("webglcontextlost", lost);
@@ -85,7 +88,10 @@ export class Stage {
     this.#endings.push(
       () => canvas.removeEventListener("webglcontextlost", lost),
       () => canvas.removeEventListener("webglcontextrestored", restored),
-      followSize(canvas, this.#overlay, () => this.draw()), // at once: the canvas is empty
+      followSize(canvas, this.#overlay, (width, height) => {
+        this.#size = { width, height };
+        this.draw(); // at once: the canvas is empty
+      }),
       followColours(() => this.recolour()),
     );
   }
@@ -102,7 +108,7 @@ export class Stage {
 
   show(scene: Scene) {
     this.#scene = scene;
-    if (scene !== this.#drawnScene || this.#port.turning()) this.schedule();
+    if (scene !== this.#drawnScene || this.#callbacks.isRotating()) this.schedule();
   }
 
   /** The style sheet has other colours now. */
@@ -126,16 +132,10 @@ export class Stage {
     this.#slot.renew();
   }
 
-  /** How the scene is seen now, on so many CSS pixels; null before there is one. */
-  sight() {
-    const { clientWidth, clientHeight } = this.#canvas;
-    return (
-      this.#scene && {
-        sight: sightOf(this.#camera, this.#scene.frame, clientWidth || 1, clientHeight || 1),
-        width: clientWidth,
-        height: clientHeight,
-      }
-    );
+  /** How the scene is projected now; null before there is one. */
+  matrices() {
+    const { width, height } = this.#size;
+    return this.#scene && cameraMatricesOf(this.#camera, this.#scene.sphere, width || 1, height || 1);
   }
 
   schedule() {
@@ -144,32 +144,32 @@ export class Stage {
 
   #step(now: number) {
     try {
-      this.#port.render(); // the scene that it shows is drawn in this frame
+      this.#callbacks.render(); // the scene that it shows is drawn in this frame
     } finally {
       this.#frame = 0;
     }
     const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
     this.#before = now;
-    if (this.#port.turning() && this.#scene && !this.#lost)
-      this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
+    if (this.#callbacks.isRotating() && this.#scene && !this.#lost)
+      this.move({ turn: this.#camera.turn + (ROTATION_DEGREES_PER_SECOND * passed) / 1000 });
     this.draw(this.#framesAtRest++ < REST_FRAMES);
     if (this.geometry.outdated) this.schedule();
   }
 
   /** Draws now. @param moving whether the camera moves */
   draw(moving = false) {
-    const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
-    if (!scene || !seen || this.#lost || seen.width === 0) return;
+    const [canvas, scene, matrices] = [this.#canvas, this.#scene, this.matrices()];
+    if (!scene || !matrices || this.#lost || this.#size.width === 0) return;
     this.#theme ??= readTheme(this.#probe);
     const theme = this.#theme;
     const { width, height } = canvas;
-    const ratio = width / seen.width;
-    this.geometry.seen(seen.sight, seen.width, seen.height, moving);
+    const ratio = width / matrices.width;
+    this.geometry.seen(matrices, moving);
     const facts = this.factsOf(scene);
     if (!facts) return;
-    this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
+    this.#view?.draw({ scene, geometry: this.geometry, matrices, theme, width, height, ratio });
     this.#drawnScene = scene;
-    this.#port.drawn(facts, seen.sight, seen.width, seen.height);
+    this.#callbacks.drawn(facts, matrices);
   }
 
   /**
@@ -180,7 +180,7 @@ export class Stage {
     try {
       return this.geometry.facts(scene);
     } catch (error) {
-      this.#port.refused(error instanceof Error ? error.message : String(error));
+      this.#callbacks.refused(messageOf(error));
       return null;
     }
   }

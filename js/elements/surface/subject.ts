@@ -1,7 +1,7 @@
 // What `<bezier-surface>` shows, without its picture: the editor, and the settings, the surface and the scene of its state.
 import { Editor } from "../../editor/editor.js";
 import { Memo } from "../../editor/memo.js";
-import { frameOf } from "./camera.js";
+import { boundingSphereOf } from "./camera.js";
 import { framingPoints, surfaceNamed } from "./models.js";
 import { ATTRIBUTE_NAMES, SettingsReader } from "./settings.js";
 import { firstState, TRANSIENT, withoutMoves } from "./state.js";
@@ -15,6 +15,8 @@ export class Subject {
   editor = new Editor<State>(firstState(), TRANSIENT, TRANSIENT);
   /** What makes surfaces with weights, once it is loaded. */
   rational: Rational | null = null;
+  /** The surface that was set last; one with weights is shown when the code for it is there, unless another one is set before. */
+  assigned: unknown = null;
   #memo = new Memo();
   #reader;
 
@@ -68,12 +70,12 @@ export class Subject {
     const { settings, surface } = this;
     const { model, height, up } = settings;
     const { given } = this.state;
-    const frame = this.#memo.get("frame", [given, model, height, up, this.rational], () =>
-      frameOf(given?.vertices ?? framingPoints(settings, this.rational), up),
+    const sphere = this.#memo.get("sphere", [given, model, height, up, this.rational], () =>
+      boundingSphereOf(given?.vertices ?? framingPoints(settings, this.rational), up),
     );
     const known = patch !== null && patch >= 0 && patch < surface.patchCount;
     const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;
-    return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));
+    return this.#memo.get("scene", [settings, surface, sphere, picked], () => ({ settings, surface, sphere, picked }));
   }
 }
 

@@ -80,7 +80,7 @@ export function twoDigits(x: number) {
   return x === 0 ? "0" : x < 1e-4 || x >= 1e6 ? x.toExponential(1) : String(Number(x.toPrecision(2)));
 }
 
-/** An upper bound with two figures: rounded up, so that it is still one. */
+/** An upper bound with two significant digits: rounded up, so that it is still one. */
 export function upperBound(x: number) {
   const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
   const rounded = Number(x.toPrecision(2));

@@ -17,7 +17,7 @@ import { PathSegmentIndex } from "./path-segment-index.js";
 import { PathTree } from "./path-tree.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
 import { segmentAtLength } from "../spline/arc-length-table.js";
-import { coreSplineOf, splineDataOf } from "../spline/core-spline.js";
+import { coreSplineOf, splineDataFromJSON } from "../spline/core-spline.js";
 import { readSvg } from "../../io/svg-read.js";
 import { PathBuilder } from "./path-builder.js";
 import type { TransformLike, Complete, PointLike, PointsLike } from "../check.js";
@@ -778,6 +778,8 @@ function copyOfBounds(box: Bounds<2> | null): Bounds<2> | null {
 }
 
 /**
+ * A path of a class, from a packed path.
+ *
  * @internal
  * @throws {TypeError} for a static method that was called without its class
  */
@@ -812,5 +814,7 @@ export function packedFrom(shapes: Shape | ArrayLike<Shape>): Float64Array {
  */
 export function packedFromJSON(json: { subpaths: SplineJSON[] }): Float64Array {
   requireJSON(json, "subpaths", ({ subpaths }) => Array.isArray(subpaths));
-  return packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`)));
+  return packedSplines(
+    Array.from(json.subpaths, (subpath, k) => require2D(splineDataFromJSON(subpath), `subpaths[${k}]`)),
+  );
 }

@@ -15,6 +15,8 @@ export interface RegionOptions {
 const FILL_RULES: readonly FillRule[] = ["nonzero", "evenodd"];
 
 /**
+ * The checked fill rule of options.
+ *
  * @internal
  * @returns whether the rule is "evenodd"
  */

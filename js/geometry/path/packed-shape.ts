@@ -5,6 +5,8 @@ import { extents, packedSplines } from "../../wasm/packed-path.js";
 import type { SplineData } from "../brand.js";
 
 /**
+ * The data of a spline that must be plane.
+ *
  * @internal
  * @throws {TypeError} for a 3D spline
  */

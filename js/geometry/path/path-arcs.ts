@@ -22,6 +22,8 @@ export interface CircularArc {
 const NUMBERS = 9;
 
 /**
+ * The arcs of `Path.toArcs`.
+ *
  * @internal
  * @returns a list for each subpath
  */

@@ -21,6 +21,8 @@ function packedList(paths: unknown): Float64Array[] {
 }
 
 /**
+ * Where a packed path among numbers ends.
+ *
  * @internal
  * @param start of a packed path
  * @returns the index after it
@@ -47,6 +49,8 @@ export function writePaths(packed: Float64Array[]) {
 }
 
 /**
+ * Reads a packed path from the arena, and releases the memory.
+ *
  * @internal
  * @param end what a function of the core returned
  * @returns a packed path
@@ -58,6 +62,8 @@ export function readPath(end: number): Float64Array {
 }
 
 /**
+ * `Path.combine`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -70,6 +76,8 @@ export function combine(paths: unknown, operation: BooleanOperation, options?: R
 }
 
 /**
+ * The methods of `Path` that combine it with others.
+ *
  * @internal
  * @param further paths, and at last the options, if there are any
  * @returns a packed path
@@ -90,6 +98,8 @@ export function combineWith(
 }
 
 /**
+ * `Path.subtract`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -100,6 +110,8 @@ export function subtract(path: Float64Array, other: unknown, options?: RegionOpt
 }
 
 /**
+ * `Path.removeOverlaps`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -131,6 +143,8 @@ export function faces(paths: unknown, options?: RegionOptions): { packed: Float6
 }
 
 /**
+ * `Path.divide`.
+ *
  * @internal
  * @returns packed paths
  */
@@ -147,6 +161,8 @@ export function divide(path: Float64Array, other: unknown, options?: RegionOptio
 }
 
 /**
+ * `Path.clip`.
+ *
  * @internal
  * @returns a packed path
  */

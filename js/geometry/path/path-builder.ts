@@ -22,6 +22,8 @@ export class PathBuilder<P> {
   #started = false;
 
   /**
+   * Starts without commands.
+   *
    * @internal
    * @param tolerance for arcs, 0 for the default
    */

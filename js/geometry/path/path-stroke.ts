@@ -144,6 +144,8 @@ function writeStroke(
 }
 
 /**
+ * `Path.stroke`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -194,6 +196,8 @@ export function strokeContains(
 }
 
 /**
+ * `Path.dash`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -205,6 +209,8 @@ export function dash(path: Float64Array, pattern: ArrayLike<number>, offset = 0)
 }
 
 /**
+ * `Path.offset`.
+ *
  * @internal
  * @returns a packed path
  */
@@ -219,6 +225,8 @@ export function offset(path: Float64Array, distance: number, options?: RegionOff
 }
 
 /**
+ * `Path.roundCorners`.
+ *
  * @internal
  * @returns a packed path
  */

@@ -824,6 +824,8 @@ function show() {
 const nurbsFrom = (options: NurbsOptions): NurbsCurve => new NurbsCurve(options);
 
 /**
+ * A curve from checked data.
+ *
  * @internal
  */
 export const nurbsOf = (data: NurbsData): NurbsCurve => fromChecked(NurbsCurve, data);

@@ -223,6 +223,8 @@ export class NurbsSurface {
   }
 
   /**
+   * See `brand.js`.
+   *
    * @internal
    */
   casteljauData(): NurbsSurfaceData {

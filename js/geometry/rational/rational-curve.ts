@@ -335,6 +335,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * The derivative of order k at t, which is checked.
+   *
    * @internal
    */
   _derivativeAt(t: number, k: number): Point<D> {
@@ -599,6 +601,8 @@ export class RationalCurve<D extends 2 | 3 = 2 | 3> {
   }
 
   /**
+   * The nearest point to a point that is checked.
+   *
    * @internal
    * @param coordinates of the point
    */
@@ -790,6 +794,8 @@ function checkedPoints(points: PointsLike, options?: { dimension?: 2 | 3 }): Con
 }
 
 /**
+ * The weights as numbers, one for each point.
+ *
  * @internal
  * @param count of the points
  */

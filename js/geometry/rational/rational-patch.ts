@@ -113,6 +113,8 @@ export class RationalPatch {
   }
 
   /**
+   * See `brand.js`.
+   *
    * @internal
    */
   casteljauData(): RationalPatchData {
@@ -354,6 +356,8 @@ function dataOf(
 }
 
 /**
+ * A patch from numbers that are checked.
+ *
  * @internal
  * @param numbers the coordinates of the net, then the weights
  */
@@ -363,6 +367,8 @@ export function rationalPatchOf(numbers: Float64Array, degreeU: number, degreeV:
 }
 
 /**
+ * The error for parameters at which the denominator is 0.
+ *
  * @internal
  */
 export function noPointAt(u: number, v: number): RangeError {

@@ -173,6 +173,8 @@ export class RationalSurface {
   }
 
   /**
+   * See `brand.js`.
+   *
    * @internal
    */
   casteljauData(): RationalSurfaceData {

@@ -726,7 +726,7 @@ export class CoreSpline<D extends 2 | 3 = 2 | 3, C extends CoreCurve<D> = CoreCu
    * @param json what `toJSON` returned
    */
   static fromJSON(json: SplineJSON): CoreSpline {
-    return coreSplineOf(splineDataOf(json));
+    return coreSplineOf(splineDataFromJSON(json));
   }
 }
 
@@ -767,7 +767,7 @@ function dataOf(points: PointsLike, options: SplineOptions | undefined): SplineD
  *
  * @internal
  */
-export function splineDataOf(json: SplineJSON): SplineData {
+export function splineDataFromJSON(json: SplineJSON): SplineData {
   requireJSON(json, "points, degrees and closed", ({ points }) => points !== undefined);
   const { flat, dimension } = flatten(json.points, json.dimension, 2);
   const degrees = [...check.numbers(json.degrees, "degrees")];

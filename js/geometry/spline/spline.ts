@@ -1,7 +1,7 @@
 import { fromChecked } from "../checked.js";
 import { curvesModule } from "../../wasm/curves-module.js";
 import * as check from "../check.js";
-import { CoreSpline, joinCurves, readSplineData, splineDataOf } from "./core-spline.js";
+import { CoreSpline, joinCurves, readSplineData, splineDataFromJSON } from "./core-spline.js";
 import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { fromBSpline, toBSpline } from "../bspline.js";
@@ -178,7 +178,7 @@ export class Spline<D extends 2 | 3 = 2 | 3> extends CoreSpline<D, Curve<D>> {
    * @param json what `toJSON` returned
    */
   static fromJSON(json: SplineJSON): Spline {
-    return splineOf(splineDataOf(json));
+    return splineOf(splineDataFromJSON(json));
   }
 
   /**

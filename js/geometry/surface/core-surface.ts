@@ -467,6 +467,8 @@ function coreSurfaceOf(network: Network): CoreSurface {
 }
 
 /**
+ * A surface of a class, from a network.
+ *
  * @internal
  * @throws {TypeError} for a static method that was called without its class
  */

@@ -9,7 +9,7 @@ import { rayThrough } from "#js/elements/surface/camera.js";
 /** @typedef {readonly number[]} Vector three numbers */
 /** @typedef {{ patch: Patch, u: number, v: number, distance: number, point: Vector }} Hit */
 /** @typedef {{ patch: Patch, min: Vector, max: Vector }} BoundedPatch */
-/** @typedef {{ sight: CameraMatrices, width: number, height: number, radius: number, front: Vector, back: Vector, hasShadows: boolean }} View colours from 0 to 1; radius of the surface */
+/** @typedef {{ matrices: CameraMatrices, radius: number, front: Vector, back: Vector, hasShadows: boolean }} View colours from 0 to 1; radius of the surface */
 
 /** Sides of the blocks of pixels in each pass: each pass halves them. */
 const BLOCK_SIZES = [8, 4, 2, 1];
@@ -32,7 +32,7 @@ export class RayTracer {
   constructor(patches, view) {
     this.#patches = patches.map(bounded);
     this.#view = view;
-    this.#toLight = toWorld(KEY_LIGHT, view.sight);
+    this.#toLight = toWorld(KEY_LIGHT, view.matrices);
   }
 
   /**
@@ -69,8 +69,8 @@ export class RayTracer {
    * @returns {number[] | null}
    */
   colour(x, y) {
-    const { sight, width, height, radius, front, back, hasShadows } = this.#view;
-    const { origin, direction } = rayThrough(sight, x, y, width, height);
+    const { matrices, radius, front, back, hasShadows } = this.#view;
+    const { origin, direction } = rayThrough(matrices, x, y);
     const hit = this.firstHit(origin, direction);
     if (!hit) return null;
     const normal = hit.patch.normal(hit.u, hit.v);
@@ -79,7 +79,7 @@ export class RayTracer {
     const n = isFront ? outside : outside.map((c) => -c);
     const start = hit.point.map((c, k) => c + SHADOW_OFFSET * radius * n[k]);
     const isLit = !hasShadows || (dot(n, this.#toLight) > 0 && !this.firstHit(start, this.#toLight));
-    return shaded(isFront ? front : back, toEye(n, sight), toEye(direction, sight), isLit);
+    return shaded(isFront ? front : back, toEye(n, matrices), toEye(direction, matrices), isLit);
   }
 }
 
@@ -153,9 +153,9 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 /** @param {Vector} a @returns {Vector} */
 const normalized = (a) => a.map((c) => c / Math.hypot(...a));
 
-/** @param {Vector} a @param {CameraMatrices} sight @returns {Vector} */
+/** @param {Vector} a @param {CameraMatrices} matrices @returns {Vector} */
 const toEye = (a, { right, upward, forward }) => [dot(a, right), dot(a, upward), -dot(a, forward)];
 
-/** @param {Vector} a @param {CameraMatrices} sight @returns {Vector} */
+/** @param {Vector} a @param {CameraMatrices} matrices @returns {Vector} */
 const toWorld = (a, { right, upward, forward }) =>
   right.map((_, k) => a[0] * right[k] + a[1] * upward[k] - a[2] * forward[k]);

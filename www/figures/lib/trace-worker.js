@@ -16,7 +16,7 @@ function trace({ surface, view }) {
   const model = Surface.fromJSON(surface);
   const patches = Array.from({ length: model.patchCount }, (_, k) => model.patch(k));
   const tracer = new RayTracer(/** @type {any} */ (patches), view);
-  const { width, height } = view;
+  const { width, height } = view.matrices;
   const image = new Uint8ClampedArray(4 * width * height);
   let [done, sent] = [0, performance.now()];
   for (const { x, y, size } of progressiveBlocks(width, height)) {
