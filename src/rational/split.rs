@@ -135,7 +135,7 @@ fn check_parameter(t: f64) -> Result<(), Error> {
 }
 
 /// x^(1/n) for x > 0, by Newton's method from above.
-fn nth_root(x: f64, n: usize) -> f64 {
+pub(super) fn nth_root(x: f64, n: usize) -> f64 {
     if n == 1 || x == 1.0 {
         return x;
     }

@@ -40,6 +40,15 @@ pub fn rationalsurface_solid_of_revolution(angle: f64) -> isize {
     })
 }
 
+/// Writes the weights with which edges that are the same curve are one line.
+#[wasm_bindgen]
+pub fn rationalsurface_common_parameters() -> isize {
+    arena::answer(|a| {
+        let surface = surface(a)?.0.with_common_parameters();
+        Ok(a.write_numbers(0, surface.weights()))
+    })
+}
+
 /// As `surface_tessellate`.
 #[wasm_bindgen]
 pub fn rationalsurface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -> isize {

@@ -48,8 +48,22 @@ pub(crate) fn from(surface: Surface) -> Checked {
 pub(crate) fn from_patches(surface: RationalSurface) -> Checked {
     let patches: Vec<RationalPatch> = surface.patches().collect();
     let joined = answer!(RationalSurface::from_patches(&patches));
-    let again: Vec<RationalPatch> = joined.patches().collect();
-    same(again, patches, "the patches")
+    same(joined.patch_count(), patches.len(), "the number of patches")?;
+    for (patch, given) in joined.patches().zip(&patches) {
+        let points = patch.control_points();
+        same(points, given.control_points(), "the control points")?;
+        // The quotients of weights are c·rⁱ·sʲ.
+        let columns = patch.degree_u() + 1;
+        let pairs = patch.weights().iter().zip(given.weights());
+        let logarithms: Vec<f64> = pairs.map(|(a, b)| (a / b).ln()).collect();
+        let c = logarithms[0];
+        let [r, s] = [1, columns].map(|k| logarithms[k] - c);
+        for (k, logarithm) in logarithms.iter().enumerate() {
+            let expected = c + real(k % columns) * r + real(k / columns) * s;
+            ensure!((logarithm - expected).abs() < 1e-9, "weight {k}");
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn solid_of_revolution(

@@ -346,6 +346,14 @@ test("surfaces with weights: vertices, patches and weights", () => {
       .open.length,
     8,
   );
+  // The same edge with other parameters is multiplied by 2⁻ⁱ.
+  const degrees = { degreeU: 1, degreeV: 1 };
+  const net = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
+  const square = new RationalPatch(net, [1, 1, 1, 1], degrees);
+  const beside = new RationalPatch(net, [3, 3, 6, 12], degrees).transform("translate(1 0)");
+  const along = RationalSurface.fromPatches([square, beside]);
+  assert.deepEqual([...along.weights()[1]], [3, 3, 3, 6]);
+  assert.equal(along.topology().shared.length, 1);
   refusedAll(RangeError, [
     [
       () => new RationalSurface({ vertices, patches, weights: [[1]] }, { degreeU: 2, degreeV: 2 }),

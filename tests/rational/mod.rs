@@ -7,6 +7,7 @@ mod kernels;
 mod mesh;
 mod network;
 mod nurbs;
+mod parameters;
 mod solid;
 mod surface;
 

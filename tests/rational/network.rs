@@ -100,10 +100,11 @@ fn weights_in_proportion_join_edges() {
         assert_eq!(surface.topology().shared.len(), 1, "{factor}");
         assert_eq!(surface.topology().components, [[0, 1]]);
         assert!(surface.weight_mismatches().is_empty());
+        assert_eq!(surface.patch_weights(1).expect("two patches")[3], 3.0 * factor);
         let mesh = valid(surface.tessellate(&TessellationOptions::tolerance(1e-3)));
         assert!(mesh.triangle_count() > 2);
     }
-    for other in [[2.0, 3.0, 5.1], [1.0, 1.0, 1.0], [5.0, 3.0, 2.0]] {
+    for other in [[2.0, 3.0, 5.1], [1.0, 1.0, 1.0], [5.0, 4.0, 2.0]] {
         let surface = joined(other);
         let topology = surface.topology();
         assert_eq!((topology.shared.len(), topology.open.len()), (0, 8));
@@ -141,6 +142,10 @@ fn edges_of_many_weights_take_linear_time() {
         1,
         1,
     ));
+    // As curves all these edges are the same.
+    let patches: Vec<RationalPatch> = surface.patches().collect();
+    let joined = valid(RationalSurface::from_patches(&patches));
+    assert!(joined.topology().open.len() < 4 * (50_000 - 200));
     let topology = surface.topology();
     assert_eq!(topology.shared.len(), 4 * 100);
     assert_eq!(topology.open.len(), 4 * (50_000 - 200));

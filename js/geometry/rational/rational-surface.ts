@@ -197,7 +197,7 @@ export class RationalSurface {
 
   /**
    * How the patches are joined. Two edges are the same line if their control points are equal in the same order or reversed and
-   * the quotients of their weights are equal to 8 ulps; edges with the same points and other weights are open. An edge that is
+   * the quotients of their weights are equal to 512 ulps; edges with the same points and other weights are open. An edge that is
    * a point is collapsed, whatever its weights.
    */
   topology(): Topology {
@@ -353,11 +353,19 @@ export class RationalSurface {
    * The surface of patches, which may differ in their degrees; patches without weights have the weights 1. Control points at the
    * same position become one vertex. The order of the patches is kept.
    *
+   * Open edges with the same vertices are one curve with two parameters if the quotients of their weights are c·ρⁱ, as they always are for
+   * degree 1. The weights of the later patch are then multiplied by ρ⁻ⁱ along that direction, and so on for the patches beside it: its
+   * points stay the same, t′/(1 − t′) = ρ t/(1 − t), and meshes have no cracks there. Where a closed chain of patches needs two factors,
+   * edges stay open; so they do where the largest weight of a patch would be more than 2²⁰ times its smallest one.
+   *
    * @param patches patches of any degrees
    */
   static fromPatches(patches: readonly (RationalPatch | CorePatch)[]): RationalSurface {
     if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
-    return surfaceOfPatches(Array.from(patches, patchWithWeights)); // also finds holes
+    const surface = surfaceOfPatches(Array.from(patches, patchWithWeights)); // also finds holes
+    surface.#write();
+    const count = surfacesModule.functions.rationalsurface_common_parameters();
+    return surfaceOf({ ...surface.#data, weights: surfacesModule.readLarge(count) });
   }
 
   /**

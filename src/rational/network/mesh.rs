@@ -30,7 +30,7 @@ use casteljau_kernels::numeric::vector::Vector;
 use glam::DVec3;
 
 /// The largest quotient of two weights of a patch for which tolerances hold.
-const MAX_QUOTIENT: f64 = 1_048_576.0;
+pub(super) const MAX_QUOTIENT: f64 = 1_048_576.0;
 
 impl RationalSurface {
     /// A mesh without cracks and T-junctions; see [`Surface::tessellate`], whose promises hold.
@@ -60,22 +60,27 @@ impl RationalSurface {
             return Ok(());
         }
         for patch in 0..self.patch_count() {
-            let weights = self.patch_weights(patch).unwrap_or_default();
-            let [min, max] = weights
-                .iter()
-                .fold([f64::INFINITY, 0.0], |[min, max]: [f64; 2], &w| {
-                    [min.min(w), max.max(w)]
-                });
-            if max / min > MAX_QUOTIENT {
+            let quotient = quotient(self.patch_weights(patch).unwrap_or_default());
+            if quotient > MAX_QUOTIENT {
                 return Err(Error::Range {
                     what: "largest weight of a patch divided by its smallest one",
                     expected: "at most 2^20 for a tolerance",
-                    got: max / min,
+                    got: quotient,
                 });
             }
         }
         Ok(())
     }
+}
+
+/// The largest of some weights divided by the smallest one.
+pub(super) fn quotient(weights: &[f64]) -> f64 {
+    let [min, max] = weights
+        .iter()
+        .fold([f64::INFINITY, 0.0], |[min, max]: [f64; 2], &w| {
+            [min.min(w), max.max(w)]
+        });
+    max / min
 }
 
 impl PatchNetwork for RationalSurface {

@@ -8,6 +8,7 @@ mod lines;
 mod measure;
 mod mesh;
 mod nearest;
+mod parameters;
 mod solid;
 
 use super::check_weights;
@@ -16,16 +17,18 @@ use super::surface::NurbsSurface;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
+use crate::numeric::list::Scalars;
 use crate::surface::hash_index::joined;
 use crate::surface::network::Surface;
 use crate::surface::topology::{EdgeUse, PatchEdge, SIDES, SideUse, Topology};
 use casteljau_kernels::numeric::order::to_u32;
 use glam::{DAffine3, DVec3};
 
-/// The weights of two edges are in the same proportion if their quotients differ by at most this, relative to the first one.
-const SAME_QUOTIENT: f64 = 8.0 * f64::EPSILON;
+/// The weights of two edges are in the same proportion if their quotients differ by at most this, relative to the first one:
+/// 8 ulps for each of at most 64 degrees, since powers of factors have rounding errors in proportion to the degree.
+const SAME_QUOTIENT: f64 = 512.0 * f64::EPSILON;
 
-/// The width of a cell of [`RationalSurface::proportion_keys`]: much more than [`SAME_QUOTIENT`] and rounding change it.
+/// The width of a cell of [`proportion_keys`]: much more than [`SAME_QUOTIENT`] and rounding change it.
 const KEY_CELL: f64 = 4096.0 * f64::EPSILON;
 
 /// A network of rational Bézier patches: a [`Surface`] with a weight above 0 for each index of each net.
@@ -84,11 +87,24 @@ impl RationalSurface {
         Self::weighted(Surface::with_degrees(vertices, indices, degrees)?, weights)
     }
 
-    /// A surface of patches, with one vertex for all control points that are equal.
+    /// A surface of patches, with one vertex for all control points that are equal, and one line for edges that are the same curve.
+    ///
+    /// Open edges with the same vertices are one curve with two parameters if the quotients of their weights are c·ρⁱ, as they always are
+    /// for degree 1. The weights of the later patch are then multiplied by ρ⁻ⁱ along that direction, and so on for the patches beside
+    /// it: its points stay the same, and t′/(1 − t′) = ρ t/(1 − t). So meshes have no cracks there.
+    ///
+    /// Where a closed chain of patches needs two factors, edges stay open; [`weight_mismatches`](Self::weight_mismatches) lists
+    /// them. So do all edges of a connected part in which the largest weight of a patch would be more than 2²⁰ times its smallest
+    /// one, and more than it was, or in which a weight would be beyond 2⁵⁰⁰ or below 2⁻⁵⁰⁰.
     ///
     /// # Errors
     /// [`Error::TooMany`] for more control points than 2³² − 1.
     pub fn from_patches(patches: &[RationalPatch]) -> Result<Self, Error> {
+        Ok(Self::of_patches(patches)?.with_common_parameters())
+    }
+
+    /// The patches with their weights, and with one vertex for all control points that are equal.
+    fn of_patches(patches: &[RationalPatch]) -> Result<Self, Error> {
         let nets = patches.iter().map(RationalPatch::control_points);
         let points = nets.collect::<Vec<_>>().concat();
         let limit = u32::MAX as usize - 1;
@@ -207,7 +223,7 @@ impl RationalSurface {
     /// How the patches are joined; see [`Surface::topology`].
     ///
     /// Two edges are the same line if their vertices agree, in the same order or reversed, and the quotients of their weights
-    /// are equal to 8 ulps. Edges with the same vertices and other weights are different curves, or differ in their
+    /// are equal to 512 ulps. Edges with the same vertices and other weights are different curves, or differ in their
     /// parameters, and are open; [`weight_mismatches`](Self::weight_mismatches) lists them. An edge whose control points are
     /// all equal is collapsed, whatever its weights.
     pub fn topology(&self) -> Topology {
@@ -236,45 +252,27 @@ impl RationalSurface {
 
     /// The relation of each edge to all edges.
     fn line_uses(&self) -> Vec<SideUse> {
-        let is_same = |a: usize, b: usize, reversed: bool| {
-            let (mut forwards, mut backwards) = (self.side_weights(a), self.side_weights(a).rev());
-            let along: &mut dyn Iterator<Item = f64> = if reversed {
-                &mut backwards
-            } else {
-                &mut forwards
-            };
-            let mut quotients = along.zip(self.side_weights(b)).map(|(v, w)| v / w);
-            let Some(first) = quotients.next() else {
-                return true;
-            };
-            quotients.all(|quotient| (quotient - first).abs() <= SAME_QUOTIENT * first)
-        };
-        self.network
-            .side_uses_by(is_same, |edge| self.proportion_keys(edge))
+        self.uses_of(&self.edge_weights())
     }
 
-    /// Two keys of the weights along an edge, of which weights in the same proportion have one in common, in either direction.
-    ///
-    /// With the weights as masses at equal distances on a rod, the distance of their centroid from its middle plus their moment of
-    /// inertia is a number of moderate size that depends on the proportions only. The keys are the cell of this number and the
-    /// nearer of its neighbours.
-    fn proportion_keys(&self, edge: usize) -> [u64; 2] {
-        let last = self.side_weights(edge).count().saturating_sub(1).max(1);
-        let (mut mass, mut centroid, mut inertia) = (0.0, 0.0, 0.0);
-        for (i, weight) in self.side_weights(edge).enumerate() {
-            let x = ratio(i, last) - 0.5;
-            mass += weight;
-            centroid += x * weight;
-            inertia += x * x * weight;
-        }
-        let place = (centroid.abs() + inertia) / mass / KEY_CELL;
-        let cell = place.floor();
-        let neighbour = if place - cell < 0.5 {
-            cell - 1.0
-        } else {
-            cell + 1.0
+    /// The weights along each edge.
+    fn edge_weights(&self) -> Vec<Scalars> {
+        let edges = 0..SIDES * self.patch_count();
+        edges
+            .map(|edge| self.side_weights(edge).collect())
+            .collect()
+    }
+
+    /// The relation of each edge to all edges if these are the weights along the edges.
+    fn uses_of(&self, weights: &[Scalars]) -> Vec<SideUse> {
+        let is_same = |a: usize, b: usize, reversed: bool| {
+            let (a, b) = (&weights[a], &weights[b]);
+            let last = a.len() - 1;
+            let quotient = |i: usize| a[if reversed { last - i } else { i }] / b[i];
+            (1..=last).all(|i| (quotient(i) - quotient(0)).abs() <= SAME_QUOTIENT * quotient(0))
         };
-        [cell, neighbour].map(f64::to_bits)
+        self.network
+            .side_uses_by(is_same, |edge| proportion_keys(&weights[edge]))
     }
 
     /// The weights along edge `number % 4` of patch `number / 4`.
@@ -283,6 +281,29 @@ impl RationalSurface {
         let line = self.weights.get(from..to).unwrap_or_default();
         line.iter().step_by(step).copied()
     }
+}
+
+/// Two keys of the weights along an edge, of which weights in the same proportion have one in common, in either direction.
+///
+/// With the weights as masses at equal distances on a rod, the distance of their centroid from its middle plus their moment of
+/// inertia is a number of moderate size that depends on the proportions only. The keys are the cell of this number and the
+/// nearer of its neighbours.
+fn proportion_keys(weights: &[f64]) -> [u64; 2] {
+    let (mut mass, mut centroid, mut inertia) = (0.0, 0.0, 0.0);
+    for (i, weight) in weights.iter().enumerate() {
+        let x = ratio(i, weights.len() - 1) - 0.5;
+        mass += weight;
+        centroid += x * weight;
+        inertia += x * x * weight;
+    }
+    let place = (centroid.abs() + inertia) / mass / KEY_CELL;
+    let cell = place.floor();
+    let neighbour = if place - cell < 0.5 {
+        cell - 1.0
+    } else {
+        cell + 1.0
+    };
+    [cell, neighbour].map(f64::to_bits)
 }
 
 impl From<&Surface> for RationalSurface {
@@ -314,6 +335,6 @@ impl NurbsSurface {
     /// # Errors
     /// As [`RationalSurface::from_patches`].
     pub fn to_surface(&self) -> Result<RationalSurface, Error> {
-        RationalSurface::from_patches(self.patches())
+        RationalSurface::of_patches(self.patches())
     }
 }
