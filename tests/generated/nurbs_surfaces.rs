@@ -243,7 +243,7 @@ fn is_around(
     Ok(())
 }
 
-const SHAPE: &str = "radius|axis|height|major|minor|points|net|image";
+const SHAPE: &str = "radius|axis|height|major_radius|minor_radius|points|net|image";
 
 pub(crate) fn sphere(points: [DVec3; 4], radius: f64) -> Checked {
     let surface = answer!(NurbsSurface::sphere(points[0], radius, points[1]), SHAPE);

@@ -100,7 +100,10 @@ fn weights_in_proportion_join_edges() {
         assert_eq!(surface.topology().shared.len(), 1, "{factor}");
         assert_eq!(surface.topology().components, [[0, 1]]);
         assert!(surface.weight_mismatches().is_empty());
-        assert_eq!(surface.patch_weights(1).expect("two patches")[3], 3.0 * factor);
+        assert_eq!(
+            surface.patch_weights(1).expect("two patches")[3],
+            3.0 * factor
+        );
         let mesh = valid(surface.tessellate(&TessellationOptions::tolerance(1e-3)));
         assert!(mesh.triangle_count() > 2);
     }
