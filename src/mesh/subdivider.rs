@@ -4,8 +4,10 @@
 //! corners lie in the square, with the bounds on the second derivatives M₁ = m(m − 1) max |Δuu|, M₂ = mn max |ΔuΔv| and
 //! M₃ = n(n − 1) max |Δvv| (Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives", CAGD 3,
 //! 1986). So the bound also holds for the triangles that join pieces of different sizes. A piece that is too large is
-//! halved in the direction with the larger second derivative. If the maxima over the two halves show that the piece was
-//! not too large, it is not split. The halves of a rational piece whose bounds suffice for them are not examined. All cuts are at dyadic parameters, which are exact.
+//! halved in the direction with the larger second derivative; a rational piece whose weights differ much, in the
+//! direction in which they differ more. If the maxima over the two halves show that the piece was not too large, it is
+//! not split. The halves of a rational piece whose bounds suffice for them are not examined. All cuts are at dyadic
+//! parameters, which are exact.
 
 use super::mesh_patch::{Bends, Frame, MeshPatch};
 use super::options::Detail;
