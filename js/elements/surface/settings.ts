@@ -93,9 +93,9 @@ export const OPTIONS: { [Name in keyof Checked]: Option<Checked[Name]> } = {
   height: word(HEIGHTS),
   up: word(AXES),
   segments: whole(1, MAX_SEGMENTS, 12),
-  tolerance: number<number | null>(0, Number.MAX_VALUE, null, "a positive number"),
+  tolerance: positive(),
   pixels: number<number | null>(MIN_PIXELS, 100, null),
-  flatness: number<number | null>(0, Number.MAX_VALUE, null, "a positive number"),
+  flatness: positive(),
   lines: whole(1, MAX_LINES, 4),
   shading: word([...SHADINGS, "curvature"]),
   show: words(LAYERS, ["surface"], "surface"),
@@ -169,6 +169,11 @@ function number<T extends number | null>(min: number, max: number, initial: T, e
   const check = (value: unknown, name: string) =>
     numberIn(value === "" ? NaN : Number(value), name, min, max, expected);
   return { type: Number, property: initial, initial, check };
+}
+
+/** A positive number, or 0 or null for none. */
+function positive(): Option<number | null> {
+  return number<number | null>(0, Number.MAX_VALUE, null, "a positive number");
 }
 
 /** Rounded to a whole number. */
