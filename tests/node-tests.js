@@ -8,8 +8,11 @@ const DURATIONS = new URL("./durations.js", import.meta.url).href;
 const SKIPPED = new URL("../xtask/skipped.js", import.meta.url).href;
 const ENDING = ".test.js";
 const DEEP_ENDING = ".deep.test.js";
-/** No file takes nearly as long, on a busy machine either; what waits for a page or a browser gives up after two minutes. */
-const TIMEOUT_MS = 600_000;
+/**
+ * Node ends a file, and fails it, after so long, whatever it does meanwhile: ten times what the longest file takes on an idle
+ * machine. What hangs ends earlier: waiting for a page or a browser gives up after two minutes.
+ */
+const TIMEOUT_MS = 1_800_000;
 
 /**
  * Splits the arguments of a runner into test files and patterns of test names. An argument that names a file (its path or

@@ -15,8 +15,8 @@ const SECTIONS =
 const FIGURES =
   "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-arc-length, fig-binomial, fig-bspline-joint, fig-bytes, fig-circle, fig-compare, fig-conic, fig-costs, fig-curve-3d, fig-faces, fig-families, fig-fit, fig-intersections, fig-lengths, fig-nearest, fig-nurbs, fig-parabola, fig-projection, fig-pyramid, fig-reorder, fig-rounding, fig-simplify, fig-speed, fig-stroke, fig-taper, fig-velocity)";
 
-test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
-  const page = await open(t);
+test("on a narrow phone every figure draws when the reader comes near, nothing scrolls sideways, and the console stays clean", async (t) => {
+  const page = await open(t, PHONE);
   let count = 0;
   for (const { path } of sectionsOf("curves")) {
     await page.goto(path);
@@ -24,6 +24,7 @@ test("every figure draws when the reader comes near, and the console stays clean
     count += handles.length;
     for (const handle of handles) {
       await handle.scrollIntoViewIfNeeded();
+      // Before the next one is brought near: a figure that is scrolled past does not start.
       await page.waitForFunction((/** @type {any} */ element) => {
         const root = element.shadowRoot;
         const canvas = root?.querySelector("canvas");
@@ -31,6 +32,13 @@ test("every figure draws when the reader comes near, and the console stays clean
         return Boolean(root?.querySelector("svg, math, canvas, table"));
       }, handle);
     }
+    const wide = await page.evaluate(() => [
+      document.documentElement.scrollWidth,
+      ...[...document.querySelectorAll("main *")]
+        .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix"))
+        .map((e) => e.outerHTML.slice(0, 80)),
+    ]);
+    assert.deepEqual(wide, [360], path);
   }
   assert.ok(count > 60, `${count} figures`);
 });
@@ -174,29 +182,4 @@ test("what can be seen before the scripts: pictures of the applets, the text, th
     }
   }
   assert.ok(count > 100, `${count} paths`);
-});
-
-/** Scrolls through the page, so that everything starts. */
-async function walk(page) {
-  for (const handle of await page.locator(FIGURES).elementHandles()) await handle.scrollIntoViewIfNeeded();
-  await page.waitForFunction(() =>
-    [...document.querySelectorAll("bezier-applet")].every((element) =>
-      element.shadowRoot.querySelector("[data-index]"),
-    ),
-  );
-}
-
-test("on a narrow phone nothing scrolls sideways", async (t) => {
-  const page = await open(t, PHONE);
-  for (const { path } of sectionsOf("curves")) {
-    await page.goto(path);
-    await walk(page);
-    const wide = await page.evaluate(() => [
-      document.documentElement.scrollWidth,
-      ...[...document.querySelectorAll("main *")]
-        .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix"))
-        .map((e) => e.outerHTML.slice(0, 80)),
-    ]);
-    assert.deepEqual(wide, [360], path);
-  }
 });

@@ -16,7 +16,15 @@ async function reveal(page, name) {
     await task.getByRole("button", { name: "Reveal" }).click();
   await task.locator(".words:not(:empty)").waitFor();
   const id = await task.getAttribute("for");
-  if (id) await page.waitForFunction((id) => document.getElementById(id).matches(":defined"), id);
+  if (id) {
+    // What has not started yet has other controls, and so another height.
+    await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+    await page.waitForFunction((id) => {
+      const element = document.getElementById(id);
+      const isApplet = element.localName === "bezier-applet";
+      return element.matches(":defined") && (!isApplet || element.shadowRoot.querySelector("[data-index]"));
+    }, id);
+  }
   await frames(page);
 }
 

@@ -136,7 +136,12 @@ test("moved to another place it shows the same; taken away it leaves nothing run
   });
   await set(page, { view: { turn: 20, zoom: 1.5 } });
   const before = await look(page);
-  await page.evaluate(() => document.querySelector("#elsewhere").append(document.querySelector("bezier-surface")));
+  await page.evaluate(async () => {
+    const element = document.querySelector("bezier-surface");
+    document.querySelector("#elsewhere").append(element);
+    await element.updateComplete; // its lines are shown until it is drawn again
+  });
+  await page.waitForFunction(() => !document.querySelector("bezier-surface").shadowRoot.querySelector(".poster"));
   await page.waitForFunction(() => document.querySelector("bezier-surface").toBlob().then(Boolean));
   await settled(page);
   const after = await look(page);
