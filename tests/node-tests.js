@@ -9,8 +9,8 @@ const SKIPPED = new URL("../xtask/skipped.js", import.meta.url).href;
 const ENDING = ".test.js";
 const DEEP_ENDING = ".deep.test.js";
 /**
- * Node ends a file, and fails it, after so long, whatever it does meanwhile: ten times what the longest file takes on an idle
- * machine. What hangs ends earlier: waiting for a page or a browser gives up after two minutes.
+ * Node ends a test file, and fails it, after so long, even if its tests still pass. The longest one takes less than a tenth of
+ * it on an idle machine. Waiting for a page or a browser gives up earlier, after two minutes.
  */
 const TIMEOUT_MS = 1_800_000;
 

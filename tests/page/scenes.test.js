@@ -17,7 +17,7 @@ async function reveal(page, name) {
   await task.locator(".words:not(:empty)").waitFor();
   const id = await task.getAttribute("for");
   if (id) {
-    // What has not started yet has other controls, and so another height.
+    // The places on the page are final only when the figure has started.
     await page.locator(`#${id}`).scrollIntoViewIfNeeded();
     await page.waitForFunction((id) => {
       const element = document.getElementById(id);
