@@ -60,6 +60,24 @@ const coreSurfaces = {
   },
 };
 
+/**
+ * Makes casteljau/nurbs use one module for curves and one for surfaces. The bytes of the first come from js/wasm/nurbs-module.ts:
+ * the element of surfaces has the same classes, calls no function of curves, and does without.
+ */
+const nurbsModules = {
+  name: "nurbs-modules",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.ts$/ }, () => ({
+      contents: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/nurbs.js";
+        export const curvesModule = /* @__PURE__ */ registerModule(initSync, () => {
+          throw new Error("casteljau: curves of a surface in <bezier-surface> expect casteljau/nurbs to be imported");
+        });`,
+      resolveDir: resolve(sources, "wasm"),
+    }));
+    useModules({ surfaces: "nurbs-surfaces" }).setup(build);
+  },
+};
+
 /** Makes the bundle of the small applet, which exposes no curves, use the classes of casteljau/core. */
 const coreClasses = {
   name: "core-classes",
@@ -74,14 +92,21 @@ const coreClasses = {
   },
 };
 
-/** Leaves surfaces.js and nurbs.js, whose bundles stand alone, imports of the elements that use them. */
-const standaloneExternal = {
-  name: "standalone-external",
+/** Sources whose bundles share no file with those of the elements, and these bundles. */
+const APART = {
+  "surfaces.js": "surfaces.js",
+  "nurbs.js": "nurbs-rational-curve.js",
+  "elements/surface/rational.js": "elements-surface-rational.js",
+};
+
+/** Leaves the elements imports of bundles that are made apart. */
+const apartExternal = {
+  name: "apart-external",
   setup(build) {
-    build.onResolve({ filter: /[\\/](surfaces|nurbs)\.js$/ }, ({ path, resolveDir }) =>
-      ["surfaces.js", "nurbs.js"]
-        .filter((name) => resolve(resolveDir, path) === resolve(sources, name))
-        .map((name) => ({ path: `./${name}`, external: true, sideEffects: false }))
+    build.onResolve({ filter: /[\\/](surfaces|nurbs|rational)\.js$/ }, ({ path, resolveDir }) =>
+      Object.entries(APART)
+        .filter(([source]) => resolve(resolveDir, path) === resolve(sources, source))
+        .map(([, name]) => ({ path: `./${name}`, external: true, sideEffects: false }))
         .at(0),
     );
   },
@@ -212,6 +237,12 @@ const SHARING = {
   "elements-equation": "elements/companions/equation-view.ts",
   "elements-rational": "elements/applet/rational.ts",
   "elements-surface": "elements/surface/drawing.ts",
+};
+
+/** Those of casteljau/nurbs: the elements load the last two for weights. */
+const SHARING_WEIGHTS = {
+  nurbs: "entries/nurbs.ts",
+  "nurbs-rational-curve": "entries/rational-curve.ts",
   "elements-surface-rational": "elements/surface/rational.ts",
 };
 
@@ -222,7 +253,7 @@ const IGNORE_COMMENTS = "/* webpackIgnore: true *//* @vite-ignore */";
  * Bundles entry points so that each class and each wasm module is in one file, which the others import. The files that
  * several entry points import have the name of their longest source: it does not change with each version.
  */
-async function sharing(entries, folder, options) {
+async function sharing(entries, { folder = "", prefix = "shared", ...options }) {
   const { files, outputs } = await bundleAs({
     entryPoints: Object.fromEntries(
       Object.entries(entries).map(([name, path]) => [folder + name, resolve(sources, path)]),
@@ -239,7 +270,7 @@ async function sharing(entries, folder, options) {
     const paths = contents.map(([path]) => path);
     const inElements = paths.some((path) => path.startsWith("js/elements/"));
     const longest = basename(paths[0] ?? "nothing").replace(/(-bytes)?\.[jt]s$/, "");
-    const title = `${inElements ? "elements-shared" : "shared"}-${longest}`;
+    const title = `${inElements ? "elements-shared" : prefix}-${longest}`;
     const taken = [...stable.values()].filter((each) => each.startsWith(title)).length;
     stable.set(basename(name, ".js"), `${title}${taken ? `-${taken + 1}` : ""}`);
   }
@@ -253,8 +284,9 @@ async function sharing(entries, folder, options) {
   const pattern = /import"[./]+chunk-\w+\.js";|chunk-\w+\.js(?:\.map)?|import\(`\$\{/g;
   for (const name of namesOfScripts(files)) {
     edit(files, name, pattern, edited);
-    // The import that standaloneExternal leaves has the same text in every folder.
-    if (name.startsWith("elements/")) edit(files, name, /"\.\/surfaces\.js"/g, () => '"../surfaces.js"');
+    // The imports that apartExternal leaves have the same text in every folder.
+    const apart = new RegExp(`"\\./(?=(${Object.values(APART).join("|")})")`, "g");
+    if (name.startsWith("elements/")) edit(files, name, apart, () => '"../');
   }
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
@@ -279,16 +311,18 @@ await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, {
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
-  sharing(SHARING, "", { plugins: [standaloneExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
-  sharing({ index: "index.ts" }, "node/", {
-    plugins: [fromFile],
-    platform: "node",
-    sourcemap: false,
-  }),
+  sharing(SHARING, { plugins: [apartExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
+  sharing(
+    { index: "index.ts" },
+    {
+      folder: "node/",
+      plugins: [fromFile],
+      platform: "node",
+      sourcemap: false,
+    },
+  ),
   bundle("entries/core.ts", "core.js", { plugins: modules(useModules({ curves: "core" })) }),
-  bundle("entries/nurbs.ts", "nurbs.js", {
-    plugins: modules(useModules({ curves: "nurbs", surfaces: "nurbs-surfaces" })),
-  }),
+  sharing(SHARING_WEIGHTS, { prefix: "weights", plugins: modules(nurbsModules) }),
   bundle("entries/surfaces.ts", "surfaces.js", { plugins: modules(coreSurfaces) }),
   bundle("slim.ts", "slim.js", { plugins: [withoutBytes] }),
   // What casteljau/react, casteljau/vue and casteljau/svelte are when a program runs: nothing.

@@ -2,7 +2,7 @@
 import { dirname } from "node:path";
 
 /** The files whose contents these are; the first group is their key. */
-export const MODULE_FILES = /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.ts$/;
+export const MODULE_FILES = /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions|nurbs)-module\.ts$/;
 
 /**
  * @param {string} bytes code for the bytes
@@ -14,6 +14,7 @@ export const completeModule = (bytes, imports = "") => ({
     export const curvesModule = /* @__PURE__ */ registerModule(initSync, ${bytes});`,
   surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
   regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
+  nurbs: `export const bringCurves = () => {};`,
 });
 
 /**

@@ -25,6 +25,8 @@ const COMMITTED_KB = {
   "elements.js, easing": 27.6,
   "elements.js, applet": 222.6,
   "elements.js, surface": 178.9,
+  "weights of an applet": 156.9,
+  "weights of a surface": 167.3,
   "bezier-applet: kernel": 167.9,
   "bezier-easing: kernel": 7.3,
   "bezier-surface: kernel": 125.3,
@@ -101,18 +103,9 @@ async function isKernel(name) {
 }
 
 const allNames = (await readdir("dist", { recursive: true })).filter((name) =>
-  /^(elements.*|shared-.*)\.js$/.test(name),
+  /^(elements.*|shared-.*|weights-.*|nurbs.*)\.js$/.test(name),
 );
-const ENTRIES = [
-  "casteljau.wasm",
-  "slim.js",
-  "index.js",
-  "core.js",
-  "nurbs.js",
-  "surfaces.js",
-  "applet.js",
-  "bezier-app.js",
-];
+const ENTRIES = ["casteljau.wasm", "slim.js", "index.js", "core.js", "surfaces.js", "applet.js", "bezier-app.js"];
 const parts = await Promise.all([...ENTRIES, ...allNames].map(sizeOf));
 console.log(`${"".padEnd(28)} minified  gzip -9`);
 parts.filter(({ name }) => ENTRIES.includes(name) || name === "shared-curves.js").forEach(row);
@@ -142,6 +135,8 @@ const pages = [
       sum(`elements.js, ${kind}`, partsOf(await filesOf("elements.js", `elements/${kind}.js`, `elements-${kind}.js`))),
     ),
   )),
+  sum("weights of an applet", partsOf(await filesOf("nurbs-rational-curve.js"))),
+  sum("weights of a surface", partsOf(await filesOf("elements-surface-rational.js"))),
   ...(
     await Promise.all(KINDS.map((kind) => page(`bezier-${kind}`, `elements/${kind}.js`, `elements-${kind}.js`)))
   ).flat(),

@@ -24,7 +24,7 @@ export interface Figure {
   /** The shown ones */
   points: readonly Point2[];
   pieces: Piece[];
-  /** Of points with weights, which have no other pieces; none before casteljau/nurbs is loaded */
+  /** Of points with weights, which have no other pieces; none before the code for weights is loaded */
   rational: RationalPiece[];
   /** Of the shown points; null for curves without weights */
   weights: readonly number[] | null;

@@ -70,7 +70,7 @@ export interface SurfaceFigure {
  * page, and does not bubble.
  */
 export interface SurfaceProperties {
-  /** The model that is shown where there is no surface; for the last four, `casteljau/nurbs` is loaded */
+  /** The model that is shown where there is no surface; for the last four, the code for weights is loaded */
   model: "teapot" | "teacup" | "teaspoon" | "patch" | "sphere" | "torus" | "cylinder" | "cone";
   /** The visible parts of the teapot: some of the words "lid rim body handle spout bottom"; null shows all */
   parts: string | null;
@@ -123,7 +123,7 @@ export interface SurfaceProperties {
   label: string;
   /** The colours; "auto" follows the color scheme of the user */
   theme: "light" | "dark" | "auto";
-  /** The surface that is shown, with moved points; null shows the model. A `RationalSurface` is shown as soon as `casteljau/nurbs` is loaded */
+  /** The surface that is shown, with moved points; null shows the model. A `RationalSurface` is shown as soon as the code for weights is loaded; functions of its curves need an import of `casteljau/nurbs` */
   surface: Surface | null;
   /** The camera's position */
   view: SurfaceView;
@@ -159,7 +159,7 @@ export interface AppletFigure {
   kinds: ("on" | "off" | "wait")[];
   /** The segments in Bézier form, each with the points that define it; none with weights */
   pieces: { curve: Curve; indices: number[] }[];
-  /** Instead of these, the segments of points with weights, once `casteljau/nurbs` is loaded */
+  /** Instead of these, the segments of points with weights, once the code for weights is loaded */
   rational: { curve: RationalCurve<2>; indices: number[] }[];
   /** The weights of the points; null without weights */
   weights: number[] | null;

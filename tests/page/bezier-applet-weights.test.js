@@ -47,7 +47,7 @@ const scripts = (page) =>
     performance
       .getEntriesByType("resource")
       .map(({ name }) => new URL(name).pathname)
-      .filter((path) => /elements-rational|nurbs/.test(path))
+      .filter((path) => /\/(elements-rational|nurbs[\w-]*)\.js$/.test(path))
       .sort(),
   );
 
@@ -56,7 +56,7 @@ test("casteljau/nurbs is loaded when there are weights, and not before", async (
   assert.deepEqual(await scripts(page), []);
   await set(page, { weights: [1, 2, 1, 1, 1, 1, 1] });
   await page.waitForFunction(() => a.shadowRoot.querySelectorAll("[data-weight]").length === 6);
-  assert.deepEqual(await scripts(page), ["/dist/elements-rational.js", "/dist/nurbs.js"]);
+  assert.deepEqual(await scripts(page), ["/dist/elements-rational.js", "/dist/nurbs-rational-curve.js"]);
   assert.deepEqual(await ask(page, () => [a.figure.rational.length, a.figure.pieces.length]), [2, 0]);
   await set(page, { weights: null });
   assert.equal(await page.locator("bezier-applet [data-weight]").count(), 0);

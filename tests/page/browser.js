@@ -1,5 +1,6 @@
 // Opens pages of the built site in a real Chromium. A test that leaves an error in the console fails.
 import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -8,6 +9,9 @@ import { serve } from "./server.js";
 
 /** The repository's root, with a slash at its end. */
 export const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** A package that is built for development has no tables of pieces, and modules that are several times as large. */
+export const isRelease = existsSync(`${root}dist/custom/pieces.json`);
 
 /** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
 const LONGEST_WAIT_MS = 120_000;

@@ -2,6 +2,7 @@
 // and when.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { isRelease } from "./browser.js";
 import { assertNear, downloadBy } from "./gestures.js";
 import { facts, look, openSurface, set } from "./surface-page.js";
 
@@ -17,18 +18,18 @@ const scripts = (page) =>
     performance
       .getEntriesByType("resource")
       .map(({ name }) => new URL(name).pathname)
-      .filter((path) => /surface-rational|nurbs/.test(path))
+      .filter((path) => /\/(elements-surface-rational|nurbs[\w-]*)\.js$/.test(path))
       .sort(),
   );
 
-test("casteljau/nurbs is loaded for a model with weights, and not before; one may go on to any other model", async (t) => {
+test("surfaces with weights are loaded for a model that has them, without curves; one may go on to any other model", async (t) => {
   const page = await openSurface(t, 'model="teacup"', /** @type {any} */ ({ fresh: true }));
   assert.deepEqual(await scripts(page), []);
   await set(page, { model: "sphere", segments: 6 });
   await page.waitForFunction(
     () => /** @type {any} */ (document.querySelector("bezier-surface")).figure.mesh.triangles === 8 * 2 * 36,
   );
-  assert.deepEqual(await scripts(page), ["/dist/elements-surface-rational.js", "/dist/nurbs.js"]);
+  assert.deepEqual(await scripts(page), ["/dist/elements-surface-rational.js"]);
   await set(page, { patch: 3, u: 0.3, v: 0.8 });
   const { point, normal } = await ask(page, ({ figure }) => figure.place);
   assertNear([Math.hypot(...point)], [2], 1e-12);
@@ -60,6 +61,20 @@ test("the four models are drawn, in every shading and with every layer", async (
   assert.ok((await facts(page)).triangles > 0);
   const open = await ask(page, ({ surface }) => surface.topology().open.length);
   assert.equal(open, 0, "a sphere is closed");
+});
+
+test("the curves of an element's surface need casteljau/nurbs, which shares its classes", async (t) => {
+  const page = await openSurface(t, 'model="cylinder"', /** @type {any} */ ({ fresh: true }));
+  await drawn(page);
+  /** The radius 1.5 of the sides, as the curvature of one. */
+  const curvature = () => ask(page, ({ surface }) => surface.patch(0).isocurveAtV(0).curvature(0.3));
+  if (isRelease) await assert.rejects(curvature, /expect casteljau\/nurbs to be imported/);
+  const isOfItsClass = await page.evaluate(async () => {
+    const { RationalSurface } = await import(/** @type {any} */ ("/dist/nurbs.js"));
+    return /** @type {any} */ (document.querySelector("bezier-surface")).surface instanceof RationalSurface;
+  });
+  assert.ok(isOfItsClass);
+  assertNear([Math.abs(await curvature())], [1 / 1.5], 1e-12);
 });
 
 test("a surface of casteljau/nurbs can be set; what is set later counts", async (t) => {

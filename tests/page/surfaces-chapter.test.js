@@ -7,7 +7,7 @@ import { sectionsOf } from "./chapter-page.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS =
-  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot revolution wireframe rays ray-tracing files other-representations".split(
+  "patches evaluation curves splitting normals joining tessellation cracks adaptive reyes forward-differencing gpu teapot revolution sphere wireframe rays ray-tracing files other-representations".split(
     " ",
   );
 /** Browsers lend about sixteen. */

@@ -38,7 +38,7 @@ samples! {
     "../../www/samples/revolution.rs" revolution, "../../www/samples/rounding.rs" rounding,
     "../../www/samples/rows-then-curve.rs" rows_then_curve,
     "../../www/samples/shapes.rs" shapes,
-    "../../www/samples/splines.rs" splines, "../../www/samples/split.rs" split,
+    "../../www/samples/sphere.rs" sphere, "../../www/samples/splines.rs" splines, "../../www/samples/split.rs" split,
     "../../www/samples/split-patch.rs" split_patch, "../../www/samples/teapot.rs" teapot,
     "../../www/samples/text-rays.rs" text_rays, "../../www/samples/tolerance.rs" tolerance,
     "../../www/samples/uses.rs" uses, "../../www/samples/varying-width.rs" varying_width, "../../www/samples/wires.rs" wires,

@@ -1,6 +1,7 @@
 // Straight pieces as numbers: six for each, its two ends.
 import { Curve } from "../../surfaces.js";
 import { patchesOf } from "./patches.js";
+import type { RationalCurve } from "../../nurbs.js";
 import type { Mesh, Patch, Surface } from "../../surfaces.js";
 
 /** Straight pieces for each curve. */
@@ -33,24 +34,38 @@ function chain(points: ArrayLike<number>): number[] {
 }
 
 /**
+ * Points of a curve at equal steps of its parameter. Those of a curve with weights are quotients of two curves without: its own
+ * functions are in a module that the element does not load.
+ */
+function sampled(curve: Curve | RationalCurve<3>, segments: number): Float64Array {
+  if (!("weights" in curve)) return curve.sample(segments);
+  const largest = Math.max(...curve.weights());
+  const weights = Array.from(curve.weights(), (weight) => weight / largest);
+  const at = (points: ArrayLike<number>) => new Curve(points, { dimension: 3 }).sample(segments);
+  const numerator = at(curve.controlPoints().map((coordinate, i) => weights[Math.floor(i / 3)] * coordinate));
+  const denominator = at(weights.flatMap((weight) => [weight, 0, 0]));
+  return numerator.map((value, i) => value / denominator[3 * Math.floor(i / 3)]);
+}
+
+/**
  * Curves of constant u and v of all patches.
  *
  * @param count strips along each direction of a patch
  */
 export function isocurves(surface: Surface, count: number): Float32Array {
-  return Float32Array.from(surface.isocurves({ lines: count }).flatMap((curve) => chain(curve.sample(PIECES))));
+  return Float32Array.from(surface.isocurves({ lines: count }).flatMap((curve) => chain(sampled(curve, PIECES))));
 }
 
 /** The four sides of a patch. */
 export function outline(patch: Patch): Float32Array {
   const curves = [0, 1].flatMap((end) => [patch.isocurveAtU(end), patch.isocurveAtV(end)]);
-  return Float32Array.from(curves.flatMap((curve) => chain(curve.sample(PIECES))));
+  return Float32Array.from(curves.flatMap((curve) => chain(sampled(curve, PIECES))));
 }
 
 /** The curves of constant u and of constant v through a place of a patch, and the place. */
 export function place(patch: Patch, u: number, v: number) {
   const at = patch.eval(u, v);
-  const pieces = (curve: Curve) => Float32Array.from(chain(curve.sample(2 * PIECES)));
+  const pieces = (curve: Curve) => Float32Array.from(chain(sampled(curve, 2 * PIECES)));
   return {
     ofU: pieces(patch.isocurveAtU(u)),
     ofV: pieces(patch.isocurveAtV(v)),
