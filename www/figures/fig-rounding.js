@@ -105,7 +105,7 @@ export class FigRounding extends Figure {
           <path data-method=${key} fill="none" stroke="var(--${mark})" stroke-width="2.25" stroke-dasharray=${dash} stroke-linejoin="round"
             d=${pathOf(Array.from(all[k], (error, i) => [x((i + 0.5) / PLACES), y(error)]).flat())} />`,
         )}
-        <text class="haloed quiet end" x=${this.wide - right - 4} y=${y(unit) - 5}>last place of a 32-bit float</text>
+        <text class="haloed quiet end" x=${this.wide - right - 4} y=${y(unit) - 22}>last place of a 32-bit float</text>
         <text class="math" x=${x(0.5) + 26} y=${height - 14}>t</text>
       </svg>
     `;

@@ -49,6 +49,10 @@ function recursionWords({ pieces, depth, cracks, widest }: Recursion, bold: Writ
   const found = cracks
     ? translatedParts("{0} cracks, up to {1}", bold(cracks), bold(twoDigits(widest), ROUNDED))
     : translatedParts("{0} cracks", bold(0));
-  return html`<span>${translatedParts("{0} pieces, {1} deep", bold(pieces), bold(depth))}</span>
+  const halved =
+    pieces === 1
+      ? translated("1 piece, not divided")
+      : translatedParts("{0} pieces, {1} deep", bold(pieces), bold(depth));
+  return html`<span>${halved}</span>
     <span class="cracks">${found}</span>`;
 }

@@ -28,6 +28,7 @@ export const style = css`
     }
   }
   *, ::before, ::after { box-sizing: border-box; }
+  a { color: var(--accent); text-underline-offset: 0.2em; }
   .frame { border-radius: 16px; background: var(--panel); overflow: clip; break-inside: avoid; }
   @media (forced-colors: active) { .frame { border: 1px solid var(--rim); } }
   .stage { position: relative; background: var(--paper); touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; user-select: none; -webkit-user-select: none; }
@@ -74,7 +75,7 @@ export const style = css`
   select, input[type="number"], input[type="text"] {
     font: inherit; color: inherit; background: var(--raised); border: 1px solid var(--field); border-radius: 6px; padding: 0.25rem 0.5rem; min-block-size: 2.1rem; max-inline-size: 100%;
   }
-  .slider { flex: 1 1 14rem; font-weight: 600; min-inline-size: 0; }
+  .slider { flex: 1 1 16rem; font-weight: 600; min-inline-size: 0; }
   .slider input { flex: 1; min-inline-size: 5rem; min-block-size: 24px; accent-color: var(--accent); }
   .value { min-inline-size: 2.6em; font-weight: 400; font-variant-numeric: tabular-nums; }
   i, .math { font-family: ui-serif, Georgia, "Times New Roman", serif; font-style: italic; }
