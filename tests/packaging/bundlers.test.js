@@ -12,6 +12,7 @@ import webpack from "webpack";
 import { openPage } from "../page/browser.js";
 import * as coreSurfaces from "../../js/glue/core-surfaces-bytes.js";
 import * as curves from "../../js/glue/curves-bytes.js";
+import * as nurbsSurfaces from "../../js/glue/nurbs-surfaces-bytes.js";
 import * as surfaces from "../../js/glue/surfaces-bytes.js";
 import { serve } from "../page/server.js";
 import { ELEMENTS_PRINTED, ELEMENTS_PROGRAM, PRINTED, PROGRAM, installed, run } from "./fixture.js";
@@ -67,6 +68,21 @@ const BUNDLERS = {
 const mark = (text) => text.slice(1000, 1060);
 const marks = { curves: mark(curves.text), surfaces: mark(surfaces.text) };
 
+/** A surface with weights, whose curves need another entry point: both have the same classes. */
+const WEIGHTS_PROGRAM = `import "casteljau/elements/surface";
+const element = document.createElement("bezier-surface");
+Object.assign(element, { model: "sphere", show: "surface isocurves" });
+document.body.append(element);
+const drawn = async () => {
+  if (element.surface.patchCount !== 8 || !element.figure.mesh.triangles) return;
+  element.removeEventListener("update", drawn);
+  const { RationalSurface } = await import("casteljau/nurbs");
+  const meridian = element.surface.patch(0).isocurveAtU(0);
+  console.log(element.surface instanceof RationalSurface, meridian.curvature(0.3).toFixed(6));
+};
+element.addEventListener("update", drawn);
+`;
+
 /** The gzip size of `{ easing }`, minified; `from` and `spring` take 1.1 kB of it, hints in messages 0.1, the hulls of `toLinear` 0.2. */
 const MAX_EASING_KB = 6.5;
 
@@ -85,9 +101,9 @@ const ENTRIES = {
   },
   "casteljau/nurbs": {
     program:
-      'import { RationalCurve } from "casteljau/nurbs";\nconsole.log(String(RationalCurve.conic([1, 0], [1, 1], [0, 1], Math.SQRT1_2)));\n',
-    printed: "M1,0 A1,1 0 0 1 0,1",
-    lacks: Object.values(marks),
+      'import { RationalCurve } from "casteljau/nurbs";\nconsole.log(RationalCurve.conic([1, 0], [1, 1], [0, 1], Math.SQRT1_2).curvature(0.3).toFixed(6));\n',
+    printed: "1.000000",
+    lacks: [...Object.values(marks), mark(nurbsSurfaces.text)],
   },
   "casteljau/surfaces": {
     program:
@@ -102,12 +118,13 @@ const ENTRIES = {
     maxKb: MAX_EASING_KB,
   },
   "casteljau/elements": { program: ELEMENTS_PROGRAM, printed: ELEMENTS_PRINTED, isPage: true },
+  "casteljau/elements/surface": { program: WEIGHTS_PROGRAM, printed: "true 0.500000", isPage: true },
 };
 
 for (const [bundler, bundle] of Object.entries(BUNDLERS))
   for (const [entry, { program, printed, has = "", lacks = [], maxKb, isPage }] of Object.entries(ENTRIES))
     test(`${bundler}: ${entry}`, async (t) => {
-      const name = `${bundler}-${entry.replace("/", "-")}`;
+      const name = `${bundler}-${entry.replaceAll("/", "-")}`;
       const folder = join(fixture.folder, "out", name);
       await bundle(await fixture.write(`src/${name}.js`, program), folder);
       const files = (await readdir(folder, { recursive: true })).filter((each) => each.endsWith(".js"));

@@ -17,7 +17,7 @@ after(fixture.remove);
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
   const expected = [
-    /^dist\/(index|core|surfaces|nurbs|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
+    /^dist\/(index|core|surfaces|nurbs(-rational-curve)?|weights-[a-z-]+|easing|slim|casteljau\.global|types-only|applet|bezier-app|shared-[a-z-]+(-\d)?)\.js(\.map)?$/,
     /^dist\/custom\/(command\.js|needs\.json|pieces\.json)$/,
     /^dist\/elements(-(shared-[a-z-]+(-\d)?|surface(-rational)?|applet|bernstein|coordinates|easing|equation|rational))?\.js(\.map)?$/,
     /^dist\/elements\/(applet|bernstein|coordinates|easing|equation|surface)\.js(\.map)?$/,
