@@ -20,19 +20,12 @@ import { filesBelow, unlessCurrent } from "./stamp.js";
 const BUNDLERS = ["bundle", "complete-module", "manifest", "no-dom", "notices", "source-map", "texts"].map(
   (name) => `xtask/${name}.js`,
 );
-/** The bundles that the site uses. */
-const SITE_SCRIPTS = [
-  "index.js",
-  "core.js",
-  "easing.js",
-  "applet.js",
-  "nurbs.js",
-  "surfaces.js",
-  "elements.js",
-  "elements-surface.js",
-  "elements-applet.js",
-  "bezier-app.js",
-].map((name) => `dist/${name}`);
+/** The bundles that a build makes, besides the files that these share. */
+const BUNDLES = [
+  ...["index", "core", "easing", "applet", "nurbs", "nurbs-rational-curve", "surfaces", "slim", "bezier-app"],
+  ...["casteljau.global", "elements", "elements-applet", "elements-rational", "elements-surface"],
+  "elements-surface-rational",
+].map((name) => `dist/${name}.js`);
 
 /** The program with wasm-bindgen's libraries. */
 export const driver = join(target, "debug", process.platform === "win32" ? "xtask.exe" : "xtask");
@@ -98,9 +91,8 @@ export const bundles = (mode) =>
       texts: [mode],
       inputs: [...filesBelow("js"), ...BUNDLERS, "package.json", "package-lock.json", "Cargo.lock"],
       outputs: [
-        ...SITE_SCRIPTS,
-        ...["slim.js", "casteljau.wasm", "custom-elements.json", "texts.json"].map((name) => `dist/${name}`),
-        "dist/casteljau.global.js",
+        ...BUNDLES,
+        ...["casteljau.wasm", "custom-elements.json", "texts.json"].map((name) => `dist/${name}`),
         "dist/THIRD-PARTY-NOTICES.txt",
         "target/js/index.js",
       ],
@@ -174,7 +166,7 @@ export const site = () =>
           ...filesBelow("custom"),
           ...filesBelow("src"),
           ...filesBelow("kernels/src"),
-          ...SITE_SCRIPTS,
+          ...filesBelow("dist").filter((name) => /\.js(on)?$/.test(name)), // classes and modules are in files of their own
           ...["README.md", "benches/results.json", "package-lock.json"],
         ],
         outputs: ["site/index.html"],
