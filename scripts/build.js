@@ -21,11 +21,10 @@ const BUNDLERS = ["bundle", "complete-module", "manifest", "no-dom", "notices", 
   (name) => `xtask/${name}.js`,
 );
 /** The bundles that a build makes, besides the files that these share. */
-const BUNDLES = [
-  ...["index", "core", "easing", "applet", "nurbs", "nurbs-rational-curve", "surfaces", "slim", "bezier-app"],
-  ...["casteljau.global", "elements", "elements-applet", "elements-rational", "elements-surface"],
-  "elements-surface-rational",
-].map((name) => `dist/${name}.js`);
+const BUNDLES =
+  "index core easing applet nurbs nurbs-rational-curve surfaces slim bezier-app casteljau.global elements elements-applet elements-rational elements-surface elements-surface-rational"
+    .split(" ")
+    .map((name) => `dist/${name}.js`);
 
 /** The program with wasm-bindgen's libraries. */
 export const driver = join(target, "debug", process.platform === "win32" ? "xtask.exe" : "xtask");

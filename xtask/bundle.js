@@ -61,8 +61,8 @@ const coreSurfaces = {
 };
 
 /**
- * Makes casteljau/nurbs use one module for curves and one for surfaces. The bytes of the first come from js/wasm/nurbs-module.ts:
- * the element of surfaces has the same classes, calls no function of curves, and does without.
+ * Makes casteljau/nurbs use one module for curves and one for surfaces. `setCurveBytes` of js/wasm/nurbs-module.ts sets the bytes of
+ * the first; `<bezier-surface>` does not call it, because it calls no function of curves.
  */
 const nurbsModules = {
   name: "nurbs-modules",
@@ -70,7 +70,7 @@ const nurbsModules = {
     build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.ts$/ }, () => ({
       contents: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/nurbs.js";
         export const curvesModule = /* @__PURE__ */ registerModule(initSync, () => {
-          throw new Error("casteljau: curves of a surface in <bezier-surface> expect casteljau/nurbs to be imported");
+          throw new Error("casteljau: functions of the curves of a <bezier-surface> need an import of casteljau/nurbs");
         });`,
       resolveDir: resolve(sources, "wasm"),
     }));
@@ -92,19 +92,19 @@ const coreClasses = {
   },
 };
 
-/** Sources whose bundles share no file with those of the elements, and these bundles. */
-const APART = {
+/** Sources that are not bundled with the elements, and the bundles that the elements import instead. */
+const EXTERNAL_BUNDLES = {
   "surfaces.js": "surfaces.js",
   "nurbs.js": "nurbs-rational-curve.js",
   "elements/surface/rational.js": "elements-surface-rational.js",
 };
 
-/** Leaves the elements imports of bundles that are made apart. */
-const apartExternal = {
-  name: "apart-external",
+/** Replaces imports of these sources by imports of the bundles. */
+const externalBundles = {
+  name: "external-bundles",
   setup(build) {
     build.onResolve({ filter: /[\\/](surfaces|nurbs|rational)\.js$/ }, ({ path, resolveDir }) =>
-      Object.entries(APART)
+      Object.entries(EXTERNAL_BUNDLES)
         .filter(([source]) => resolve(resolveDir, path) === resolve(sources, source))
         .map(([, name]) => ({ path: `./${name}`, external: true, sideEffects: false }))
         .at(0),
@@ -239,7 +239,7 @@ const SHARING = {
   "elements-surface": "elements/surface/drawing.ts",
 };
 
-/** Those of casteljau/nurbs: the elements load the last two for weights. */
+/** The entry points of casteljau/nurbs, which share files of their own; the elements load the last two for weights. */
 const SHARING_WEIGHTS = {
   nurbs: "entries/nurbs.ts",
   "nurbs-rational-curve": "entries/rational-curve.ts",
@@ -282,11 +282,11 @@ async function sharing(entries, { folder = "", prefix = "shared", ...options }) 
     return /^import"\.\.?\/shared-/.test(renamed) ? "" : renamed;
   };
   const pattern = /import"[./]+chunk-\w+\.js";|chunk-\w+\.js(?:\.map)?|import\(`\$\{/g;
+  const external = new RegExp(`"\\./(?=(${Object.values(EXTERNAL_BUNDLES).join("|")})")`, "g");
   for (const name of namesOfScripts(files)) {
     edit(files, name, pattern, edited);
-    // The imports that apartExternal leaves have the same text in every folder.
-    const apart = new RegExp(`"\\./(?=(${Object.values(APART).join("|")})")`, "g");
-    if (name.startsWith("elements/")) edit(files, name, apart, () => '"../');
+    // The imports of external bundles have the same text in every folder.
+    if (name.startsWith("elements/")) edit(files, name, external, () => '"../');
   }
   await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
@@ -311,7 +311,7 @@ await Promise.all(["dist/elements", "dist/node"].map((folder) => mkdir(folder, {
 const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
 await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
-  sharing(SHARING, { plugins: [apartExternal, ...modules()], inject: ["xtask/no-dom.js"] }),
+  sharing(SHARING, { plugins: [externalBundles, ...modules()], inject: ["xtask/no-dom.js"] }),
   sharing(
     { index: "index.ts" },
     {

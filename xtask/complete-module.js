@@ -14,7 +14,7 @@ export const completeModule = (bytes, imports = "") => ({
     export const curvesModule = /* @__PURE__ */ registerModule(initSync, ${bytes});`,
   surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
   regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
-  nurbs: `export const bringCurves = () => {};`,
+  nurbs: `export const setCurveBytes = () => {};`,
 });
 
 /**

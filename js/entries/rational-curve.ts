@@ -1,6 +1,6 @@
 // What the elements load of casteljau/nurbs for curves with weights.
-import { bringCurves } from "../wasm/nurbs-module.js";
+import { setCurveBytes } from "../wasm/nurbs-module.js";
 
 export { RationalCurve } from "../geometry/rational/rational-curve.js";
 
-bringCurves();
+setCurveBytes();

@@ -3,11 +3,11 @@ import { curvesModule } from "./curves-module.js";
 import { decodeBytes } from "./decode-bytes.js";
 
 /**
- * Gives the module with curves of casteljau/nurbs its bytes, which are not in the file that the element of surfaces shares
- * (see xtask/bundle.js).
+ * Sets the bytes of the module with rational curves. They are in a file of their own, because `<bezier-surface>` loads the classes
+ * and calls no function of curves (see `nurbsModules` in xtask/bundle.js).
  *
  * @internal
  */
-export function bringCurves() {
+export function setCurveBytes() {
   curvesModule.bytes = () => decodeBytes(text, alphabet, frequent, length);
 }

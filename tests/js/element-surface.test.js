@@ -2,10 +2,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Surface } from "casteljau";
+import { RationalSurface } from "casteljau/nurbs";
 import { Surface as SurfaceOfOtherEntry } from "#js/surfaces.js";
 import { boundingSphereOf, HOME, moved, cameraMatricesOf } from "#js/elements/surface/camera.js";
 import { figureOf } from "#js/elements/surface/figure.js";
 import { Geometry } from "#js/elements/surface/geometry.js";
+import { isocurves, outline } from "#js/elements/surface/lines.js";
 import { withPointAt } from "#js/elements/surface/state.js";
 import { Subject } from "#js/elements/surface/subject.js";
 import { elementOf } from "./element-node.js";
@@ -176,4 +178,37 @@ test("moved points: one after the other, all at once and after undo, the surface
   const other = new Subject(() => {});
   other.editor.replaceState(subject.state);
   for (const { surface } of [subject, other]) assert.deepEqual(surface.vertices, moved(moves));
+});
+
+test("isocurves and sides of surfaces with weights are drawn through the points of their rational curves", () => {
+  let seed = 1;
+  const random = () => {
+    seed = (seed * 16807) % 2147483647;
+    return seed / 2147483647;
+  };
+  const numbers = (count, make) => Array.from({ length: count }, make);
+  for (const exponent of [0, 1, 20, 400]) {
+    const surface = new RationalSurface(
+      {
+        vertices: numbers(12, () => numbers(3, () => 2 * random() - 1)),
+        patches: [numbers(12, (_, k) => k)],
+        weights: [numbers(12, () => 2 ** (exponent * (2 * random() - 1)))],
+      },
+      { degreeU: 3, degreeV: 2 },
+    );
+    const patch = surface.patch(0);
+    const sides = [0, 1].flatMap((end) => [patch.isocurveAtU(end), patch.isocurveAtV(end)]);
+    for (const [pieces, curves] of /** @type {[Float32Array, import("casteljau/nurbs").RationalCurve<3>[]][]} */ ([
+      [isocurves(/** @type {any} */ (surface), 3), surface.isocurves({ lines: 3 })],
+      [outline(/** @type {any} */ (patch)), sides],
+    ])) {
+      const segments = pieces.length / 6 / curves.length;
+      const expected = curves.flatMap((curve) => {
+        const points = curve.sample(segments);
+        return numbers(segments, (_, k) => [...points.subarray(3 * k, 3 * k + 6)]).flat();
+      });
+      assert.equal(pieces.length, expected.length);
+      for (const [k, value] of expected.entries()) assert.ok(Math.abs(pieces[k] - value) < 1e-6, `2^${exponent}: ${k}`);
+    }
+  }
 });

@@ -51,7 +51,7 @@ const scripts = (page) =>
       .sort(),
   );
 
-test("casteljau/nurbs is loaded when there are weights, and not before", async (t) => {
+test("rational curves are loaded when there are weights, and not before, without surfaces", async (t) => {
   const page = await openApplet(t, "controls", { fresh: true });
   assert.deepEqual(await scripts(page), []);
   await set(page, { weights: [1, 2, 1, 1, 1, 1, 1] });

@@ -29,7 +29,7 @@ async function modulesOf(t, path) {
   return loaded(page);
 }
 
-/** Whether a module for weights is among them: the package has one for curves and one for surfaces, for development one for both. */
+/** Whether a module for weights is among the scripts: a release has one for curves and one for surfaces, a development build one for both. */
 const hasWeights = (/** @type {string[]} */ names) => names.some((name) => name.startsWith("weights-"));
 
 test("the module of surfaces is loaded where a surface is, and not for other elements", async (t) => {

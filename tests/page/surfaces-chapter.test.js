@@ -24,6 +24,10 @@ test("a figure shows its lines until it is drawn, and again while it is far away
   await near(page, "nine-surface");
   await page.locator("footer").scrollIntoViewIfNeeded();
   await page.waitForFunction(() => document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+  const opacity = await page.evaluate(
+    () => getComputedStyle(document.querySelector("#map-surface").shadowRoot.querySelector("canvas")).opacity,
+  );
+  assert.equal(opacity, "0", "a canvas without its context is white");
   await near(page, "map-surface");
   await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
 });

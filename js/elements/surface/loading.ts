@@ -8,5 +8,5 @@ export type Rational = typeof rational;
 /** The picture in WebGL with what it needs, and the gestures. */
 export const loadDrawing = once(() => import("./drawing.js"), "Stage");
 
-/** Surfaces with weights, with casteljau/nurbs. */
+/** Surfaces with weights. */
 export const loadRational = once(() => import("./rational.js"), "rationalModel");

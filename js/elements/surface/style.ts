@@ -46,7 +46,7 @@ ${unsafeCSS(SHEET)}
 canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3); cursor: grab; touch-action: pan-y; -webkit-tap-highlight-color: transparent; }
 @container (max-width: 420px) { canvas { aspect-ratio: var(--bz-aspect, 1); } }
 canvas:active { cursor: grabbing; }
-.stage:has(> .poster) canvas:not(:focus-visible) { opacity: 0; } /* without a context it is white, and shows at round corners */
+.stage:has(> .poster) canvas:not(:focus-visible) { opacity: 0; } /* once its context is lost it is white, which shows at round corners */
 canvas:focus-visible { outline-offset: -3px; }
 .poster { position: absolute; inset: 0; overflow: clip; pointer-events: none; }
 .poster ::slotted(*) { inline-size: 100%; block-size: 100%; object-fit: contain; }
